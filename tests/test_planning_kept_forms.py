@@ -115,3 +115,18 @@ def test_a_common_factor_is_taken_out_of_a_root_as_it_stands() -> None:
         "u sqrt((cos(alpha) cos(phi) - e sin(alpha) sin(phi))^2"
         " + e^2 (cos(alpha) sin(phi) + e sin(alpha) cos(phi))^2)"
     )
+
+
+def test_fractions_with_different_sums_below_stand_over_one_line_before_they_cancel() -> None:
+    solution, derivation = planned(
+        "wall W: along j, through (d, 0)\nsphere A: mass m, at (-d, 0), velocity u i\n"
+        "sphere B: mass m, at (0, 0), at rest\nA hits B: along i, e = e1\nB hits W: e = e2\n"
+        "given e1 < 1\nA hits B: along i, e = e1\nfind position(A)"
+    )
+    text = " ".join(to_text(explanation_of(derivation, solution.problem)).split())
+    assert (
+        " = (1 − e₁)d/(1 + e₁) + 2(1 − e₁)e₁d/((1 + e₁)(1 − e₁ + e₂ + e₁e₂))"
+        " = (1 − e₁)(1 + e₁ + e₂ + e₁e₂)d/((1 + e₁)(1 − e₁ + e₂ + e₁e₂))"
+        " = (1 − e₁)(1 + e₁)(1 + e₂)d/((1 + e₁)(1 − e₁ + e₂ + e₁e₂))"
+        " = (1 + e₂)(1 − e₁)d/(1 − e₁ + e₂ + e₁e₂)"
+    ) in text

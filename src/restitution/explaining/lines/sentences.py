@@ -122,6 +122,26 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
     "resolved.before-vector": "Components before the impact, as {vector}:",
+    "resolved.before-at-centres": (
+        "{body} moves at {angle} to the line of centres. Components before the impact:"
+    ),
+    "resolved.before-at-wall": "{body} moves at {angle} to {wall}. Components before the impact:",
+    "resolved.before-across-at-centres": (
+        "{body} moves perpendicular to the line of centres of its last impact, at {angle} to this "
+        "one. Components before the impact:"
+    ),
+    "resolved.before-across-at-wall": (
+        "{body} moves perpendicular to the line of centres of its last impact, at {angle} to "
+        "{wall}. Components before the impact:"
+    ),
+    "resolved.before-off-at-centres": (
+        "{body} was at rest, so it moved off along the line of centres of that impact, at {angle} "
+        "to this one. Components before the impact:"
+    ),
+    "resolved.before-off-at-wall": (
+        "{body} was at rest, so it moved off along the line of centres, at {angle} to {wall}. "
+        "Components before the impact:"
+    ),
     "resolved.before-moved-off": (
         "{body} was at rest, so it moved off along the line of centres: {vector}. Components "
         "before the impact:"
@@ -432,6 +452,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     # --- given facts ------------------------------------------------------------------------------
     "given.data": "From the data:",
     "given.turned-wall": "{body} moves at {angle} to {wall}.",
+    "given.along-centres": (
+        "{body} moves towards {wall} at {angle} to it, that is at {direction} to {unit}: along the "
+        "line of centres."
+    ),
     "given.turned-centres": "{body} moves at {angle} to the line of centres.",
     "given.tangent": "An angle with tangent {value} has sine {sine} and cosine {cosine}.",
     "given.sine": "An angle with sine {value} has cosine {cosine}.",
@@ -809,6 +833,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "made.fraction-lost": "Fraction of the kinetic energy that is lost:",
     "derived-speed.one": "The velocity of {body} has one component only",
     "derived-speed.along": "{body} moves along the line of centres",
+    "derived-speed.along-from-rest": "{body} was at rest, so it moves along the line of centres",
     "derived-speed.across": "{body} moves perpendicular to the line of centres",
     "derived-speed.by-angle": "Speed of {body}, by a component and the angle of the velocity",
     "derived-speed.resolved": "Component of the velocity of {body}, by its speed and direction",
@@ -974,6 +999,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "angles nor sizes are needed."
     ),
     "derived.along-centres": "{body} moves along the line of centres:",
+    "derived.along-centres-from-rest": (
+        "{body} was at rest, so it moves along the line of centres:"
+    ),
     "derived.across-centres-with": (
         "{body} moves perpendicular to the line of centres, where its component is {value}:"
     ),

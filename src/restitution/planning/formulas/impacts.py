@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Quantity,
+    Unit,
     letters,
     walk,
 )
@@ -413,11 +414,18 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     shares = [tidy(own.direction(each).dot(direction)) for each in ("along", "across")]
     put = [_put(scene, part) for part in parts]
     value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
+    in_degrees = _are_in_degrees(scene, own, frame) and sum(part.value != 0 for part in put) == 1
     functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
+    if in_degrees:
+        # By the angle of the velocity to this line of centres, or to this wall.
+        functions = (
+            ("cos", "cos") if (kind == "along") != (frame.wall is not None) else ("sin", "sin")
+        )
     terms = [
         product(
             tree_of(a.value),
-            _share_of_degrees(b, function) or _product_of_units(own.direction(each), direction, b),
+            _share_of_degrees(b, function, short=in_degrees)
+            or _product_of_units(own.direction(each), direction, b),
         )
         for each, a, b, function in zip(("along", "across"), put, shares, functions, strict=True)
         if a.value
@@ -439,7 +447,7 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
         refs, move, first = (number,), Move("identity", "sum-of-angles"), last
     exact = {each: tree_of(tidy(scene.scalar(each))) for each in _of_degrees(first)}
     between: tuple[tuple[Expression, MoveId | None], ...] = ()
-    if exact:
+    if exact and not in_degrees:
         between = ((swept(exchanged(first, exact)), "rearrange"),)
     relation = chain(quantity, (first, None), *between, (last, "rearrange"))
     number = scene.desk.write(move, refs, relation)
@@ -460,9 +468,23 @@ def _are_two_terms(values: list[sp.Expr]) -> bool:
     return all(values) and not any(value.has(sp.Add) for value in values)
 
 
-def _share_of_degrees(share: sp.Expr, function: str) -> Expression | None:
-    """The sine or cosine of an angle such as 75°, of which the number is long; None of others."""
-    tree = share_by_degrees(share, function) if share.has(sp.Add) else None
+def _are_in_degrees(scene: Scene, *frames: Frame) -> bool:
+    """Whether the data tell the lines of impacts by angles, and are not all along the axes."""
+    axes = []
+    for frame in frames:
+        fact = scene.facts.get(f"axis {frame.number}")
+        right = None if fact is None else fact.relation.only[-1].right
+        axes.append(right.operand if isinstance(right, Negate) else right)
+    plain = all(isinstance(axis, Unit | Degrees) for axis in axes)
+    return plain and any(isinstance(axis, Degrees) for axis in axes)
+
+
+def _share_of_degrees(share: sp.Expr, function: str, *, short: bool) -> Expression | None:
+    """The sine or cosine of an angle such as 75°, of which the number is long; None of others.
+
+    With ``short`` that of 60° too.
+    """
+    tree = share_by_degrees(share, function) if short or share.has(sp.Add) else None
     return negative(tree) if tree is not None and share < 0 else tree
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from restitution.explaining.definitions.at_events import tie_of
 from restitution.explaining.lines.derivation import (
+    Event,
     Line,
     Link,
     Meaning,
@@ -11,6 +12,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
+    Binary,
     Expression,
     Letter,
     Name,
@@ -20,7 +22,13 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.workings.leads.lines_around import LinesAround
-from restitution.workings.leads.one_component import struck_at_rest, vector_resolved
+from restitution.workings.leads.one_component import (
+    angle_by_degrees,
+    in_degrees,
+    only_component,
+    struck_at_rest,
+    vector_resolved,
+)
 
 # Components before the impact, or after it: at a wall, and of spheres.
 _RESOLVED = {
@@ -29,6 +37,12 @@ _RESOLVED = {
     (False, True): "resolved-spheres.before-units",
     (False, False): "resolved-spheres.after-units",
 }
+
+# At which angle a body comes that goes as it was left, that was at rest before the last impact, and
+# that was left at right angles to the line of that: at a wall, and at another line of centres.
+_AT = {True: "resolved.before-at-wall", False: "resolved.before-at-centres"}
+_OFF_AT = {True: "resolved.before-off-at-wall", False: "resolved.before-off-at-centres"}
+_ACROSS = {True: "resolved.before-across-at-wall", False: "resolved.before-across-at-centres"}
 
 
 def _axis_of(vector: Expression) -> Unit | None:
@@ -64,13 +78,34 @@ class ComponentLeads(LinesAround):
             return say("resolved-spheres.before-sense", axis=direction)
         if not event.wall and self._is_turned(line, event.number):
             return say("resolved-spheres.before-turned")
+        struck = struck_at_rest(self._derivation, self._naming, line)
+        if struck is not None and not self.tells_of_rest(struck, stage, event):
+            struck = None
+        angle = angle_by_degrees(self._derivation, self._naming, line, event)
+        if angle is not None:
+            return self._resolved_at(line, event, angle, struck)
         vector = vector_resolved(self._derivation, self._naming, line, event)
         if vector is not None:
-            struck = struck_at_rest(self._derivation, self._naming, line)
             if struck is not None:
                 return say("resolved.before-moved-off", body=struck, vector=vector)
             return say("resolved.before-vector", vector=vector)
         return say(_RESOLVED[event.wall, stage < event.number])
+
+    def _resolved_at(
+        self, line: Line, event: Event, angle: Expression, struck: str | None
+    ) -> Sentence:
+        """At which angle to the line of centres, or to the wall, a body comes."""
+        body, layout = line.move.bodies[0], self._naming.layout(angle)
+        if isinstance(angle, Binary):
+            turn = in_degrees(angle)
+            layout = self._naming.relation(Relation(((Link(angle, "=", turn),),)))
+        match only_component(self._derivation, self._naming, line, event):
+            case (Quantity("across", (_, Quantity())), _):
+                name = _ACROSS[event.wall]
+            case _:
+                name = _AT[event.wall] if struck is None else _OFF_AT[event.wall]
+        slots = {"wall": event.bodies[1]} if event.wall else {}
+        return say(name, body=body, angle=layout, **slots)
 
     def _since_nothing(self, line: Line) -> Sentence | None:
         """That a component is zero, by which a direction is what it is."""

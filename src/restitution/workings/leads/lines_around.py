@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from restitution.explaining.lines.derivation import (
     Derivation,
+    Event,
     Fact,
     Line,
     Link,
@@ -26,6 +27,7 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.render import layout as lay
+from restitution.workings.leads.one_component import went_from_rest
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.premises import Reasons
@@ -43,6 +45,20 @@ class LinesAround:
         self._sources = sources
         self._given: set[str] = set()
         self._behind: dict[int, Sentence] = {}
+        self._off: dict[tuple[str, int], list[Event | Line]] = {}
+
+    def tells_of_rest(self, body: str, stage: int, place: Event | Line) -> bool:
+        """Whether it is here that a body is said to have been at rest before an impact.
+
+        Lines that follow each other have one title.
+        """
+        if not went_from_rest(self._derivation, self._naming, body, stage):
+            return False
+        places = self._off.setdefault((body, stage), [place])
+        above = places[-1]
+        if isinstance(place, Line) and isinstance(above, Line) and above.number == place.number - 1:
+            places.append(place)
+        return place in places
 
     def _cited(self, ref: Ref) -> Line | None:
         return self._derivation.line(ref) if isinstance(ref, int) else None

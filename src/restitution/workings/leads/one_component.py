@@ -3,7 +3,20 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Derivation, Event, Line, Link, Meaning, Relation
-from restitution.expression.tree import Expression, Letter, Name, Pair, Quantity, Unit, is_zero
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Pair,
+    Quantity,
+    Unit,
+    is_zero,
+    walk,
+)
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
@@ -17,6 +30,30 @@ def vector_resolved(
     It is that after an earlier impact, along the line of that or across it. None where both
     components stand, or where the velocity stands as a vector.
     """
+    assert isinstance(line.relation, Relation)
+    match line.relation.options[0][0].left:
+        case Quantity(_, (Quantity("velocity", _, int(stage)) as velocity, _)):
+            pass
+        case _:
+            return None
+    only = only_component(derivation, naming, line, event)
+    if only is None:
+        return None
+    component, value = only
+    unit = _unit(derivation, naming, stage, component)
+    if unit is None:
+        return None
+    sign, size = lay.split_sign(naming.layout(value))
+    way, unit_vector = lay.split_sign(unit)
+    term = lay.product(size, unit_vector)
+    vector = term if sign == way else lay.negative(term)
+    return lay.Relation((naming.layout(velocity), vector), ("=",))
+
+
+def only_component(
+    derivation: Derivation, naming: Naming, line: Line, event: Event
+) -> tuple[Expression, Expression] | None:
+    """The one component that is not zero of the velocity that a line resolves, with its value."""
     assert isinstance(line.relation, Relation)
     match line.relation.options[0][0].left:
         case Quantity(_, (Quantity("velocity", _, int(stage)) as velocity, _)):
@@ -40,15 +77,7 @@ def vector_resolved(
     whole = [(component, value) for component, value in parts.items() if not is_zero(value)]
     if len(parts) != 2 or len(whole) != 1:
         return None
-    ((component, value),) = whole
-    unit = _unit(derivation, naming, stage, component)
-    if unit is None:
-        return None
-    sign, size = lay.split_sign(naming.layout(value))
-    way, unit_vector = lay.split_sign(unit)
-    term = lay.product(size, unit_vector)
-    vector = term if sign == way else lay.negative(term)
-    return lay.Relation((naming.layout(velocity), vector), ("=",))
+    return whole[0]
 
 
 def struck_at_rest(derivation: Derivation, naming: Naming, line: Line) -> str | None:
@@ -59,18 +88,77 @@ def struck_at_rest(derivation: Derivation, naming: Naming, line: Line) -> str | 
     assert isinstance(line.relation, Relation)
     match line.relation.options[0][0].left:
         case Quantity(_, (Quantity("velocity", (Name(body),), int(stage)), _)) if stage:
-            pass
-        case _:
-            return None
+            return body if went_from_rest(derivation, naming, body, stage) else None
+    return None
+
+
+def went_from_rest(derivation: Derivation, naming: Naming, body: str, stage: int) -> bool:
+    """Whether an impact of spheres set a body going that was at rest, and met nothing before."""
     fact = derivation.fact(" ".join(("velocity", body)))
     match None if fact is None else fact.relation.options[0][-1].right:
         case Pair(x, y) if is_zero(x) and is_zero(y):
             pass
         case _:
-            return None
+            return False
     events = naming.events.items()
     met = [number for number, event in events if body in event.bodies and number <= stage]
-    return body if met == [stage] and not naming.events[stage].wall else None
+    return met == [stage] and not naming.events[stage].wall
+
+
+def angle_by_degrees(
+    derivation: Derivation, naming: Naming, line: Line, event: Event
+) -> Expression | None:
+    """The angle to the line of centres, or to the wall, by which a line resolves a velocity.
+
+    It is the difference of the angles of two lines of centres where the data have both.
+    """
+    assert isinstance(line.relation, Relation)
+    left, right = line.relation.options[0][0].left, line.relation.options[0][0].right
+    match left:
+        case Quantity("along" | "across" as kind, (Quantity("velocity", _, int(stage)), _)) if (
+            stage
+        ):
+            pass
+        case _:
+            return None
+    ratios = [
+        node
+        for node in walk(right)
+        if isinstance(node, Apply) and isinstance(node.argument, Degrees)
+    ]
+    match ratios:
+        case [Apply("sin" | "cos" as ratio, Degrees(size))] if not _is_sum(right):
+            pass
+        case _:
+            return None
+    measured = "sin" if event.wall else "cos"
+    if isinstance(left.arguments[1], Unit):
+        fact = derivation.fact(" ".join(("axis", str(event.number))))
+        axis = None if fact is None else fact.relation.only[-1].right
+        axis = axis.operand if isinstance(axis, Negate) else axis
+        kind = "along" if axis == left.arguments[1] else "across"
+    angle = size if (ratio == measured) == (kind == "along") else 90 - size
+    turns = []
+    for number in (stage, event.number):
+        fact = derivation.fact(" ".join(("axis", str(number))))
+        turns.append(None if fact is None else fact.relation.only[-1].right)
+    for pair in (turns, turns[::-1]):
+        match pair:
+            case [Degrees(one), Degrees(other)] if not event.wall and one - other == angle:
+                return Binary("-", Degrees(one), Degrees(other))
+    return Degrees(angle)
+
+
+def _is_sum(tree: Expression) -> bool:
+    return isinstance(tree, Binary) and tree.op in ("+", "-")
+
+
+def in_degrees(angle: Binary) -> Degrees:
+    """What a difference of two angles in degrees is."""
+    match angle:
+        case Binary("-", Degrees(one), Degrees(other)):
+            return Degrees(one - other)
+    raise ValueError(angle)
 
 
 def _component_of(naming: Naming, tree: Expression) -> Expression:

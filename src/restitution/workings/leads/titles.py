@@ -390,13 +390,25 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if isinstance(part, Letter) and part.name in self._naming.meanings:
             part = self._naming.meanings[part.name].quantity
         match part:
-            case Quantity("along" | "across" as kind, (Quantity("velocity", (Name(body),)), axis)):
+            case Quantity(
+                "along" | "across" as kind, (Quantity("velocity", (Name(body),), stage), axis)
+            ):
                 event = self._naming.event_of_axis(axis)
                 if event is None or event.wall:
                     return say("derived-speed.one", body=body)
-                along = kind == "along"
-                return say("derived-speed.along" if along else "derived-speed.across", body=body)
+                if kind == "across":
+                    return say("derived-speed.across", body=body)
+                rested = isinstance(stage, int) and self.tells_of_rest(body, stage, line)
+                return say(_ALONG[rested], body=body)
         return None
+
+    def _along_centres(self, line: Line, body: str) -> str:
+        """What is said of a body that moves along the line of centres: why, where it is new."""
+        assert isinstance(line.relation, Relation)
+        own = line.relation.only[0].left
+        stage = own.stage if isinstance(own, Quantity) else None
+        rested = isinstance(stage, int) and self.tells_of_rest(body, stage, line)
+        return "derived.along-centres-from-rest" if rested else "derived.along-centres"
 
     def _is_given_off(self, line: Line, body: str) -> bool:
         """Whether a line takes the direction that is given of a sphere that was at rest."""
@@ -492,7 +504,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             size = angle.operand if isinstance(angle, Negate) else angle
             if size not in (Degrees(Fraction(0)), Degrees(Fraction(90)), Degrees(Fraction(180))):
                 square = isinstance(angle, Binary) and angle.right == Degrees(Fraction(90))
-                which = "derived.across-centres" if square else "derived.along-centres"
+                which = "derived.across-centres" if square else self._along_centres(line, body)
                 across = self._across_of(line, body) if square else None
                 if across is not None:
                     yield say("derived.across-centres-with", body=body, value=across)
@@ -729,6 +741,10 @@ def _degrees(tree: Expression) -> Fraction:
 
 def _has_vector(tree: Expression) -> bool:
     return any(isinstance(node, Unit | Pair | Polar) for node in walk(tree))
+
+
+# That a body moves along the line of centres; with the reason, where it was at rest.
+_ALONG = {False: "derived-speed.along", True: "derived-speed.along-from-rest"}
 
 
 def _read_off(line: Line) -> str | None:

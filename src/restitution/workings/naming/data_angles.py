@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import groupby
 
 import sympy as sp
@@ -18,8 +19,11 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Name,
+    Negate,
     Polar,
     Quantity,
+    Unit,
     letters,
     walk,
 )
@@ -81,6 +85,9 @@ class DataAngles:
         match fact.relation.only[-1].right, right:
             case Polar(_, Degrees(angle), None, None), Degrees(direction):
                 pass
+            case Polar(_, Degrees(angle), None, Name(wall)), _ if not event.wall:
+                yield from self._along(fact, wall, angle, right)
+                return
             case _:
                 return
         turn = abs(angle - direction) % 180
@@ -93,6 +100,33 @@ class DataAngles:
             yield say("given.turned-wall", body=body, wall=event.bodies[1], angle=equation)
         else:
             yield say("given.turned-centres", body=body, angle=equation)
+
+    def _along(
+        self, fact: Fact, wall: str, angle: Fraction, line: Expression | None
+    ) -> Iterator[Sentence]:
+        """That a velocity that makes an angle with a wall is along a line of centres."""
+        own = self._derivation.fact(" ".join(("wall", wall)))
+        match None if own is None else own.relation.only[-1].right:
+            case Unit(axis):
+                direction = (0 if axis == "i" else 90) - angle
+            case _:
+                return
+        back = isinstance(line, Negate)
+        match line.operand if isinstance(line, Negate) else line:
+            case Degrees(turn) if (direction - (-turn if back else turn)) % 180 == 0:
+                pass
+            case _:
+                return
+        self._turned.add(fact.id)
+        size = Degrees(abs(direction))
+        yield say(
+            "given.along-centres",
+            body=fact.id.partition(" ")[2],
+            wall=wall,
+            angle=self._naming.layout(Degrees(angle)),
+            direction=self._naming.layout(Negate(size) if direction < 0 else size),
+            unit=self._naming.layout(Unit("i")),
+        )
 
     def _ratios(self, arc: Apply) -> Iterator[Sentence]:
         try:

@@ -1,0 +1,85 @@
+"""A direction that stands on paper is used: velocities resolved by angles in degrees."""
+
+from __future__ import annotations
+
+import pytest
+from test_planning_closing import planned
+
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+
+def working(text: str) -> str:
+    """The working of a statement in one line, with single spaces."""
+    solution, derivation = planned(text)
+    return " ".join(to_text(explanation_of(derivation, solution.problem)).split())
+
+
+CHAIN = """
+sphere A, B, C: mass m
+sphere A: velocity {u}
+sphere B, C: at rest
+A hits B: along {first}, e = 1/2
+B hits C: along {second}, e = 1/2
+find {asked}speed(C)
+"""
+
+
+@pytest.mark.parametrize(
+    ("data", "says"),
+    [
+        (
+            {"u": "u i", "first": "60°", "second": "30°", "asked": ""},
+            [
+                "of centres of that impact, at 60° − 30° = 30° to this one.",
+                "𝐯_B · 𝐧₂ = (3u/8) cos 30° = 3√3 u/16",
+            ],
+        ),
+        (
+            {
+                "u": "u i",
+                "first": "60°",
+                "second": "30°",
+                "asked": "speed(B, 1), direction(B, 1), ",
+            },
+            [
+                "B was at rest, so it moves along the line of centres: speed of B = ",
+                "angle from 𝐢 to 𝐯_B = 60° Second impact",
+                "B moves at 60° − 30° = 30° to the line of centres.",
+            ],
+        ),
+        (
+            {"u": "8u i", "first": "i", "second": "45°", "asked": ""},
+            ["at 45° to this one.", "𝐯_B · 𝐧 = 6u cos 45° = 3√2 u"],
+        ),
+    ],
+)
+def test_who_moves_along_one_line_is_resolved_along_the_next_by_the_angle_between(
+    data: dict[str, str], says: list[str]
+) -> None:
+    words = working(CHAIN.format(**data))
+    for each in says:
+        assert each in words
+    # Why it moves along the line is said once.
+    assert words.count("B was at rest") == 1
+
+
+def test_who_is_left_at_right_angles_is_resolved_by_its_own_angle() -> None:
+    words = working(
+        "sphere A, B, C: mass m\nsphere A: velocity u i\nsphere B, C: at rest\n"
+        "A hits B: along 60°, e = 1\nA hits C: along -45°, e = 1\nfind speed(C)"
+    )
+    assert "A moves perpendicular to the line of centres of its last impact, at 15° to" in words
+    assert "𝐯_A · 𝐧₂ = (√3 u/2) cos 15° = (√6 + 3√2)u/8" in words
+
+
+def test_to_a_wall_a_body_comes_at_the_angle_with_the_wall() -> None:
+    words = working(
+        "wall W: along i\nsphere A, B: mass m\nsphere A: velocity 2u at 60° to W\n"
+        "sphere B: at rest\nA hits B: along -60°, e = 1/2\nB hits W: e = 2/3\nfind velocity(B)"
+    )
+    along = "A moves towards W at 60° to it, that is at −60° to 𝐢: along the line of centres."
+    assert words.index(along) < words.index("Conservation of momentum")
+    assert "along the line of centres, at 60° to W." in words
+    assert "(3u/2) sin 60° = −3√3 u/4" in words
+    assert "(3u/2) cos 60° = 3u/4" in words
