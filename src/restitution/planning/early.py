@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from restitution.errors import RestitutionError
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of
-from restitution.explaining.definitions.at_events import tie_of
+from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Fact
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Expression, Name, Pair, Quantity, Unit, has_quantity, walk

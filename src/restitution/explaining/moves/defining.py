@@ -6,11 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.definitions.at_events import (
-    ZERO,
-    axis_of,
-    tie_of,
-)
+from restitution.explaining.definitions.common import ZERO, axis_of
+from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Event, Link, Meaning
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import FLIPPED

@@ -8,16 +8,11 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.explaining.definitions.at_events import (
-    WORKED_OUT,
-    ZERO,
-    is_no_product,
-    nothing,
-    places,
-    tie_of,
-    ties,
-)
+from restitution.explaining.definitions.at_events import WORKED_OUT, nothing
+from restitution.explaining.definitions.common import ZERO
+from restitution.explaining.definitions.journeys import places
 from restitution.explaining.definitions.senses import oriented
+from restitution.explaining.definitions.ties import is_no_product, tie_of, ties
 from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import Event, Link, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient

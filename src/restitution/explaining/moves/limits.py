@@ -6,9 +6,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.definitions.at_events import (
-    ZERO,
-)
+from restitution.explaining.definitions.common import ZERO
 from restitution.explaining.lines.derivation import Link
 from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves.angles import in_radians

@@ -6,9 +6,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.explaining.definitions.at_events import (
-    ZERO,
-)
+from restitution.explaining.definitions.common import ZERO
 from restitution.explaining.lines.derivation import Link, Meaning, Relation
 from restitution.explaining.moves.angles import in_radians, is_ratio_of
 from restitution.explaining.moves.bases import base_of, condition, ends_of

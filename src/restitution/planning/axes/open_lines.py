@@ -14,7 +14,7 @@ from functools import partial
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.definitions.at_events import tie_of
+from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, Showing
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit
 from restitution.oracle.roles import POSITIVE, REAL, Role

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.definitions.at_events import tie_of
+from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import (
     Event,
     Line,

@@ -9,7 +9,7 @@ from typing import Any
 
 from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import letter_of_offset
-from restitution.explaining.definitions.at_events import past_a_right_angle, tie_of
+from restitution.explaining.definitions.ties import past_a_right_angle, tie_of
 from restitution.explaining.laws.principles import RECORDS
 from restitution.explaining.lines.derivation import (
     FLIPPED,

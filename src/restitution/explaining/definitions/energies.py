@@ -1,0 +1,222 @@
+"""Energies and momenta of spheres, and what is lost of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from restitution.explaining.definitions.common import axis_of, squared, total_of, whole_links
+from restitution.explaining.lines.derivation import Event, Link
+from restitution.explaining.steps.step import Step
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Polar,
+    Quantity,
+    Unit,
+)
+
+_HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
+
+
+def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
+    return Quantity(kind, (Quantity("velocity", (Name(body),), stage), axis_of(event)))
+
+
+def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:
+    """The square of a speed: by components of an event, by the vector, or as it is."""
+    velocity = Quantity("velocity", (Name(body),), stage)
+    if form == "components" and event is not None and body in event.bodies:
+        parts = (_component(kind, body, stage, event) for kind in ("along", "across"))
+        return total_of([squared(part) for part in parts])
+    if form == "along" and event is not None:
+        return squared(_component("along", body, stage, event))
+    if form == "speed":
+        return squared(Quantity("speed", (Name(body),), stage))
+    return Quantity("dot", (velocity, velocity))
+
+
+def _kinetic(
+    step: Step,
+    form: str,
+    body: str,
+    stage: int,
+    event: Event | None,
+    cited: frozenset[Expression] = frozenset(),
+) -> Expression:
+    """The energy of a sphere: as it is where it is cited, else by the square of the speed."""
+    own = Quantity("energy", (Name(body),), stage)
+    if form == "energy" or step.setting.quantity(own) in cited:
+        return own
+    mass = Quantity("mass", (Name(body),))
+    return Binary("*", Binary("*", _HALF, mass), _squares(form, body, stage, event))
+
+
+def _cited_energies(step: Step) -> frozenset[Expression]:
+    """The energies of spheres of which the values are cited."""
+    return frozenset(
+        step.setting.quantity(link.left)
+        for link in whole_links(step)
+        if isinstance(link.left, Quantity) and link.left.kind == "energy" and link.sign == "="
+    )
+
+
+def total(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy of all spheres before an event and after it."""
+    number = 0 if event is None else event.number
+    cited = _cited_energies(step)
+    for stage in {number, max(0, number - 1)}:
+        for form in ("components", "vectors", "speed", "energy"):
+            terms = [
+                _kinetic(step, form, body, stage, event, cited) for body in step.setting.spheres
+            ]
+            if terms:
+                yield Link(Quantity("energy", (), stage), "=", total_of(terms))
+    if event is not None and event.kind == "impact":
+        before = Quantity("energy", (), number - 1)
+        lost = Quantity("energy_lost", (), number)
+        yield Link(Quantity("energy", (), number), "=", Binary("-", before, lost))
+    yield from _of_given_speeds(step)
+
+
+def _of_given_speeds(step: Step) -> Iterator[Link]:
+    """The energy at the start, where only some velocities are told by their size and an angle."""
+    sized = {
+        link.left.arguments[0]
+        for link in step.links
+        if isinstance(link.left, Quantity)
+        and link.left.kind == "velocity"
+        and isinstance(link.right, Polar)
+    }
+    terms = [
+        _kinetic(step, "speed" if Name(body) in sized else "vectors", body, 0, None)
+        for body in step.setting.spheres
+    ]
+    if 0 < len(sized) < len(terms):
+        yield Link(Quantity("energy", (), 0), "=", total_of(terms))
+
+
+def momentum_of_all(step: Step, event: Event | None) -> Iterator[Link]:
+    """The momentum of all spheres before an event and after it; of one its parts and its change."""
+    yield from _momentum_in_directions(step, event)
+    number = 0 if event is None else event.number
+    for body in step.move.bodies if number and len(step.move.bodies) == 1 else ():
+        late, early = (
+            [Quantity(kind, (Name(body),), stage) for stage in (number, number - 1)]
+            for kind in ("momentum", "velocity")
+        )
+        mass = Quantity("mass", (Name(body),))
+        yield Link(Binary("-", *late), "=", Binary("*", mass, Binary("-", *early)))
+    for stage in {number, max(0, number - 1)}:
+        terms: list[Expression] = [
+            Binary("*", Quantity("mass", (Name(body),)), Quantity("velocity", (Name(body),), stage))
+            for body in step.setting.spheres
+        ]
+        if terms:
+            yield Link(Quantity("momentum", (), stage), "=", total_of(terms))
+
+
+def _momentum_in_directions(step: Step, event: Event | None) -> Iterator[Link]:
+    """The components of the momentum of a sphere, of those of its velocity."""
+    number = 0 if event is None else event.number
+    axes: list[Expression] = [Unit("i"), Unit("j"), Quantity("line_of_centres", (), number)]
+    for body in step.move.bodies if len(step.move.bodies) == 1 else ():
+        for stage in {number, max(0, number - 1)}:
+            mass = Quantity("mass", (Name(body),))
+            whole, velocity = (
+                Quantity(each, (Name(body),), stage) for each in ("momentum", "velocity")
+            )
+            for axis in axes:
+                for kind in ("along", "across"):
+                    component = Quantity(kind, (velocity, axis))
+                    yield Link(Quantity(kind, (whole, axis)), "=", Binary("*", mass, component))
+
+
+def momentum_kept(step: Step, event: Event | None) -> Iterator[Link]:
+    """That the momentum of all spheres is the same before and after two of them meet."""
+    if event is None or event.kind != "impact" or event.wall:
+        return
+    terms = [
+        Binary(
+            "*", Quantity("mass", (Name(b),)), Quantity("velocity", (Name(b),), event.number - 1)
+        )
+        for b in step.setting.spheres
+    ]
+    yield Link(total_of(terms), "=", Quantity("momentum", (), event.number))
+
+
+def total_lost(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy that all spheres lose from the beginning to the end of an event."""
+    if event is None:
+        return
+    cited = _cited_energies(step)
+    for form in ("components", "vectors", "speed", "energy"):
+        terms = [
+            Binary(
+                "-",
+                _kinetic(step, form, body, 0, None, cited),
+                _kinetic(step, form, body, event.number, event, cited),
+            )
+            for body in step.setting.spheres
+        ]
+        yield Link(Quantity("total_energy_lost", (), event.number), "=", total_of(terms))
+    before, after = (Quantity("energy", (), stage) for stage in (0, event.number))
+    lost = Binary("-", before, after)
+    yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
+    earlier = [each for each in step.setting.events if each.number <= event.number]
+    if all(each.kind == "impact" for each in earlier):
+        losses = [Quantity("energy_lost", (), each.number) for each in earlier]
+        yield Link(Quantity("total_energy_lost", (), event.number), "=", total_of(losses))
+    if event.number == 1 and event.kind == "impact":
+        # Nothing else has happened: it is what the impact takes.
+        for link in energy_lost(step, event):
+            if link.left == Quantity("energy_lost", (), 1):
+                yield replace(link, left=Quantity("total_energy_lost", (), 1))
+
+
+def energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy that the bodies of an event lose: whole, or by components along the line."""
+    if event is None:
+        return
+    spheres = [each for each in event.bodies if each in step.setting.spheres]
+    cited = _cited_energies(step)
+    for form in ("components", "along", "vectors", "speed", "energy"):
+        terms = [
+            Binary(
+                "-",
+                _kinetic(step, form, body, event.number - 1, event, cited),
+                _kinetic(step, form, body, event.number, event, cited),
+            )
+            for body in spheres
+        ]
+        lost = total_of(terms)
+        yield Link(Quantity("energy_lost", (), event.number), "=", lost)
+        stages = (event.number - 1, event.number)
+        before, after = (Quantity("energy", (), stage) for stage in stages)
+        yield Link(Binary("-", before, after), "=", lost)
+    yield Link(Quantity("energy_lost", (), event.number), "=", Binary("-", before, after))
+    changes = _changes_cited(step, event, spheres)
+    if changes:
+        yield Link(Quantity("energy_lost", (), event.number), "=", total_of(changes))
+
+
+def _changes_cited(step: Step, event: Event, spheres: Sequence[str]) -> list[Expression]:
+    """What each sphere loses at an event by a change of its energy that is cited; else nothing."""
+    wholes = {link.left: link.right for link in whole_links(step) if link.sign == "="}
+    changes: list[Expression] = []
+    for body in spheres:
+        early, late = (
+            step.setting.quantity(Quantity("energy", (Name(body),), number))
+            for number in (event.number - 1, event.number)
+        )
+        if (lost := wholes.get(Binary("-", early, late))) is not None:
+            changes.append(lost)
+        elif (gained := wholes.get(Binary("-", late, early))) is not None:
+            changes.append(Negate(gained))
+        else:
+            return []
+    return changes

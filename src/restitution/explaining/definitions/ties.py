@@ -1,0 +1,222 @@
+"""Directions at right angles, or parallel, and angles between them: what they say of components."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from restitution.explaining.data.offset_angles import named_angles
+from restitution.explaining.definitions.common import (
+    RIGHT_ANGLE,
+    ZERO,
+    axis_of,
+    unit_vector,
+    whole_links,
+)
+from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Sign
+from restitution.explaining.lines.quotients import Quotient
+from restitution.explaining.lines.trees import settled
+from restitution.explaining.steps.step import Step
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Polar,
+    Quantity,
+)
+
+_TIES: Mapping[Expression, Sign] = {
+    RIGHT_ANGLE: "perpendicular to",
+    Degrees(Fraction(0)): "parallel to",
+    Degrees(Fraction(180)): "parallel to",
+}
+"""How directions stand to each other that make an angle of so much."""
+
+
+def tied(step: Step, event: Event | None) -> Iterator[Link]:
+    """What a cited right angle, or a cited common direction, says of components."""
+    relation = "perpendicular to" if step.move.record == "perpendicular" else "parallel to"
+    for link in (*step.links, *_named_angles(step)):
+        tie = tie_of(link)
+        if tie is not None and tie[2] == relation:
+            yield from ties(step, event, *tie)
+            if relation == "perpendicular to" and event is not None and not event.wall:
+                yield from _across_who_moves_along(step, event, *tie[:2])
+        past = past_a_right_angle(link)
+        if past is not None and step.move.record == "perpendicular":
+            for each in ties(step, event, *past[:2], relation):
+                yield replace(each, sign=past[2])
+
+
+def _across_who_moves_along(
+    step: Step, event: Event, left: Expression, right: Expression
+) -> Iterator[Link]:
+    """At right angles to who moves along the line of centres, a sphere has no component along it.
+
+    There is a right angle only between spheres that both move.
+    """
+    axis = axis_of(event)
+    for one, other in ((left, right), (right, left)):
+        match one, other:
+            case (
+                Quantity("velocity", (Name(body),), event.number),
+                Quantity("velocity", (Name(last),), event.number),
+            ) if {body, last} == set(event.bodies):
+                across = step.setting.quantity(Quantity("across", (one, axis)))
+                value = step.rules().put_into(step.world.value(across))
+                if isinstance(value, Quotient) and value.vanishes:
+                    yield Link(Quantity("along", (other, axis)), "=", ZERO)
+
+
+def _named_angles(step: Step) -> Iterator[Link]:
+    """What is cited of letters for angles, said of the angles."""
+    named = {Letter(let.letter): let.quantity for let in step.lets}
+    named |= {
+        each.right: each.left
+        for each in step.links
+        if each.sign == "=" and isinstance(each.right, Letter) and isinstance(each.left, Quantity)
+    }
+    for link in whole_links(step):
+        if link.left in named:
+            yield Link(named[link.left], link.sign, link.right)
+
+
+def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
+    """The two directions of which a relation says how they stand to each other."""
+    if link.sign in ("perpendicular to", "parallel to"):
+        return _moving(link.left), _moving(link.right), link.sign
+    match link:
+        case Link(Quantity("direction", (Name() as body,), int(stage)), "=", angle):
+            unit = Polar(Number(Fraction(1)), angle)
+            return Quantity("velocity", (body,), stage), unit, "parallel to"
+    if link.sign != "=" or link.right not in _TIES:
+        return None
+    match link.left:
+        case Quantity("angle", (left, right)):
+            return left, right, _TIES[link.right]
+        case Quantity("deflection", (turned,), int(stage)):
+            before, after = (Quantity("velocity", (turned,), each) for each in (stage - 1, stage))
+            return before, after, _TIES[link.right]
+    return None
+
+
+def _moving(tree: Expression) -> Expression:
+    """The velocity of a body for its momentum, which has the same direction."""
+    match tree:
+        case Quantity("momentum", (Name(),)):
+            return replace(tree, kind="velocity")
+    return tree
+
+
+def past_a_right_angle(link: Link) -> tuple[Expression, Expression, Sign] | None:
+    """Of an angle that is more than 90°, or less: its directions, and the sign of their product."""
+    turned = FLIPPED.get(link.sign)
+    tie = None if turned is None else tie_of(replace(link, sign="="))
+    if turned is None or tie is None or tie[2] != "perpendicular to":
+        return None
+    return tie[0], tie[1], turned
+
+
+def ties(
+    step: Step, event: Event | None, left: Expression, right: Expression, relation: str
+) -> Iterator[Link]:
+    """What it says of components that two directions are perpendicular, or parallel."""
+    kinds = ("along", "across")
+    for a, b in ((left, right), (right, left)):
+        for axis in () if event is None else (axis_of(event),):
+            wall = len(event.bodies) > 1 and b == Name(event.bodies[1]) if event else False
+            if b == axis or wall:
+                square = (relation == "perpendicular to") != wall
+                yield Link(Quantity(kinds[0] if square else kinds[1], (a, axis)), "=", ZERO)
+    for axes in (axis_of(event),) if event is not None else ():
+        (a, b), (c, d) = ([Quantity(k, (each, axes)) for k in kinds] for each in (left, right))
+        if relation == "perpendicular to":
+            yield Link(Binary("+", Binary("*", a, c), Binary("*", b, d)), "=", ZERO)
+        else:
+            yield Link(Binary("-", Binary("*", a, d), Binary("*", b, c)), "=", ZERO)
+    if relation == "perpendicular to":
+        yield Link(Quantity("dot", (left, right)), "=", ZERO)
+    else:
+        yield Link(_cross(left, right), "=", ZERO)
+
+
+def is_no_product(step: Step, left: Expression, right: Expression) -> bool:
+    """Whether a line is cited by which the scalar product of two directions is zero."""
+    products = [
+        settled(Quantity("dot", e), step.setting.events) for e in ((left, right), (right, left))
+    ]
+    return any(
+        link.left in products and link.sign == "=" and link.right == ZERO
+        for link in whole_links(step)
+    )
+
+
+def _cross(left: Expression, right: Expression) -> Expression:
+    x, y = (
+        tuple(Quantity("dot", (each, unit_vector(axis))) for axis in "ij") for each in (left, right)
+    )
+    return Binary("-", Binary("*", x[0], y[1]), Binary("*", x[1], y[0]))
+
+
+def between_directions(step: Step, event: Event | None) -> Iterator[Link]:
+    """The angles between velocities, at any two times, or lines, for which letters are cited.
+
+    Of a line of centres by an offset, the sine of the angle with the path.
+    """
+    for meaning, own in named_angles(step.lets, step.links, step.setting):
+        yield Link(Apply("sin", meaning.quantity), "=", own.sine)
+    for angle in (
+        *(meaning.quantity for meaning in step.lets),
+        *(side for link in step.links for side in (link.left, link.right)),
+    ):
+        match angle:
+            case Quantity("angle", (a, b)):
+                p, q = (_pointing(step, each) for each in (a, b))
+                sizes = Binary("*", Apply("abs", p), Apply("abs", q))
+                cosine = Binary("/", Quantity("dot", (p, q)), sizes)
+                yield Link(Apply("cos", angle), "=", cosine)
+                yield from _by_product_and_speeds(step, angle, a, b)
+            case Quantity("deflection", (Name() as body,), int(stage)):
+                early, late = (
+                    settled(Quantity("velocity", (body,), each), step.setting.events)
+                    for each in (stage - 1, stage)
+                )
+                yield from _by_product_and_speeds(step, angle, early, late)
+
+
+def _by_product_and_speeds(
+    step: Step, angle: Expression, one: Expression, other: Expression
+) -> Iterator[Link]:
+    """The cosine of an angle between velocities, where a line gives their product.
+
+    Lines give their sizes too; one that a line does not give is that of the velocity.
+    """
+    wholes = {link.left: link.right for link in whole_links(step) if link.sign == "="}
+    product = next(
+        (e for e in (Quantity("dot", (one, other)), Quantity("dot", (other, one))) if e in wholes),
+        None,
+    )
+    sizes = [
+        wholes.get(replace(each, kind="speed"), Apply("abs", each))
+        for each in (one, other)
+        if isinstance(each, Quantity) and each.kind == "velocity"
+    ]
+    if product is not None and len(sizes) == 2:
+        yield Link(Apply("cos", angle), "=", Binary("/", wholes[product], Binary("*", *sizes)))
+
+
+def _pointing(step: Step, tree: Expression) -> Expression:
+    """A vector in the direction of a wall or a line of centres that is cited; else the tree."""
+    directions = step.world.directions
+    own: Expression = Quantity("direction", (tree,)) if isinstance(tree, Name) else tree
+    seen = 0
+    while own in directions and seen < len(directions):
+        own, seen = directions[own], seen + 1
+    if step.world.is_angle(own):
+        return Polar(Number(Fraction(1)), own)
+    return own if seen else tree
