@@ -888,7 +888,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.as": "as {reasons:and}",
     "derived.as-because": "as {reasons:and}, because {causes:and}",
     "derived.no-root": "{value} does not satisfy {equation}",
-    "derived.would": "{value} would give {result} by {equations:and}",
+    "derived.would": "{value} would give {results:and} by {equations:and}",
     "derived.the": "the {quantity}",
     "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",
     "derived.cancel-by": (

@@ -46,6 +46,7 @@ from restitution.workings.reasons.growing import growth, limit_at_an_end, reache
 from restitution.workings.reasons.later_times import later_than
 from restitution.workings.reasons.multipliers import multipliers_of
 from restitution.workings.reasons.plain_signs import are_squares, positive_letters
+from restitution.workings.reasons.rejected_roots import made_by_a_root
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.seen import growth_said, less_than_its_limit, shown
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons, is_short
@@ -167,13 +168,15 @@ class Reasons:
         if broken is None:
             return None
         dropped, bound = broken
-        value, result = (self._laid(Relation((each,))) for each in (dropped, (bound,)))
+        value = self._laid(Relation((dropped,)))
+        made = made_by_a_root(self._derivation, line, dropped, bound)
+        results = tuple(map(self._laid, made or (Relation(((bound,),)),)))
         source = self._sources.of(line)
         numbers = sorted(self._sources.numbers[e] for e in (source.reasons if source else ()))
         equations = tuple(say("derived.number", number=str(number)) for number in numbers)
         if not equations:
             return None
-        return say("derived.would", value=value, result=result, equations=equations)
+        return say("derived.would", value=value, results=results, equations=equations)
 
     def _beyond_a_right_angle(
         self, line: Line, known: tuple[Sentence | lay.Layout, ...]
