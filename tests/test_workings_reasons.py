@@ -214,10 +214,10 @@ SAYS = {
     ),
     "a component that is zero has its own sign": (
         (
-            "wall W: along theta\nsphere P: mass 1, velocity 2i\nP hits W: e = 1/2\n"
-            "given theta > 0°, theta < 90°, velocity(P) parallel to j\nfind tan(theta)"
+            "wall W: along theta\nsphere P: mass 1, velocity 2i + j\nP hits W: e = 1/2\n"
+            "given theta > 30°, theta < 90°, velocity(P) parallel to j\nfind tan(theta)"
         ),
-        ["so the component in the direction of 𝐢 is\nzero:", "2 cos²θ − sin²θ = 0"],
+        ["so the component in the direction of 𝐢 is\nzero:", "(sin θ)((cos θ − 2 sin θ)/2)"],
     ),
     # (1 + e)² k cos²α = (1 − ek)² cos²α + (1 + k)² sin²α.
     "terms of one ratio stand on one side before its tangent": (
