@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import random
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -32,6 +33,7 @@ from restitution.expression.tree import (
 from restitution.oracle import (
     All,
     BeyondError,
+    Formula,
     Oracle,
     Point,
     Relation,
@@ -44,6 +46,7 @@ from restitution.solving.algebra.numbers import at, number_of
 from restitution.solving.equations.solution import Branch
 from restitution.solving.story.forward import Story
 from restitution.solving.story.happenings import Happening
+from restitution.solving.story.unknowns import Numbers
 from restitution.vector import Vector
 
 
@@ -110,6 +113,23 @@ class Model:
             }
             self._inside[id(ground)] = Oracle(roles)
         return self._inside[id(ground)]
+
+    def under(self, conditions: Sequence[Formula]) -> Model:
+        """The same solution where some conditions of the letters hold as well."""
+        own = copy(self)
+        own._oracles_of_names, own._inside, own._verdicts = {}, {}, {}
+        own._numbers, own.floats = {}, {}
+        names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
+        ground, known = (each.with_facts(conditions) for each in self._oracles)
+        own._oracles_of_names[names] = ground, known
+        own._inside[id(ground)] = self.inside.with_facts(conditions)
+        witness = known.possible.witness
+        if witness is not None:
+            own.sample = self._completed(witness)
+            there = {name: own.sample[name] for name in self.branch.sample}
+            numbers = self.branch.tell(Numbers(there))
+            own.branch = replace(self.branch, sample=there, numbers=numbers)
+        return own
 
     def _renamed(self, known: Oracle) -> Oracle:
         put = self._presented(known)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Mul, Pow, Rational, Symbol
+from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol
 
 from restitution.exact.degrees import function_of, with_ratio
 from restitution.exact.factors import factored
@@ -167,10 +167,20 @@ def _oriented(value: Expr) -> Expr:
         return value
     arguments = [_oriented(argument) for argument in value.args]
     if isinstance(value, Mul):
-        arguments = _without_minuses_below(arguments)
+        arguments = _without_minuses_below(_over_its_own_root(arguments))
     if isinstance(value, Pow) and value.exp.is_even and isinstance(arguments[0], Add):
         arguments[0] = forward(arguments[0])
     return value if tuple(arguments) == value.args else rebuilt(value, arguments)
+
+
+def _over_its_own_root(factors: list[Expr]) -> list[Expr]:
+    """−1/√(k² − 1) for √(k² − 1)/(1 − k²)."""
+    bases = {each.base: n for n, each in enumerate(factors) if each.is_Pow and each.exp == -1}
+    for n, root in enumerate(factors):
+        base, power = root.as_base_exp()
+        if power == S.Half and base.is_Add and (below := bases.get(-base)) is not None:
+            factors[n], factors[below] = 1 / root, S.NegativeOne
+    return factors
 
 
 def _without_minuses_below(factors: list[Expr]) -> list[Expr]:

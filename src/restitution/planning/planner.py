@@ -49,7 +49,8 @@ from restitution.planning.clashes import write_clash
 from restitution.planning.closing.wanted_letters import with_wanted_letters
 from restitution.planning.early import Early, early_items, terms
 from restitution.planning.inequalities.extrema import only_answer, write_extremum
-from restitution.planning.inequalities.ranges import relation_of, write_range
+from restitution.planning.inequalities.forms_of_ranges import is_in_a_form, write_form
+from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
 from restitution.planning.latest_forms import with_factors_kept, with_latest_forms
 from restitution.planning.out_of_range import write_out_of_range
 from restitution.planning.routes.directions_of_others import write_velocities_of_others
@@ -397,7 +398,8 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                 else:
                     _write_end(scene, solver, item, result, now, name)
                 lines = scene.desk.lines
-                require_true(scene.model, lines[start:], lines, scene.desk.facts)
+                if not is_in_a_form(scene.desk, name):
+                    require_true(scene.model, lines[start:], lines, scene.desk.facts)
                 _require_short(lines[start:])
                 if solver.resort or scene.turned:
                     require_followed(scene, lines[start:])
@@ -491,7 +493,7 @@ def _write_item(
                 raise NotPlannedError("a percentage")
             relation = relation_of(asked, result)
             if not _write_one_value(scene, solver, asked, relation, name):
-                write_range(scene, solver, asked, relation, name)
+                _write_range(scene, solver, asked, relation, result, name)
         case Extremum():
             asked = staged(problem, item.expression, now)
             answer = only_answer(result)
@@ -505,6 +507,30 @@ def _write_item(
                 _require_form(scene, result)
             _require_found(scene, asked)
             _require_letters(scene, result)
+
+
+def _write_range(
+    scene: Scene,
+    solver: Solver,
+    asked: Expression,
+    relation: Relation,
+    result: ItemResult,
+    name: str,
+) -> None:
+    """A range, of several forms perhaps under the condition of the one that has letters."""
+    mark, answer = solver.mark(), general_answer(result)
+    several = answer is not None and len(result.distinct) > 1
+    try:
+        write_range(scene, solver, asked, relation, name)
+        lines = scene.desk.lines
+        if several:
+            require_true(scene.model, lines[mark.desk.lines :], lines, scene.desk.facts)
+    except NotPlannedError:
+        solver.back(mark)
+        if answer is None or not several:
+            raise
+        if not write_form(scene, solver, asked, relation, answer, name):
+            raise
 
 
 def _write_one_value(

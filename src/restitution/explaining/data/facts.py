@@ -61,6 +61,7 @@ from restitution.problem import (
 )
 from restitution.problem import trees as all_trees
 from restitution.shapes import Circle, Segment
+from restitution.solving.story.paths_to_walls import angle_to_be_acute
 
 # Of these, a stage left out is the one reached where the quantity stands.
 _STAGED = frozenset(word for word, kind in KINDS.items() if kind.staged and not kind.stage_needed)
@@ -119,6 +120,10 @@ class FactsOf(Arrangement):
                     if word == "velocity" and is_zero(value):
                         value = Pair(value, value)
                     yield self._fact(f"{word} {sphere.name}", quantity, value, sphere.place)
+            acute = angle_to_be_acute(self.problem, sphere)
+            if acute is not None:
+                link = Link(Apply("cos", acute), ">", Number(Fraction(0)))
+                yield Fact(f"path {sphere.name}", "range", Relation(((link,),)), None, sphere.place)
         for point in self.problem.points:
             place = Quantity("position", (Name(point.name),))
             if isinstance(point.position, Expression):

@@ -46,7 +46,7 @@ MoveId = Literal[
 ]
 MOVES: tuple[MoveId, ...] = get_args(MoveId)
 
-FactKind = Literal["data", "given", "range", "geometry", "earlier"]
+FactKind = Literal["data", "given", "range", "case", "geometry", "earlier"]
 EventKind = Literal["impact", "kick", "arrival"]
 Showing = Literal["line", "inline", "silent"]
 """Whether a line is printed by itself, within another one, or not at all."""

@@ -476,6 +476,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
     "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
+    "given.no-negative-product": "It is given that {fact}, so the scalar product is not negative:",
+    "given.no-positive-product": "It is given that {fact}, so the scalar product is not positive:",
     "given.none-in": "So {velocity} has no component in the direction of {axis}:",
     "given.none-along": "So {velocity} has no component along {line}:",
     "given.product": "It is given that {fact}, so the scalar product is zero:",

@@ -335,7 +335,12 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
             premises = together(each.refs, refs, own.refs)
             if scene.judge.follows(own.move, premises, worth):
                 return scene.desk.write(own.move, premises, worth)
-    return scene.desk.write(own.move, together(each.refs, refs, own.refs), relation)
+    premises = together(each.refs, refs, own.refs)
+    if own.move.record == "tan" and own.value.atoms(sp.sin, sp.cos, sp.tan):
+        # Which sense a component has may rest on what is told of an angle.
+        known = scene.judge.known(letters(relation.only[0].right))
+        premises = scene.judge.enough(own.move, premises, relation, known) or premises
+    return scene.desk.write(own.move, premises, relation)
 
 
 def _turns_round(scene: Scene, value: sp.Expr) -> bool:

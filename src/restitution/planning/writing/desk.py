@@ -170,6 +170,8 @@ class Desk:
     where it has several solutions, that has them too."""
     withheld: frozenset[str] = frozenset()
     """Facts that the part gives further down: they are not in force yet."""
+    assumed: frozenset[str] = frozenset()
+    """Conditions under which a range has a form: they are in force only while that is written."""
     early: dict[str, ItemEnd] = field(default_factory=dict)
     """The ends of items without such facts, by item, where these say more of their answers."""
     waiting: dict[Any, Any] = field(default_factory=dict)
@@ -215,6 +217,13 @@ class Desk:
         self.lines.append(Line(number, self.item, move, refs, relation, (), shown))
         self._scopes[number] = common_scope(map(self._scope, refs))
         return number
+
+    def assume(self, fact: Fact) -> None:
+        """Takes up a condition, which is in force until it is one of those ``assumed``."""
+        self.facts = (*self.facts, fact)
+        self.version += 1
+        self._scopes |= scopes_of((fact,))
+        self._own[fact.id] = None if fact.part is None else frozenset({fact.part})
 
     def line(self, number: int) -> Line:
         """The line with a number."""
@@ -268,7 +277,8 @@ class Desk:
 
     def holds(self, ref: Ref) -> bool:
         """Whether what a line rests on is in force in the part that is written."""
-        if self.withheld and self._rests_on(ref) & self.withheld:
+        hidden = self.withheld | self.assumed
+        if hidden and self._rests_on(ref) & hidden:
             return False
         if self.apart:
             return self._homes(ref) <= {None, self.part}

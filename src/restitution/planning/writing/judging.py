@@ -190,13 +190,13 @@ class Judge:
     # --- bounds of letters ----------------------------------------------------------------------
 
     def ranges_given(self, name: str) -> list[Ref]:
-        """The inequalities in force that are given of a letter."""
+        """The inequalities in force that are given of a letter, or that a form of a range asks."""
         return [
             fact.id
             for fact in self.desk.facts
-            if fact.kind == "range"
+            if fact.kind in ("range", "case")
             and self.desk.holds(fact.id)
-            and fact.id.startswith("given")
+            and fact.id.startswith(("given", "case", "path"))
             and name in _letters(fact.relation)
         ]
 

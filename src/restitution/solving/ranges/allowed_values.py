@@ -160,7 +160,7 @@ def _range_of_letter(
 
 def _is_general(region: Region, values: sp.Set) -> bool:
     """Whether the ends of a range have values, and lie in the range of the letter, for all data."""
-    if not always_exist(values, Oracle(region.roles, region.given)):
+    if values.has(sp.Min, sp.Max) or not always_exist(values, Oracle(region.roles, region.given)):
         return False
     if not isinstance(values, sp.Interval) or region.formula is None:
         return True

@@ -15,23 +15,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache
 from itertools import pairwise
 from typing import Any, Protocol
 
-import sympy as sp
-
 from restitution import work
 from restitution.errors import ImpossibleError
-from restitution.expression.evaluate import Numeric, Symbolic, Value, evaluate
-from restitution.expression.tree import Apply, Binary, Expression, Name, Polar, Quantity, letters
-from restitution.oracle import Oracle, compared
+from restitution.expression.evaluate import Numeric, Symbolic, Value
+from restitution.expression.tree import Apply, Expression, Name, Quantity, letters
 from restitution.problem import Arrival, Event, Impact, Kick, Let, Part, Problem, Sphere
 from restitution.solving.story import bodies, places, quantities
 from restitution.solving.story.conditions import Condition
 from restitution.solving.story.happenings import Happening, Standing
 from restitution.solving.story.impacts import impact
-from restitution.solving.story.letters import roles
+from restitution.solving.story.paths_to_walls import angle_to_be_acute
 from restitution.solving.story.state import State, Unknowns
 from restitution.vector import Vector
 
@@ -128,11 +124,11 @@ class Story(State):
 
     def _aim(self, sphere: Sphere) -> None:
         """An angle of a path to a wall is acute, but where it is told so that it cannot be: 2θ."""
-        match sphere.velocity:
-            case Polar(_, Binary() as angle, wall=Name(wall)) if _may_be_acute(self.problem, angle):
-                reason = f"the path of {sphere.name} would make an angle of 90° or more with {wall}"
-                cosine = self.read(Apply("cos", angle), reason)
-                self.conditions.append(Condition(cosine, ">", reason, "fact"))
+        angle = angle_to_be_acute(self.problem, sphere)
+        if angle is not None:
+            reason = f"the path of {sphere.name} would make an angle of 90° or more with the wall"
+            cosine = self.read(Apply("cos", angle), reason)
+            self.conditions.append(Condition(cosine, ">", reason, "fact"))
 
     def tell(self, step: Event) -> None:
         """Goes on with the next event, by the values that tracks and walls have now."""
@@ -216,13 +212,3 @@ def lets_of(problem: Problem, part: Part) -> dict[str, tuple[Let, int]]:
         for step, events, _ in problem.timeline(part)
         if isinstance(step, Let)
     }
-
-
-@lru_cache(maxsize=256)
-def _may_be_acute(problem: Problem, angle: Expression) -> bool:
-    """Whether an angle of letters may be acute, and may be obtuse too."""
-    names = {name: role for name, role in roles(problem).items() if name in letters(angle)}
-    if not names or not all(role.kind == "angle" for role in names.values()):
-        return False
-    cosine: Any = evaluate(Apply("cos", angle), lambda name: names[name].symbol(name))
-    return not any(Oracle(names).proves(compared(cosine, s, sp.Integer(0))) for s in ("<=", ">"))

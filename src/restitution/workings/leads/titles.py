@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -21,6 +21,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.saying import Sentence, say, slots_of
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.tree import (
     Apply,
@@ -112,9 +113,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if named and line.move.record == "perpendicular" and past is not None:
             if isinstance(past[1], Unit):
                 return (say("derived.since", facts=(sentence,)),)
-            negative = past[2][0] == "<"
-            name = "given.negative-product" if negative else "given.positive-product"
-            return (say(name, fact=sentence),)
+            return (say(_PRODUCTS[past[2]], fact=sentence),)
         if named and not isinstance(sentence, Sentence):
             if self.title(line) is not None:
                 own = facts[0].relation.options[0][0].left
@@ -145,9 +144,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if isinstance(line.relation.options[0][0].left, Letter):
             return (say("given.fact", fact=sentence),)
         if line.move.record == "perpendicular" and past is not None:
-            negative = past[2][0] == "<"
-            name = "given.negative-product" if negative else "given.positive-product"
-            return (say(name, fact=sentence),)
+            return (say(_PRODUCTS[past[2]], fact=sentence),)
         nothing = is_zero(line.relation.options[0][-1].right)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:
@@ -753,3 +750,12 @@ def _read_off(line: Line) -> str | None:
         case Relation(((Link(Quantity("direction", (Name(body),), int()), "="), *_),)):
             return body
     return None
+
+
+# The sign of a scalar product, by that with which its line compares it with zero.
+_PRODUCTS: Mapping[str, SentenceId] = {
+    ">": "given.positive-product",
+    "<": "given.negative-product",
+    ">=": "given.no-negative-product",
+    "<=": "given.no-positive-product",
+}

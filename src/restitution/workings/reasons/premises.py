@@ -103,7 +103,7 @@ class Reasons:
             return (say("derived.as", reasons=(*grounds, *multiplied)),)
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
-        reasoned = reasoned or self._by_its_sense(line)
+        reasoned = reasoned or self._by_its_sense(line) or self._in_its_case(line)
         if not reasoned and not self._of_sizes(line) and not grounds:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
@@ -140,6 +140,11 @@ class Reasons:
         if reasons and self._by_a_cotangent(line):
             reasons = (say("derived.cotangent"), *reasons)
         return (say("derived.as", reasons=reasons),) if reasons else ()
+
+    def _in_its_case(self, line: Line) -> bool:
+        """Whether a line rests on the condition under which a range has its form."""
+        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
+        return any(fact is not None and fact.kind == "case" for fact in facts)
 
     def _by_a_cotangent(self, line: Line) -> bool:
         """Whether the bounds of an angle come of those of its cotangent, which falls."""
@@ -353,7 +358,7 @@ class Reasons:
                 if self._naming.bodies.get(wall) == "sphere":
                     return say("touch.towards", one=body, other=wall)
                 return say("circle.towards", body=body, wall=wall)
-            if not ordered or fact.kind not in ("given", "range"):
+            if not ordered or fact.kind not in ("given", "range", "case"):
                 return None
             match fact.relation:
                 case Relation(((Link(Number(), _, Quantity()) as link,),)):

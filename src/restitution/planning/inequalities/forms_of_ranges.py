@@ -1,0 +1,109 @@
+"""A range of several forms in the one that has letters in its ends, where that takes its condition.
+
+What is divided by has its sign only there: *e < 3/(2k − 1), as k ≥ 2*.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+from restitution.components.models import Model
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Relation
+from restitution.explaining.lines.notation import read_relation
+from restitution.expression.tree import Apply, Expression, Letter, has_quantity, letters
+from restitution.oracle import BeyondError, Formula, compared
+from restitution.planning.inequalities.ranges import write_range
+from restitution.planning.routes.order import Solver
+from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.desk import UNPLANNED, Desk
+from restitution.planning.writing.forms import square
+from restitution.planning.writing.inequalities import turned
+from restitution.planning.writing.scene import Scene
+from restitution.solving.equations.solution import Answer
+
+_ARCS = re.compile(r"\ba(sin|cos|tan)\(")
+
+
+def write_form(
+    scene: Scene, solver: Solver, asked: Expression, relation: Relation, answer: Answer, name: str
+) -> bool:
+    """Writes a range in a form that holds under a condition; False where that is not possible."""
+    condition = None if len(answer.condition) != 1 else _condition(answer.condition[0])
+    if condition is None:
+        return False
+    standing, facts = solver.mark(), scene.desk.facts
+    with suppress(*UNPLANNED, RestitutionError, BeyondError):
+        with _assumed(scene, Fact(f"case {name}", "case", condition, scene.desk.part)):
+            write_range(scene, solver, asked, relation, name)
+            lines = scene.desk.lines
+            require_true(scene.model, lines[standing.desk.lines :], lines, scene.desk.facts)
+        return True
+    solver.back(standing)
+    scene.desk.facts = facts
+    return False
+
+
+def is_in_a_form(desk: Desk, name: str) -> bool:
+    """Whether an item has its lines under such a condition, and has been tried there."""
+    return f"case {name}" in desk.assumed
+
+
+def _condition(text: str) -> Relation | None:
+    """A condition of an answer as a relation of letters; None of one that has several parts."""
+    own = _ARCS.sub(r"arc\1(", text).replace("**", "^")
+    try:
+        condition = read_relation(own, {})
+    except RestitutionError:
+        return None
+    if len(condition.options) > 1 or any(each.sign not in FLIPPED for each in condition.only):
+        return None
+    if len(condition.only) > 1:
+        return condition
+    return Relation(((_by_its_ratio(condition.only[0]),),))
+
+
+def _by_its_ratio(link: Link) -> Link:
+    """A bound of a letter, which stands first; of an acute angle that of its tangent."""
+    own = link if letters(link.left) == {getattr(link.left, "name", "")} else turned(link)
+    match own:
+        case Link(Letter() as angle, sign, Apply("arctan", Apply("sqrt", inside))):
+            return Link(square(Apply("tan", angle)), sign, inside)
+        case Link(Letter() as angle, sign, Apply("arctan", inside)):
+            return Link(Apply("tan", angle), sign, inside)
+    return own
+
+
+@contextmanager
+def _assumed(scene: Scene, fact: Fact) -> Iterator[None]:
+    """Has a condition in force for a while."""
+    own, model = scene.desk, scene.model
+    assumed = _within(scene, fact.relation)
+    own.assume(fact)
+    scene.__dict__.pop("facts", None)
+    scene.__dict__.pop("judge", None)
+    scene.model = assumed
+    try:
+        yield
+    finally:
+        scene.model = model
+        own.assumed |= {fact.id}
+        own.version += 1
+        scene.__dict__.pop("facts", None)
+        scene.__dict__.pop("judge", None)
+
+
+def _within(scene: Scene, condition: Relation) -> Model:
+    """The solution where a condition of its letters holds.
+
+    Raises UnsupportedError, by a quantity, for a condition that is none of letters.
+    """
+    assert not any(has_quantity(e) for link in condition.only for e in (link.left, link.right))
+    model = scene.model
+    claims: list[Formula] = [
+        compared(scene.scalar(link.left), link.sign, scene.scalar(link.right))
+        for link in condition.only
+    ]
+    return model.under(claims)

@@ -1,0 +1,76 @@
+"""A range of several forms, worked out where what is divided by has its sign by their condition."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from restitution.explaining.following.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.story.letters import roles
+from restitution.workings import explain, to_text
+
+SPHERES = """
+sphere A: mass m, velocity u{angle}
+sphere B: mass k m, at rest
+wall W: along j
+A hits B: along i
+{more}
+find range of {asked}
+"""
+WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given {given}
+find range of {asked}
+"""
+
+CASES = {
+    "collide again": (
+        SPHERES.format(
+            angle=" i", more="B hits W: e = 1/2\ngiven A and B collide again", asked="e"
+        ),
+        ["e < 3/(2k − 1), as k ≥ 2", "This holds for k ≥ 2.", "0 ≤ e ≤ 1, for k < 2"],
+    ),
+    "the faster": (
+        SPHERES.format(angle=" i", more="given speed(A) < speed(B)", asked="e"),
+        ["0 < e < 2/(k − 1), as k ≥ 3", "This holds for k ≥ 3.", "0 < e ≤ 1, for k < 3"],
+    ),
+    "of an angle": (
+        SPHERES.format(angle=" at alpha", more="given deflection(A) < 90°", asked="k"),
+        ["as tan²α < e", "This holds for α < arctan(√e).", "k > 0, for α ≥ arctan(√e)"],
+    ),
+    "a root": (
+        WALL.format(given="energy(P) >= 1/2 energy(0)", asked="alpha"),
+        ["tan²α ≤ 1/(1 − 2e²)", "0° < α ≤ arctan(1/√(1 − 2e²))", "for e ≥ 1/√2"],
+    ),
+    "the lesser of two": (
+        WALL.format(given="deflection(P) <= 90°", asked="e"),
+        ["so the scalar product is not negative", "0 ≤ e ≤ 1/tan²α", "0 ≤ e ≤ 1, for α ≤ 45°"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "lines"), CASES.values(), ids=CASES)
+def test_a_range_is_worked_out_in_the_form_with_letters(text: str, lines: list[str]) -> None:
+    problem = parse(text)
+    solution = solve(problem)
+    working = re.sub(r"\s+", " ", to_text(explain(solution), 200))
+    assert "not written out" not in working
+    for line in lines:
+        assert line in working
+    assert follow(plan(solution), Oracle(roles(problem))) == ()
+
+
+def test_a_condition_of_a_form_is_in_force_for_its_range_alone() -> None:
+    text = CASES["the faster"][0] + "find speed(A)\n"
+    derivation = plan(solve(parse(text)))
+    lines = {end.item: end.line for end in derivation.items}
+    cited = {ref for line in derivation.lines if line.item == "2" for ref in line.premises}
+    assert len(lines) == 2
+    assert not any(str(ref).startswith("case") for ref in cited)
