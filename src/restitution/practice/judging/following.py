@@ -98,6 +98,7 @@ class Following(OwnValues):
             or self._with_own_numbers(line, link)
             or self._with_own_fixed(line, link)
             or self._with_own_energies(line, link)
+            or self._in_units(line, link, self.students(), "follows")
             or self._adopted(line, link)
             or self._consistent(line, link)
         )

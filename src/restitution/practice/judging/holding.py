@@ -40,7 +40,9 @@ from restitution.practice.judging.other_forms import (
     of_sizes,
     of_vectors,
     shares_of_energy,
+    times_directions,
     times_sizes,
+    with_units,
 )
 from restitution.practice.letters.options import staged
 from restitution.practice.reading.phrases import (
@@ -255,7 +257,11 @@ class Holding:
                 senses = (meant, Negate(meant)) if is_signed(meant) else (meant,)
                 alone = claim.left == label
                 further = (
-                    (*times_sizes(senses, claim.right), *shares_of_energy(meant, claim.right))
+                    (
+                        *times_sizes(senses, claim.right),
+                        *times_directions(senses, self._claims_above(line), self._base),
+                        *shares_of_energy(meant, claim.right),
+                    )
                     if alone
                     else ()
                 )
@@ -270,6 +276,23 @@ class Holding:
                     if grade != "coarse":
                         return best
         return best
+
+    def _claims_above(self, line: ScriptLine) -> Iterator[Claim]:
+        """The claims of the lines above, and of a line itself as it is read first."""
+        yield from (each.claim for each in self.entries if each.claim.sign == "=")
+        yield from (each.readings[0] for each in line.links)
+
+    def _in_units(
+        self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
+    ) -> JudgedLink | None:
+        """Numbers that count in letters of the statement, which are left out."""
+        for claim in link.readings:
+            for each in with_units(claim, self._base):
+                grade = self._best_accuracy(each, worlds, line, link)
+                if grade is not None:
+                    sources = sources_of(claim, self.entries) if verdict == "follows" else ()
+                    return JudgedLink(verdict, claim, grade, sources)
+        return None
 
     def _relabelled_quotient(
         self,

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import chain, product
 
 import numpy as np
 
@@ -24,15 +25,15 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.practice.judging.entries import (
-    Meanings,
-)
+from restitution.practice.judging.entries import Meanings, is_numeric
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 from restitution.vector import Vector
 
 _OBLIQUE = 1e-6
+# Letters for a mass, and for a speed, in which a student may count.
+_SCALES = "mM", "uUvV"
 
 
 def same_left(one: Claim, other: Claim) -> bool:
@@ -120,6 +121,55 @@ def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expr
             for vector in node.arguments:
                 for each in senses:
                     yield Binary("*", Apply("abs", vector), each)
+
+
+def times_directions(
+    senses: Sequence[Expression], claims: Iterable[Claim], world: World
+) -> Iterator[Expression]:
+    """Components, and relative velocities, times the size of a direction that lines above name.
+
+    ``approach = 7`` beside ``line of centres -i + 2j`` counts in √5.
+    """
+    if not any(_is_along(each) for each in senses):
+        return
+    sizes = dict.fromkeys(vector for claim in claims for vector in _directions_in(claim, world))
+    for vector in sizes:
+        for each in senses:
+            if _is_along(each):
+                yield Binary("*", Apply("abs", vector), each)
+
+
+def _is_along(tree: Expression) -> bool:
+    inside = tree.operand if isinstance(tree, Negate) else tree
+    return isinstance(inside, Quantity) and inside.kind in ("along", "across")
+
+
+def _directions_in(claim: Claim, world: World) -> Iterator[Expression]:
+    """The vectors of a claim, without letters, that are along or across a line of centres."""
+    for side in (claim.left, claim.right):
+        parts = (
+            each.arguments
+            for each in walk(side)
+            if isinstance(each, Quantity) and each.kind in ("dot", "along", "across")
+        )
+        for each in (side, *chain.from_iterable(parts)):
+            if any(isinstance(node, Letter | Name) for node in walk(each)):
+                continue
+            try:
+                value = world.value(each)
+            except RestitutionError:
+                continue
+            if isinstance(value, Vector) and any(_is_on(value, c) for c in world.lines.values()):
+                yield each
+
+
+def _is_on(vector: Vector, axis: Vector) -> bool:
+    """Whether a vector is along a line in every sample, or across it."""
+    size = np.hypot(vector.x, vector.y)
+    return any(
+        bool(np.all(np.abs(part) <= _OBLIQUE * size))
+        for part in (vector.dot(axis), vector.cross(axis))
+    )
 
 
 def label_in(tree: Expression) -> Letter | None:
@@ -229,3 +279,26 @@ def is_impulse(tree: Expression, meanings: Meanings) -> bool:
     if isinstance(tree, Apply) and tree.function == "abs":
         return True
     return isinstance(tree, Quantity) and tree.kind == "impulse" and not tree.arguments
+
+
+def with_units(claim: Claim, world: World) -> Iterator[Claim]:
+    """A claim whose numbers count in letters of the statement: ``lost 2 - 1.56 = 0.444`` in mu².
+
+    Only of what a phrase names, or of numbers alone: a letter has its value.
+    """
+    named = isinstance(claim.left, Letter) and is_phrase(claim.left.name)
+    squared = isinstance(claim.left, Binary) and claim.left.op == "^"
+    if claim.sign != "=" or claim.others or not (named or squared or is_numeric(claim.left)):
+        return
+    if not is_numeric(claim.right):
+        return
+    masses, speeds = ((None, *map(Letter, sorted(set(s) & world.letters.keys()))) for s in _SCALES)
+    for mass, speed in product(masses, speeds):
+        square = Binary("^", speed, Number(Fraction(2))) if speed is not None else None
+        for each in dict.fromkeys((speed, square)):
+            factors = [part for part in (mass, each) if part is not None]
+            if factors:
+                right = claim.right
+                for part in factors:
+                    right = Binary("*", right, part)
+                yield replace(claim, right=right)

@@ -368,7 +368,27 @@ class Judge(Following):
         if len(self.entries) > known:
             del self.entries[known:]
             self._own = -1, ()
-        return judged
+        return self._in_a_case(line, judged) or judged
+
+    def _in_a_case(self, line: ScriptLine, judged: Sequence[JudgedLink]) -> list[JudgedLink] | None:
+        """The links of ``e = 0, v = u/2`` where what e is, is left open: a case, and what holds."""
+        if len(judged) < 2 or judged[0].verdict != "false":
+            return None
+        match case := judged[0].claim:
+            case Claim(Letter(name), "=", value, ()) if is_numeric(value):
+                pass
+            case _:
+                return None
+        own = self._base.letters.get(name)
+        if own is None or name in self._base.determined or np.ptp(self._base.spread(own)) == 0:
+            return None
+        meanings = self.meanings(line.number)
+        worlds = supposed_in((case,), line, self._base, meanings, self.question.unknown)
+        held = [self._holds(link, line, worlds or ()) for link in line.links[1:]]
+        if not all(held):
+            return None
+        rest = [JudgedLink("true", each[1], each[0]) for each in held if each is not None]
+        return [JudgedLink("true", case, "exact"), *rest]
 
     def _is_of_unlike(self, line: ScriptLine, link: Link) -> bool:
         """Whether a link compares a vector with a number."""
@@ -424,6 +444,7 @@ class Judge(Following):
             or self._of_unnamed_angle(line, link, self.worlds, "true")
             or self._of_other_root(line, link)
             or self._nearly(line, link)
+            or self._in_units(line, link, self.worlds, "true")
             or self._under_condition(line, link)
             or self._becoming(line, link)
             or self._following(line, link)

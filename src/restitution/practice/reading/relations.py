@@ -22,7 +22,7 @@ from restitution.practice.reading.angles import angular, is_angle, without_marks
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.reading.readings import Side
 from restitution.practice.reading.tokens import Token
-from restitution.practice.reading.vocabulary import HEADS
+from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS
 from restitution.practice.script import Claim, Decimal, Link, Sign
 
 
@@ -94,6 +94,13 @@ def has_head(label: Token) -> bool:
     return any(HEADS.get(each, "direction") != "direction" for each in label.name.split())
 
 
+def is_heading(label: Token) -> bool:
+    """Whether a label names a direction and no component: ``opposite direction:``."""
+    words = set(label.name.split())
+    ways = words & DIRECTIONS.keys() - {"opposite"}
+    return not has_head(label) and bool(words & {"direction", "opposite"}) and not ways
+
+
 def is_function(tree: Expression) -> bool:
     """Whether a side is a sine, cosine or tangent."""
     return isinstance(tree, Apply) and tree.function in ("sin", "cos", "tan")
@@ -136,9 +143,17 @@ def decimals(tokens: Sequence[Token], readings: Sequence[Claim]) -> Iterator[Dec
 
 
 def claims(
-    left: Side, sign: Sign, right: Side, angle: bool, angles: frozenset[str]
+    left: Side,
+    sign: Sign,
+    right: Side,
+    angle: bool,
+    angles: frozenset[str],
+    percent: bool = False,
 ) -> Iterator[Claim]:
-    """A claim; where one side is an angle, bare numbers on the other are degrees first."""
+    """A claim; where one side is an angle, bare numbers on the other are degrees first.
+
+    In a chain that works out a percentage, ``% lost = 4/5 = 80``, a number may count hundredths.
+    """
     others = (right.other,) if right.other is not None and right.other != right.tree else ()
     first, second = left.tree, right.tree
     if angle or is_angle(first, angles) or is_angle(second, angles):
@@ -148,7 +163,8 @@ def claims(
         if sides == (first, second):
             return
     yield Claim(first, sign, second, others)
-    if is_percentage(first) and not others:
+    hundredths = percent and is_numeric(first) and isinstance(second, Number)
+    if (is_percentage(first) or hundredths) and not others:
         yield Claim(first, sign, Binary("/", second, Number(Fraction(100))))
     if left.other is not None and left.other != left.tree:
         yield Claim(left.other, sign, second, others)

@@ -34,10 +34,12 @@ from restitution.practice.reading.relations import (
     finished,
     has_head,
     is_function,
+    is_heading,
     is_identity,
     is_law,
     is_letter,
     is_numeric,
+    is_percentage,
     sides_of,
 )
 from restitution.practice.reading.segments import Segment, split_at_spaces
@@ -552,12 +554,15 @@ class _Reader:
             self.pointing(segment.tokens[0], read[1], sides[1])
             return
         angle = self._is_chain_angle(read) or self._is_angle_label()
+        before = len(self.links)
         self.label_chain(read, signs, sides)
         if self.alternative(segment, read, signs):
             return
+        label = self.links[-1].readings[0].left if len(self.links) > before else None
+        percent = is_percentage(read[0][0].tree) or (label is not None and is_percentage(label))
         for place, sign in enumerate(signs):
             tokens = [*sides[place], *sides[place + 1]]
-            self.link(read[place], sign, read[place + 1], tokens, angle=angle)
+            self.link(read[place], sign, read[place + 1], tokens, angle=angle, percent=percent)
 
     def _is_chain_angle(self, read: Sequence[tuple[Side, ...]]) -> bool:
         return any(is_angle(each[0].tree, self.usage.angles) for each in read)
@@ -612,6 +617,8 @@ class _Reader:
         first = read[0][0].tree
         if _is_way(label) and is_vector(first, self.usage.vectors):
             return  # perp: (5, 10) - 10n = (-3, 4)
+        if is_heading(label) and letters(first) and not is_angle(first, self.usage.angles):
+            return  # opposite direction: y/x = tan α
         equation = all(_is_lettered_sum(each[0].tree) for each in (read[0], read[-1]))
         if equation and label.kind == "phrase":
             return
@@ -692,12 +699,14 @@ class _Reader:
         tokens: Sequence[Token],
         label: Token | None = None,
         angle: bool = False,
+        percent: bool = False,
     ) -> None:
         """Adds a relation with every reading of its two sides."""
         distinct: dict[Claim, None] = {}
         ranked = sorted(product(range(len(left)), range(len(right))), key=sum)
         for first, second in ranked[: 2 * MAX_CLAIMS]:
-            for claim in claims(left[first], sign, right[second], angle, self.usage.angles):
+            sides = left[first], sign, right[second]
+            for claim in claims(*sides, angle, self.usage.angles, percent):
                 distinct.setdefault(claim)
         whole = [label, *tokens] if label is not None else list(tokens)
         readings = tuple(distinct)[:MAX_CLAIMS]

@@ -13,7 +13,7 @@ HEADS: Mapping[str, str] = {
     **dict.fromkeys(("magnitude", "mag", "size", "modulus"), "magnitude"),
     **dict.fromkeys(("deflection", "deflected", "deflections", "defl", "turned"), "deflection"),
     **dict.fromkeys(("angle", "angles", "ang"), "angle"),
-    **dict.fromkeys(("ratio", "fraction", "proportion", "percentage", "percent"), "ratio"),
+    **dict.fromkeys(("ratio", "fraction", "frac", "proportion", "percentage", "percent"), "ratio"),
     **dict.fromkeys(("momentum", "momenta", "mom", "mtm"), "momentum"),
     **dict.fromkeys(("approach", "app", "appr", "approaching", "closing"), "approach"),
     **dict.fromkeys(("separation", "sep", "separating", "seperation"), "separation"),

@@ -80,9 +80,13 @@ def student_world(
 
 
 def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[str]) -> World | None:
-    """A world in which lines hold and no law does: from scattered values."""
+    """A world in which lines hold and no law but that components across lines of centres stay.
+
+    Nobody writes for a sphere that was at rest that its speed is its component.
+    """
     equations = [_of_entry(each) for each in entries if each.claim.sign == "="]
-    return _solved(scattered_world(base, unknown), equations, unknown)
+    smooth = [each for each in laws_of(base) if each.law == "unchanged"] if equations else []
+    return _solved(scattered_world(base, unknown), [*equations, *smooth], unknown)
 
 
 def world_without(
