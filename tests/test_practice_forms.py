@@ -342,3 +342,64 @@ def test_a_chain_may_pass_from_vectors_to_sizes() -> None:
     lines = "v = 3i + 2j", "I = m(v - u) = 0.4(4 + 2) = 2.4"
     assert verdicts(SLOW, *lines) == ["true", "true"]
     assert verdicts(SLOW, lines[0], "I = m(v - u) = 0.4(4 - 2) = 0.8") == ["true", "false"]
+
+
+LIMITS = (
+    "sphere A: mass m, velocity 2u at 60°\nsphere B: mass 2m, velocity -v i\nA hits B: along i\n"
+    "given B at rest\nfind v in terms of u, e\n"
+)
+SHARE = (
+    "wall W: along 3i + 4j\nsphere A: mass 0.4, velocity 5i - 2j\nA hits W: e = 0.5\n"
+    "find energy_lost/energy(0) as a percentage\n"
+)
+GLANCING = (
+    "sphere A: mass 4m, velocity u at 30°\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+    "given angle(velocity(A), line_of_centres) = 60°\nfind e, energy_lost/energy(0)\n"
+)
+TURNED = (
+    "sphere A: mass m, velocity 3i\nsphere B: mass m, velocity -2i + j\nA hits B\n"
+    "given velocity(A) = 2i + 2j\nfind velocity(B), e, line_of_centres\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines", "right"),
+    [
+        (LIMITS, ["e=0 v = u/2"], True),
+        (LIMITS, ["e=1, v = 2u"], True),
+        (LIMITS, ["e=1, v = 3u"], False),
+        (SHARE, ["% lost = 4.056/5.8 = 69.9"], True),
+        (SHARE, ["% lost = 4.056/5.8 = 59.9"], False),
+        (GLANCING, ["KE before 2mu²", "lost 2 - 0.667 - 0.889 = 0.444"], True),
+        (GLANCING, ["KE before 2mu²", "lost 2 - 0.667 - 0.389 = 0.944"], False),
+        (GLANCING, ["frac = 0.222"], True),
+        (TURNED, ["change in A's velocity -i + 2j", "approach 7", "sep 3"], True),
+        (TURNED, ["change in A's velocity -i + 2j", "approach 8"], False),
+        (TURNED, ["change in A's velocity 3i + j", "approach 7"], False),
+    ],
+)
+def test_what_counts_in_a_case_in_hundredths_or_in_units_left_out(
+    statement: str, lines: list[str], right: bool
+) -> None:
+    assert (verdicts(statement, *lines)[-1] == "true") == right
+
+
+def test_a_heading_of_a_direction_is_no_quantity() -> None:
+    statement = (
+        "wall W1: along i\nwall W2: along j\nsphere P: velocity u at alpha to W1\n"
+        "P hits W1: e = e1\nP hits W2: e = e2\n"
+        "given velocity(P) opposite to velocity(P, 0)\nfind e2\n"
+    )
+    line = "opposite direction: e2ucosα / (e1usinα) = ucosα/usinα"
+    assert verdicts(statement, line) == ["true"]
+
+
+def test_the_speed_of_a_sphere_that_was_at_rest_is_shown_by_its_component() -> None:
+    statement = (
+        "sphere A: mass 2m, velocity u at alpha\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+        "show speed(B) = 2/5 u (1 + e) cos(alpha)\n"
+    )
+    laws = "2mucosα = 2mv + 3mw", "w - v = eucosα"
+    printed = "speed of B = 2/5u(1+e)cosα"
+    assert verdicts(statement, *laws, "5w = 2ucosα(1+e)", printed) == ["true"] * 4
+    assert verdicts(statement, laws[0], printed)[-1] == "unsupported"

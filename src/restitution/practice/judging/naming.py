@@ -48,6 +48,7 @@ from restitution.practice.judging.plain_mistakes import (
     is_energetic,
     is_of_energy,
     is_speed_by_energies,
+    is_whole_speed,
     is_worth,
     not_negative,
     plainly,
@@ -75,6 +76,7 @@ _OF_SPEEDS = frozenset({"restitution-whole-speed", "speed-for-component", "impul
 _PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "restitution-inverted"})
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
+_WITHOUT_COEFFICIENT = frozenset({"energy-conserved", "restitution-omitted"})
 _LAWS = frozenset({"momentum", "restitution", "unchanged", "impulse", "energy", "deflection"})
 _OF_ENERGY = frozenset({"energy", "speed", "fact", "fraction"})
 # Mistakes that are less usual than others of which a line may be an instance as well.
@@ -161,7 +163,8 @@ class Names:
         """What explains a claim that is false."""
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
-        variants = self._explaining(entry, judge, mended)
+        whole = is_whole_speed(entry, judge.base)
+        variants = () if whole else self._explaining(entry, judge, mended)
         slip = _slip(entry, judge, mended)
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
@@ -170,6 +173,8 @@ class Names:
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
+        if whole:
+            plain = "speed-for-component"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
             left, right = entry.claim.left, entry.claim.right
@@ -263,6 +268,8 @@ class Names:
             # A number alone may be another by its figure, but not twice for one reason.
             return tuple(each for each in by_states if each.id in judge.suspected())
         if by_states:
+            if _is_tangent(entry.claim.left) and any(each.change == "turned" for each in mended):
+                return ()  # a quotient upside down
             lawful = [each for each in mended if _is_law(each, entry, judge)]
             return tuple(each for each in by_states if _stands(each, lawful))
         if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
@@ -339,6 +346,8 @@ class Names:
         energetic = is_energetic(entry)
         angular, impulsive = is_sum_of_angles(entry), self._is_of_impulse(entry)
         fitting = _OF_ENERGY - {"speed"} if is_of_energy(entry) else _OF_ENERGY
+        names = letters(entry.claim.left) | letters(entry.claim.right)
+        with_coefficient = "e" in names and len(judge.base.lines) == 1
         for variant in self.variants:
             if not variant.laws or not variant.alteration.solvable:
                 continue
@@ -348,6 +357,8 @@ class Names:
             if not (kinds & fitting if energetic else kinds - _OF_ENERGY):
                 continue
             if _contradicts(variant, judge.stated()):
+                continue
+            if with_coefficient and variant.mistake in _WITHOUT_COEFFICIENT:
                 continue
             if not _plausible(variant, judge.base):
                 continue
@@ -501,7 +512,16 @@ def _is_law(correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:
     if correction.change != "sign" or whole:
         return False
     mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
-    return any(use.principle in _LAWS for use in judge.uses_of_entry(mended))
+    # Of a law that stands above already a line is no second attempt.
+    stated = {(principle, event) for principle, event, _ in judge.stated()}
+    return any(
+        use.principle in _LAWS and (use.principle, use.event) not in stated
+        for use in judge.uses_of_entry(mended)
+    )
+
+
+def _is_tangent(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function in ("tan", "cot")
 
 
 def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:

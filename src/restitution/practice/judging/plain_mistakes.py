@@ -5,9 +5,10 @@ And what kind of claim a line is: of an energy, of squares, of a coefficient.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import permutations
 
 import numpy as np
 
@@ -26,13 +27,16 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Use
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.slips import Correction
+from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array
+from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 
 _TWO = Number(Fraction(2))
 _SIGNED = frozenset({"momentum", "restitution"})
+_TINY, _ROUNDED = 1e-9, 0.005
 
 
 def is_worth(tree: Expression, entry: Entry, world: World, sizes: Iterable[Array]) -> bool:
@@ -56,6 +60,14 @@ def plainly(
         return "energy-ratio-as-speed"
     if _is_ratio_of_relative_speeds(entry, world):
         return "restitution-whole-speed"
+    if _is_momentum_of_speeds(entry, world):
+        return "speed-for-component"
+    if _is_energy_of_one(entry, world):
+        return "energy-one-sphere"
+    if _is_share_of_line(entry, world):
+        return "energy-fraction-of-line"
+    if _is_blow_without_mass(entry, world):
+        return "mass-omitted"
     changes = {each.change for each in mended}
     squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
     above = (each for each in entries if each.claim.left == entry.claim.left)
@@ -95,6 +107,105 @@ def is_speed_by_energies(entry: Entry, world: World) -> bool:
         if holds_in(replace(entry, claim=claim), world):
             return True
     return False
+
+
+def is_whole_speed(entry: Entry, world: World) -> bool:
+    """Whether a component of a velocity is given the whole speed of its body."""
+    meant = _meant(entry)
+    meant = meant.operand if isinstance(meant, Negate) else meant
+    match meant:
+        case Quantity("along", (Quantity("velocity", (Name(),) as body, stage), _)):
+            claim = replace(entry.claim, left=Quantity("speed", body, stage))
+            turned = replace(claim, right=Negate(claim.right))
+            return any(holds_in(replace(entry, claim=each), world) for each in (claim, turned))
+    return False
+
+
+def _meant(entry: Entry) -> Expression:
+    """What the left side of a claim means."""
+    left = entry.claim.left
+    return entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+
+
+def _pairs_of(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
+    """The impacts of two spheres, by the number of the event."""
+    for number, step in enumerate(world.events, 1):
+        if isinstance(step, Impact) and number in world.lines and step.second not in world.walls:
+            yield number, (step.first, step.second)
+
+
+def _is_momentum_of_speeds(entry: Entry, world: World) -> bool:
+    """Whether the terms of an equation are the masses times the speeds, before and after."""
+    for number, spheres in _pairs_of(world):
+        products = (
+            Binary("*", Quantity("mass", (Name(x),)), Quantity("speed", (Name(x),), stage))
+            for x in spheres
+            for stage in (number - 1, number)
+        )
+        sizes = (_spread_of(each, world) for each in products)
+        wanted = [size for size in sizes if np.all(size > _TINY)]
+        for terms in terms_of(entry.claim):
+            if len(terms) == len(wanted) > 2 and _are_sizes(terms, wanted, entry, world):
+                return True
+    return False
+
+
+def _are_sizes(
+    terms: Sequence[Expression], wanted: Sequence[Array], entry: Entry, world: World
+) -> bool:
+    """Whether terms have these sizes, in some order and up to one factor."""
+    try:
+        own = [world.spread(world.scalar(x, entry.meanings, scope=entry.scope)) for x in terms]
+    except RestitutionError:
+        return False
+    one, other = (np.sort(np.abs(np.stack(each)), axis=0) for each in (own, wanted))
+    ratios = one / other
+    return bool(np.all(np.ptp(ratios, axis=0) <= _ROUNDED * ratios[0]))
+
+
+def _is_energy_of_one(entry: Entry, world: World) -> bool:
+    """Whether the energy of both spheres is given that of one of them, while the other moves."""
+    meant = _meant(entry)
+    if not (isinstance(meant, Quantity) and meant.kind in ("energy", "energy_lost")):
+        return False
+    if meant.arguments or len(world.start) < 2:
+        return False
+    single = (replace(meant, arguments=(Name(each),)) for each in world.start)
+    return any(
+        holds_in(replace(entry, claim=replace(entry.claim, left=each)), world) for each in single
+    )
+
+
+def _is_share_of_line(entry: Entry, world: World) -> bool:
+    """Whether energy lost is a share of that by the components along the line of centres alone."""
+    for number, spheres in _pairs_of(world):
+        lost, before = Quantity("energy_lost", (), number), Quantity("energy", (), number - 1)
+        line = Quantity("line_of_centres", (), number)
+        along: Expression | None = None
+        for name in spheres:
+            part = Quantity("along", (Quantity("velocity", (Name(name),), number - 1), line))
+            term = Binary("*", Quantity("mass", (Name(name),)), Binary("^", part, _TWO))
+            along = term if along is None else Binary("+", along, term)
+        share = Binary("*", Binary("/", lost, before), Binary("/", along, _TWO))  # type: ignore[arg-type]
+        for one, other in permutations((entry.claim.left, entry.claim.right)):
+            claims = Claim(lost, "=", one), Claim(share, "=", other)
+            if all(holds_in(replace(entry, claim=each), world) for each in claims):
+                return True
+    return False
+
+
+def _is_blow_without_mass(entry: Entry, world: World) -> bool:
+    """Whether a velocity is that before with the impulse added, and no mass."""
+    match _meant(entry):
+        case Quantity("velocity", (Name(),) as body, stage):
+            number = len(world.events) if stage is None else stage
+        case _:
+            return False
+    if not isinstance(number, int) or number < 1:
+        return False
+    before, impulse = Quantity("velocity", body, number - 1), Quantity("impulse", body, number)
+    claim = replace(entry.claim, left=Binary("+", before, impulse))
+    return holds_in(replace(entry, claim=claim), world)
 
 
 def has_coefficient(event: object) -> bool:

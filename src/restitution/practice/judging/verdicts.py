@@ -46,6 +46,7 @@ from restitution.practice.judging.naming import Explained, is_sum_of_angles
 from restitution.practice.judging.other_forms import (
     is_to_a_line,
     kind_of,
+    label_in,
     of_natures,
     of_vectors,
 )
@@ -58,7 +59,7 @@ from restitution.practice.judging.supposing import (
 )
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import read_as
-from restitution.practice.reading.phrases import is_phrase, names_time
+from restitution.practice.reading.phrases import is_phrase, names_time, tells_after
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.world import World
@@ -219,7 +220,10 @@ class Judge(Following):
         if verdict == "true" and not all(self._is_known(link.claim) for link in links):
             # A value rests on laws, and states none; nor does what is data alone.
             self._stated |= {
-                (use.principle, use.event, use.bodies) for use in uses[:1] if not use.altered
+                (use.principle, use.event, use.bodies)
+                for use in uses[:1]
+                if not use.altered
+                and (use.principle != "unchanged" or self._speaks_of_after(line, links))
             }
         self._remember(line, links)
         return JudgedLine(
@@ -238,6 +242,12 @@ class Judge(Following):
             grounded=all(link.grounded for link in links),
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
+
+    def _speaks_of_after(self, line: ScriptLine, links: Sequence[JudgedLink]) -> bool:
+        """Whether a line does more than work out a component, ``along: (12 - 15)/5``, of before."""
+        label = label_in(line.links[0].readings[0].left)
+        worked = is_numeric(links[0].claim.right)
+        return not worked or label is None or tells_after(label.name, self._base.problem)
 
     def _is_only_supposed(self, line: ScriptLine) -> bool:
         """Whether a line tells what holds under a condition, or at most, and claims nothing."""
@@ -372,7 +382,7 @@ class Judge(Following):
 
     def _in_a_case(self, line: ScriptLine, judged: Sequence[JudgedLink]) -> list[JudgedLink] | None:
         """The links of ``e = 0, v = u/2`` where what e is, is left open: a case, and what holds."""
-        if len(judged) < 2 or judged[0].verdict != "false":
+        if len(judged) < 2 or judged[0].verdict != "false" or speaks_of_an_extreme(line):
             return None
         match case := judged[0].claim:
             case Claim(Letter(name), "=", value, ()) if is_numeric(value):
