@@ -13,6 +13,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Negate,
@@ -49,6 +50,7 @@ from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.phrases import (
     is_phrase,
 )
+from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError
@@ -99,6 +101,7 @@ class Following(OwnValues):
             or self._with_own_fixed(line, link)
             or self._with_own_energies(line, link)
             or self._in_units(line, link, self.students(), "follows")
+            or self._of_own_speeds(line, link)
             or self._adopted(line, link)
             or self._consistent(line, link)
         )
@@ -192,6 +195,28 @@ class Following(OwnValues):
                     if grade is not None:
                         numbers = tuple(dict.fromkeys(entry.number for entry in own.values()))
                         return JudgedLink("follows", claim, grade, numbers)
+        return None
+
+    def _of_own_speeds(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A coefficient by the separation and the approach that lines above work out."""
+        relative: dict[str, Entry] = {}
+        for entry in self.entries:
+            left = entry.claim.left
+            heads = {HEADS.get(x) for x in left.name.split()} if isinstance(left, Letter) else set()
+            for head in ("approach", "separation"):
+                if head in heads and entry.claim.sign == "=":
+                    relative[head] = entry
+        if len(relative) < 2 or all(each.right for each in relative.values()):
+            return None
+        before, after = (relative[head].claim.right for head in ("approach", "separation"))
+        for claim in link.readings:
+            if not (isinstance(claim.left, Letter) and COEFFICIENT.fullmatch(claim.left.name)):
+                continue
+            quotient = replace(claim, left=Apply("abs", Binary("/", after, before)))
+            grade = self.accuracy(quotient, self._base, line, link)
+            if grade is not None:
+                numbers = tuple(each.number for each in relative.values())
+                return JudgedLink("follows", claim, grade, numbers, self._impossible(claim))
         return None
 
     def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:

@@ -31,6 +31,7 @@ from restitution.practice.judging.judged_link import (
 )
 from restitution.practice.judging.other_forms import (
     are_alike,
+    has_bars,
     is_oblique,
     is_signed,
     label_in,
@@ -237,6 +238,27 @@ class Holding:
             return line
         links = (replace(each, readings=tuple(map(put, each.readings))) for each in line.links)
         return replace(line, links=tuple(links))
+
+    def _with_sizes(self, line: ScriptLine) -> ScriptLine:
+        """A line with bars around letters for components, ``|v_A|``: as velocities, if so need be.
+
+        The letter of a component and that of the velocity are often one.
+        """
+        if not any(has_bars(claim) for link in line.links for claim in link.readings):
+            return line
+        meanings = self.meanings(line.number)
+
+        def put(link: Link) -> Link:
+            plain = any(
+                self.accuracy(claim, world, line, link)
+                for claim in link.readings
+                for world in self.worlds
+            )
+            others = (x for claim in link.readings for x in of_natures(claim, meanings))
+            readings = link.readings if plain else (*others, *link.readings)
+            return replace(link, readings=tuple(dict.fromkeys(readings)))
+
+        return replace(line, links=tuple(map(put, line.links)))
 
     def _relabelled(
         self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict

@@ -92,6 +92,15 @@ def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
         yield replace(claim, left=left, right=right)
 
 
+def has_bars(claim: Claim) -> bool:
+    """Whether a letter stands between bars, as that of a vector does: ``|v_A| = 2``."""
+    return any(
+        isinstance(each, Apply) and each.function == "abs" and isinstance(each.argument, Letter)
+        for side in (claim.left, claim.right)
+        for each in walk(side)
+    )
+
+
 def _of_other_nature(tree: Expression) -> Expression | None:
     match tree:
         case Negate(operand):
@@ -284,11 +293,13 @@ def is_impulse(tree: Expression, meanings: Meanings) -> bool:
 def with_units(claim: Claim, world: World) -> Iterator[Claim]:
     """A claim whose numbers count in letters of the statement: ``lost 2 - 1.56 = 0.444`` in mu².
 
-    Only of what a phrase names, or of numbers alone: a letter has its value.
+    Only of what a phrase names, of a square, and of what is worked out: a letter has its value.
     """
     named = isinstance(claim.left, Letter) and is_phrase(claim.left.name)
     squared = isinstance(claim.left, Binary) and claim.left.op == "^"
-    if claim.sign != "=" or claim.others or not (named or squared or is_numeric(claim.left)):
+    data = {each.name for each in walk(claim.left) if isinstance(each, Letter)}
+    worked = isinstance(claim.left, Binary) and data <= world.letters.keys()
+    if claim.sign != "=" or claim.others or not (named or squared or worked):
         return
     if not is_numeric(claim.right):
         return

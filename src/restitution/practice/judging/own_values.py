@@ -7,6 +7,8 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Protocol, overload
 
+import numpy as np
+
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
@@ -42,6 +44,7 @@ from restitution.practice.reading.phrases import (
 from restitution.practice.script import Claim, ScriptLine
 from restitution.practice.worlds.principles import uses_of
 from restitution.practice.worlds.student import facts_of, student_world
+from restitution.practice.worlds.turning import with_line_at
 from restitution.practice.worlds.world import World
 
 ALTERED = 3
@@ -163,11 +166,39 @@ class OwnValues(Holding):
             world = student_world(self._base, own, self.question.unknown, laws_first=facts)
             if world is not None:
                 yield world
+        turned = self._with_own_line(entries)
+        if turned is not None:
+            world = student_world(turned, entries, self.question.unknown, broken=broken)
+            if world is not None:
+                yield world
         own = self._without_sources(entries) if not broken else []
         if own:
             world = student_world(self._base, own, self.question.unknown, laws_first=facts)
             if world is not None:
                 yield world
+
+    def _with_own_line(self, entries: Sequence[Entry]) -> World | None:
+        """The true world with the line of centres at the student's own angle, if that is wrong.
+
+        What he goes on with are components along that line and across it.
+        """
+        if len(self._base.lines) != 1:
+            return None
+        (number,) = self._base.lines
+        for entry in entries:
+            own = None if entry.right else _angle_of_line(entry)
+            if own is None:
+                continue
+            meant, value = own
+            try:
+                true, angle = self._base.scalar(meant), self._base.scalar(value, entry.meanings)
+            except RestitutionError:
+                continue
+            for sign in (1, -1):
+                world = with_line_at(self._base, number, sign * (angle - true))
+                if np.allclose(world.scalar(meant), angle):
+                    return world
+        return None
 
     def _without_sources(self, entries: Sequence[Entry]) -> list[Entry]:
         """The lines without those from which a slip was worked out: they do not hold with it.
@@ -310,3 +341,22 @@ class OwnValues(Holding):
             if uses:
                 return uses
         return ()
+
+
+_INVERSE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
+
+
+def _angle_of_line(entry: Entry) -> tuple[Expression, Expression] | None:
+    """An angle to the line of centres that an entry gives, and the value that it has there."""
+    match entry.claim:
+        case Claim(Apply(function, Letter(name)), "=", value) if function in _INVERSE:
+            value = Apply(_INVERSE[function], value)
+        case Claim(Letter(name), "=", value):
+            pass
+        case _:
+            return None
+    meant = entry.meanings.get(name)
+    if not isinstance(meant, Quantity) or meant.kind != "angle":
+        return None
+    kinds = {x.kind for x in meant.arguments if isinstance(x, Quantity)}
+    return (meant, value) if "line_of_centres" in kinds and "velocity" not in kinds else None

@@ -14,7 +14,7 @@ from itertools import chain
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.mistakes.misconceptions import VariantAt
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, VariantAt
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
@@ -124,6 +124,11 @@ class Judge(Following):
             return replace(line, mistake=Mistake(None))
         confirmed = frozenset(self._confirmed.get(line.line.number, ()))
         mistake = self.naming.named(explained, self.stated(), confirmed)
+        if mistake.kind == "misconception" and not mistake.variants:
+            named = MISCONCEPTIONS.get(mistake.id or "")
+            if named is not None and named.mark_of("energy"):
+                energy = Use("energy", None, (), f"{mistake.id}/1")
+                return replace(line, mistake=mistake, uses=(energy,))
         idle = all(use.principle == "arithmetic" for use in line.uses)
         uses = (explained.near or line.uses) if idle else line.uses
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
@@ -204,7 +209,7 @@ class Judge(Following):
             self._stated.update((use.principle, use.event, use.bodies) for use, _ in seen)
             stating = (use for use, value in seen if self._has_coefficient(value, line))
             return JudgedLine(line, "remark", uses=tuple(dict.fromkeys(stating)))
-        line = self._with_axes(line)
+        line = self._with_sizes(self._with_axes(line))
         links = self._links(line)
         verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)

@@ -498,13 +498,23 @@ class _Scanner:
         apart = self.text[self.offset - 1 : self.offset].isspace() and bool(behind[1])
         return 2 if apart else 0
 
+    def _is_factor(self, name: str, subscript: str, match: re.Match[str]) -> bool:
+        """Whether a number behind the letter of a mass is no subscript: so many bodies are none."""
+        many = subscript.isdigit() and int(subscript) > len(self.usage.spheres) + 1
+        typed = match[0] == subscript
+        own = name in self.usage.letters and f"{name}_{subscript}" not in self.usage.letters
+        return typed and many and own and name in ("m", "M")
+
     def _letter(self, name: str, stop: int, gap: int) -> None:
         """Takes a letter with its subscript and its dashes."""
         match = _SUBSCRIPT.match(self.text, stop)
         subscript = ""
         if match:
             subscript = (match[1] or match[2] or match[3]).replace(" ", "").replace("'", "")
-            stop = match.end()
+            if self._is_factor(name, subscript, match):
+                subscript = ""  # ½m9u² is ½ × m × 9u²
+            else:
+                stop = match.end()
         primes = _PRIMES.match(self.text, stop)
         if primes and self.text[primes.end() : primes.end() + 1] not in ("s", "t"):
             stop = primes.end()

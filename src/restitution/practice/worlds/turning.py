@@ -86,3 +86,11 @@ def unit(v: Vector) -> Vector:
     """A vector of length 1 in the direction of another."""
     length = np.hypot(v.x, v.y)
     return Vector(v.x / length, v.y / length)
+
+
+def with_line_at(world: AnyMotion, number: int, change: Any) -> AnyMotion:
+    """The world with a line of centres turned by an angle, in radians; velocities stay."""
+    c = world.lines[number]
+    cos, sin = np.cos(change), np.sin(change)
+    line = Vector(c.x * cos - c.y * sin, c.x * sin + c.y * cos)
+    return replace(world, lines={**world.lines, number: line})
