@@ -373,6 +373,10 @@ TURNED = (
         (GLANCING, ["KE before 2mu²", "lost 2 - 0.667 - 0.889 = 0.444"], True),
         (GLANCING, ["KE before 2mu²", "lost 2 - 0.667 - 0.389 = 0.944"], False),
         (GLANCING, ["frac = 0.222"], True),
+        (GLANCING, ["deflection 63.4 - 53.1 = 10.3"], False),
+        (GLANCING, ["KE before = ½4m9u² - ½4m8u² = 2mu²"], True),
+        (GLANCING, ["|vA|² = 0.0833 + 0.25, |vA| = 0.577u"], True),
+        (GLANCING, ["|vA|² = 0.0833 + 0.35, |vA| = 0.577u"], False),
         (TURNED, ["change in A's velocity -i + 2j", "approach 7", "sep 3"], True),
         (TURNED, ["change in A's velocity -i + 2j", "approach 8"], False),
         (TURNED, ["change in A's velocity 3i + j", "approach 7"], False),
@@ -403,3 +407,35 @@ def test_the_speed_of_a_sphere_that_was_at_rest_is_shown_by_its_component() -> N
     printed = "speed of B = 2/5u(1+e)cosα"
     assert verdicts(statement, *laws, "5w = 2ucosα(1+e)", printed) == ["true"] * 4
     assert verdicts(statement, laws[0], printed)[-1] == "unsupported"
+
+
+def test_a_wrong_line_of_centres_is_one_mistake() -> None:
+    statement = (
+        "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
+        "A hits B: offset r, e = 1/2\nfind direction(B), speed(B), impulse, direction(A)\n"
+    )
+    letters = {
+        "v": "along(velocity(A), line_of_centres)",
+        "w": "along(velocity(B), line_of_centres)",
+        "θ": "angle(line_of_centres, i)",
+    }
+    lines = (
+        "tanθ = r/2r so θ = 26.6",
+        "ucosθ = 0.894u",
+        "0.894u = v + w",
+        "w - v = 0.447u",
+        "w = 0.671u",
+        "A perp 0.447u",
+    )
+    marking = restitution.mark(solution_of(statement), "\n".join(lines), letters=letters)
+    said = [line["verdict"] for line in marking.json()["lines"]]
+    assert said == ["false", *["follows"] * 5]
+
+
+def test_a_coefficient_follows_from_wrong_speeds_of_approach_and_separation() -> None:
+    statement = (
+        "wall W\nsphere P: mass 2, velocity 7i + j\nP hits W\ngiven velocity(P) = 3i + 5j\nfind e\n"
+    )
+    lines = "approach = (7+1)/√2 = 8/√2", "sep = 2/√2", "e = 1/4"
+    assert verdicts(statement, *lines) == ["false", "true", "follows"]
+    assert verdicts(statement, *lines[:2], "e = 1/2")[-1] == "false"

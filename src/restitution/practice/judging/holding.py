@@ -55,7 +55,7 @@ from restitution.practice.reading.phrases import (
     tells_after,
 )
 from restitution.practice.script import Claim, Link, ScriptLine
-from restitution.practice.worlds.agreement import agrees, difference
+from restitution.practice.worlds.agreement import agrees, difference, is_angular
 from restitution.practice.worlds.world import World
 
 # How far a student's own rounding to three figures may move his values.
@@ -309,6 +309,13 @@ class Holding:
     ) -> JudgedLink | None:
         """Numbers that count in letters of the statement, which are left out."""
         for claim in link.readings:
+            try:
+                self._base.scalar(claim.left, self.meanings(line.number), scope=line.scope)
+                angular = is_angular(claim, self._base, self.meanings(line.number), line.scope)
+            except RestitutionError:
+                continue
+            if angular:
+                continue
             for each in with_units(claim, self._base):
                 grade = self._best_accuracy(each, worlds, line, link)
                 if grade is not None:
