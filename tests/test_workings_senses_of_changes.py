@@ -42,3 +42,24 @@ def test_the_second_sphere_is_pushed_in_the_sense_of_the_line() -> None:
 def test_a_wall_pushes_away_from_it() -> None:
     text = text_of(WALL)
     assert "is parallel to −7𝐢 + 𝐣\nThe impulse on P is away from W, so in the sense tow" in text
+
+
+SLANTING = """
+wall W: along 3i + 4j
+sphere P: mass 2, velocity 7i + j
+P hits W: e = 3/5
+find velocity(P), across(velocity(P, before), W), across(velocity(P), W), line_of_centres
+"""
+
+
+def test_a_normal_that_is_asked_stands_before_the_unit_vector_along_it() -> None:
+    text = text_of(SLANTING)
+    normal = "Since W is parallel to 3𝐢 + 4𝐣:\n    the normal to W is parallel to 4𝐢 − 3𝐣"
+    assert text.index(normal) < text.index("Let 𝐧 =")
+    assert text.count("the normal to W") == 1
+
+
+def test_a_component_in_the_other_sense_is_that_with_the_unit_vector() -> None:
+    text = " ".join(text_of(SLANTING).split())
+    assert "in the direction of −4𝐢 + 3𝐣 = −𝐮_P · 𝐧 = −5 m s⁻¹" in text
+    assert "in the direction of −4𝐢 + 3𝐣 = −𝐯_P · 𝐧 = 3 m s⁻¹" in text

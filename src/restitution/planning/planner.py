@@ -37,11 +37,12 @@ from restitution.expression.tree import (
     Expression,
     Negate,
     Number,
+    Quantity,
     letters,
     walk,
 )
 from restitution.oracle import Oracle
-from restitution.planning.axes.by_changes import frame_at
+from restitution.planning.axes.by_changes import frame_at, write_axis
 from restitution.planning.axes.offsets import given_by_offsets, paths_beside
 from restitution.planning.axes.open_lines import write_open_lines
 from restitution.planning.cases import joined, without_idle
@@ -381,6 +382,7 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
     scene.desk.item = next(iter(ways))  # what is given may be put in before the first is written
     solver = Solver(scene)
     solver.resume(scene.desk.waiting)
+    _write_axes_asked(scene)
     whole = scene, solver
     for index, ((item, now), result) in enumerate(zip(problem.asked(scene.part), part.items), 1):
         name = _name(part, index)
@@ -419,6 +421,16 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                 ways[name] += 1
     scene, solver = whole
     scene.desk.waiting = dict(solver.waiting) if scene.desk.withheld else {}
+
+
+def _write_axes_asked(scene: Scene) -> None:
+    """The normals of slanting walls of the data that are asked: unit vectors are along them."""
+    for number, frame in scene.model.frames.items():
+        asked = Quantity("line_of_centres", (), number) in scene.asked_alone
+        slanting = frame.wall is not None and frame.n.x != 0 and frame.n.y != 0
+        if asked and slanting and f"axis {number}" in scene.facts:
+            with suppress(*UNPLANNED):
+                write_axis(scene, number)
 
 
 def _in_letters_of(scene: Scene, index: int) -> Scene | None:

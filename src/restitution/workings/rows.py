@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.writing.forms import coordinates
+from restitution.planning.writing.forms import coordinates, negative
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -183,6 +183,24 @@ class Rows:
             Link(right, "=", own.right),
         )
 
+    def _in_the_other_sense(self, line: Line, links: Sequence[Link]) -> Expression | None:
+        """What a component is in the sense opposite to a unit vector: −**u** · **n**."""
+        own = links[0]
+        if line.move.record != "component" or len(links) > 1 or not isinstance(own.left, Quantity):
+            return None
+        for ref in line.premises:
+            above = self._derivation.line(ref) if isinstance(ref, int) else None
+            match above.relation if above is not None else None:
+                case Relation(((Link(Quantity("along" | "across") as whole, "="), *_),)) as found:
+                    value = found.only[-1].right
+                case _:
+                    continue
+            same = own.left.arguments[0] == whole.arguments[0]
+            number = 0 if above is None else above.move.event or 0
+            if same and not is_zero(value) and self._naming.bold.has_unit(number):
+                return Negate(whole) if own.right in (Negate(value), negative(value)) else None
+        return None
+
     def _differ(self, left: Expression, right: Expression) -> bool:
         """Whether two values are known to differ: what has a coefficient in it may be zero."""
         known = roles(self._naming.problem)
@@ -261,6 +279,9 @@ class Rows:
         quotient = self._quotient(line, links[0])
         if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
             sides[1:1], signs[:0] = [quotient], ["="]
+        back = self._in_the_other_sense(line, links)
+        if back is not None:
+            sides[1:1], signs[:0] = [self._naming.layout(back)], ["="]
         if self._towards(line, links, sides):
             sides[0] = self._away(links[0].left)
             sides[1:] = [lay.split_sign(side)[1] for side in sides[1:]]

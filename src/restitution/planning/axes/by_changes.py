@@ -370,4 +370,4 @@ def _take(scene: Scene, body: str, event: int, impulse: Expression, refs: tuple[
     scene.desk.know(velocity, late, (line,))
 
 
-__all__ = ["frame_at", "take_impulse", "take_opposite"]
+__all__ = ["frame_at", "take_impulse", "take_opposite", "write_axis"]

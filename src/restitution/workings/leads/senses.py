@@ -40,6 +40,19 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     )
 
 
+def sense_of_a_normal(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
+    """What is said before the normal to a wall whose direction the data give; None of another."""
+    (ref,) = line.premises if len(line.premises) == 1 else (None,)
+    fact = derivation.fact(ref) if isinstance(ref, str) else None
+    if line.move.id != "rearrange" or fact is None or _direction(line) is None:
+        return None
+    event = naming.events.get(int(fact.id.rpartition(" ")[2])) if fact.kind == "geometry" else None
+    if event is None or not event.wall:
+        return None
+    wall = derivation.fact(" ".join(("wall", event.bodies[1])))
+    return None if wall is None else say("derived.since", facts=(naming.fact(wall),))
+
+
 def _direction(line: Line) -> Expression | None:
     """The vector to which a line says that a line of centres is parallel."""
     match line.relation:
@@ -70,4 +83,4 @@ def _vector(tree: Expression) -> Vector | None:
     return value if isinstance(value, Vector) else None
 
 
-__all__ = ["sense_of_a_change"]
+__all__ = ["sense_of_a_change", "sense_of_a_normal"]

@@ -50,7 +50,7 @@ from restitution.workings.leads.offsets import (
     is_offset,
     offset_sentence,
 )
-from restitution.workings.leads.senses import sense_of_a_change
+from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_normal
 from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY, TurnLeads
@@ -483,7 +483,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if self._beside_normal(line):
             yield say("wall.beside-normal")
             return
-        sense = sense_of_a_change(self._derivation, self._naming, line)
+        sense = sense_of_a_normal(self._derivation, self._naming, line) or sense_of_a_change(
+            self._derivation, self._naming, line
+        )
         if sense is not None:
             yield sense
             return
