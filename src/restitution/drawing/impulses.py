@@ -27,20 +27,20 @@ def put_impulses(view: View, drawing: Drawing) -> None:
         return  # the impulses are not equal and opposite, or not along the line
     if happening.impulse is None or not math.hypot(*floats(happening.impulse)):
         return
-    ways = [
+    directions = [
         direction(floats(happening.impulse)) if body.towards is None else -body.towards
         for body in view.bodies
     ]
     angle = view.sayings.blows.get(view.number)
-    side = ways[0].turned_left()
+    side = directions[0].turned_left()
     sides = [side, -side]
     if angle is not None:  # whose arc is to be on the far side of the arrow
         sides = [each for each in sides if each.dot(angle.reference) > 0] or sides
-    room, placed = _beside_all(view.bodies, ways, sides, drawing)
+    room, placed = _beside_all(view.bodies, directions, sides, drawing)
     if room < 1.0:
         placed = [
             arrow
-            for body, line_of_action in zip(view.bodies, ways)
+            for body, line_of_action in zip(view.bodies, directions)
             for arrow in _beside_all((body,), (line_of_action,), sides, drawing)[1]
         ]
     drawing.shapes += [arrow for arrow, _ in placed]
@@ -49,11 +49,11 @@ def put_impulses(view: View, drawing: Drawing) -> None:
         if label is not None:
             drawing.labels.append(beside(label, arrow.start, arrow.end, outward))
     if angle is not None:
-        put_arc(placed[0][0].start, 0.0, 5.0, angle, ways[0], False, False, drawing)
+        put_arc(placed[0][0].start, 0.0, 5.0, angle, directions[0], False, False, drawing)
 
 
 def _beside_all(
-    bodies: Sequence[Body], ways: Sequence[Vector], sides: Sequence[Vector], drawing: Drawing
+    bodies: Sequence[Body], directions: Sequence[Vector], sides: Sequence[Vector], drawing: Drawing
 ) -> tuple[float, list[tuple[Arrow, Vector]]]:
     """Arrows of impulses beside spheres, all on the side and at the distance with room for them."""
     best: tuple[float, list[tuple[Arrow, Vector]]] = (-1.0, [])
@@ -62,7 +62,7 @@ def _beside_all(
         for side in sides:
             arrows = [
                 _impulse(body, direction, side * (RADIUS + off) + direction * ahead)
-                for body, direction in zip(bodies, ways)
+                for body, direction in zip(bodies, directions)
             ]
             room = min(room_beside(arrow, pieces) for arrow in arrows)
             if room > best[0] + 0.2:

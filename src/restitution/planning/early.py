@@ -128,10 +128,10 @@ def _are_directions_after(problem: Problem, late: tuple[Fact, ...]) -> bool:
         if event.wall and fact.id == f"axis {event.number}"
     }
     ties = [tie_of(each.relation.only[0]) for each in late if len(each.relation.options) == 1]
-    ways = [way for tie in ties if tie is not None for way in (tie[:2], tie[1::-1])]
+    pairs = [pair for tie in ties if tie is not None for pair in (tie[:2], tie[1::-1])]
     return any(
         isinstance(other, Unit | Pair) and not isinstance(axes.get(one, Unit("i")), Unit)
-        for one, other in ways
+        for one, other in pairs
     )
 
 

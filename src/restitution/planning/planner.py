@@ -254,27 +254,27 @@ def _as_far(
     """The desk with these items of a part, and how far their ways are from a plan of each."""
     if not names:
         return desk, 0
-    ways = dict.fromkeys(names, _PLANNED)
-    in_terms = _in_given_terms(solution, part, desk, dict(ways))
+    statuses = dict.fromkeys(names, _PLANNED)
+    in_terms = _in_given_terms(solution, part, desk, dict(statuses))
     if in_terms is not None:
         return in_terms, 0
     if not partial:
-        return joined(desk, _drafts(solution, part, desk, ways, _PLANNED)), 0
+        return joined(desk, _drafts(solution, part, desk, statuses, _PLANNED)), 0
     for least in (_PLANNED, _SOLVED):
-        ways = {name: max(status, least) for name, status in ways.items()}
+        statuses = {name: max(status, least) for name, status in statuses.items()}
         before = None
-        while ways != before:
+        while statuses != before:
             # Every solution is written in the way in which the last one could be.
-            before = dict(ways)
-            drafts = _drafts(solution, part, desk, ways, _NOTED)
+            before = dict(statuses)
+            drafts = _drafts(solution, part, desk, statuses, _NOTED)
             if len(drafts) == 1:
-                return drafts[0], sum(ways.values())
+                return drafts[0], sum(statuses.values())
         try:
-            return joined(desk, drafts), sum(ways.values())
+            return joined(desk, drafts), sum(statuses.values())
         except NotPlannedError:
             continue
-    ways = dict.fromkeys(names, _NOTED)
-    return _drafts(solution, part, desk, ways, _NOTED)[0], sum(ways.values())
+    statuses = dict.fromkeys(names, _NOTED)
+    return _drafts(solution, part, desk, statuses, _NOTED)[0], sum(statuses.values())
 
 
 def _write_early(solution: Solution, part: PartSolution, desk: Desk) -> tuple[Desk, set[str]]:
@@ -288,11 +288,11 @@ def _write_early(solution: Solution, part: PartSolution, desk: Desk) -> tuple[De
         own = {_name(part, index) for index in early.ended}
         draft = None
         for count in range(len(names), 0, -1):
-            ways = dict.fromkeys(names[:count], _PLANNED)
+            statuses = dict.fromkeys(names[:count], _PLANNED)
             withheld = desk.fork()
             withheld.withheld = early.late
             with suppress(*UNPLANNED):
-                (draft,) = _drafts(solution, part, withheld, ways, _PLANNED, early=early)
+                (draft,) = _drafts(solution, part, withheld, statuses, _PLANNED, early=early)
                 break
         if draft is None:
             break
@@ -307,7 +307,7 @@ def _write_early(solution: Solution, part: PartSolution, desk: Desk) -> tuple[De
 
 
 def _in_given_terms(
-    solution: Solution, part: PartSolution, desk: Desk, ways: dict[str, int]
+    solution: Solution, part: PartSolution, desk: Desk, statuses: dict[str, int]
 ) -> Desk | None:
     """The desk with a part whose answers are in letters that the solution has by others.
 
@@ -316,7 +316,7 @@ def _in_given_terms(
     if len(part.branches) != 1 or not protected_letters(part.part):
         return None
     try:
-        drafts = _drafts(solution, part, desk, ways, _PLANNED, turned=True)
+        drafts = _drafts(solution, part, desk, statuses, _PLANNED, turned=True)
     except UNPLANNED:
         return None
     return drafts[0] if drafts else None
@@ -336,12 +336,12 @@ def _drafts(
     solution: Solution,
     part: PartSolution,
     desk: Desk,
-    ways: dict[str, int],
+    statuses: dict[str, int],
     last: int,
     turned: bool = False,
     early: Early | None = None,
 ) -> list[Desk]:
-    """Each solution of a part on a desk of its own, with the items that ``ways`` names.
+    """Each solution of a part on a desk of its own, with the items that ``statuses`` names.
 
     With ``turned`` only those whose letters are turned round to be those of the answers; with
     ``early`` the part is that without the facts below these items.
@@ -368,34 +368,35 @@ def _drafts(
         scene = Scene(problem, own, part, model_, draft, others, find_frame=frame_at)
         scene.of_offsets = given_by_offsets(scene)
         scene.sided, scene.turned = len(one_side), turned
-        _write_items(scene, ways, last)
+        _write_items(scene, statuses, last)
         drafts.append(draft)
     return drafts
 
 
-def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
+def _write_items(scene: Scene, statuses: dict[str, int], last: int) -> None:
     """Writes the items of a part, each in its way, or in the next one that goes.
 
     Raises NotPlannedError where one cannot be written in the ``last`` way.
     """
     problem, part = scene.problem, scene.solution
-    scene.desk.item = next(iter(ways))  # what is given may be put in before the first is written
+    # What is given may be put in before the first is written.
+    scene.desk.item = next(iter(statuses))
     solver = Solver(scene)
     solver.resume(scene.desk.waiting)
     _write_axes_asked(scene)
     whole = scene, solver
     for index, ((item, now), result) in enumerate(zip(problem.asked(scene.part), part.items), 1):
         name = _name(part, index)
-        if name not in ways:
+        if name not in statuses:
             continue
         scene.desk.item = name
         scene, solver = whole
         written = False
         while not written:
             standing, start = solver.mark(), len(scene.desk.lines)
-            solver.resort = ways[name] >= _SOLVED
+            solver.resort = statuses[name] >= _SOLVED
             try:
-                if ways[name] == _NOTED:
+                if statuses[name] == _NOTED:
                     write_unfinished(scene, solver, item, result, now, name)
                 else:
                     _write_end(scene, solver, item, result, now, name)
@@ -416,9 +417,9 @@ def _write_items(scene: Scene, ways: dict[str, int], last: int) -> None:
                     scene, solver = in_its_letters, Solver(in_its_letters)
                     continue
                 scene, solver = whole
-                if ways[name] >= last:
+                if statuses[name] >= last:
                     raise
-                ways[name] += 1
+                statuses[name] += 1
     scene, solver = whole
     scene.desk.waiting = dict(solver.waiting) if scene.desk.withheld else {}
 

@@ -32,8 +32,8 @@ def write_unfinished(
     trees = [staged(scene.problem, tree, now) for tree in _trees(item)]
     premises: list[int] = []
     # Of several solutions only the equations are the same.
-    for ways in (_equations,) if scene.others else (_values, _components, _equations):
-        for attempt in ways(scene, solver, trees):
+    for attempts in (_equations,) if scene.others else (_values, _components, _equations):
+        for attempt in attempts(scene, solver, trees):
             premises += _tried(scene, solver, attempt)
         if premises:
             break
@@ -41,11 +41,11 @@ def write_unfinished(
     note_unwritten(scene.desk, result, name, tuple(dict.fromkeys(premises)), claim)
 
 
-Way = Callable[[], Iterable[int]]
+Attempt = Callable[[], Iterable[int]]
 """Writes lines, and gives the last of them. Raises NotPlannedError where there is no plan."""
 
 
-def _tried(scene: Scene, solver: Solver, write: Way) -> list[int]:
+def _tried(scene: Scene, solver: Solver, write: Attempt) -> list[int]:
     """The lines of a way in which each line follows; none of one that fails."""
     standing, start = solver.mark(), len(scene.desk.lines)
     try:
@@ -121,7 +121,7 @@ def _trees(item: Item | Show) -> Iterator[Expression]:
         yield item.subject.expression
 
 
-def _values(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Way]:
+def _values(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Attempt]:
     """What the expressions come to."""
     for tree in trees:
         if has_quantity(tree):
@@ -133,7 +133,7 @@ def _value(scene: Scene, solver: Solver, tree: Expression) -> Iterator[int]:
     yield write_expression(scene, tree)[0]
 
 
-def _components(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Way]:
+def _components(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Attempt]:
     """What letters are, and everything of which the quantities are made."""
     for tree in trees:
         for name in sorted(letters(tree)):
@@ -157,7 +157,7 @@ def _lines(scene: Scene, refs: Iterable[Ref]) -> Iterator[int]:
             yield ref
 
 
-def _equations(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Way]:
+def _equations(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Iterator[Attempt]:
     """The principles of each impact, and what is given."""
     del solver, trees
     for number, own in sorted(scene.model.frames.items()):

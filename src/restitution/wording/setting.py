@@ -122,11 +122,11 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
         if _alike(walls):
             yield sentence(all_names, kind, " ", values.lies_along(scene.style, walls[0].along))
         else:
-            ways = [
+            directions = [
                 words(Named(w.name), " is ", values.lies_along(scene.style, w.along)) for w in walls
             ]
             yield sentence(all_names, kind)
-            yield sentence(listed(ways))
+            yield sentence(listed(directions))
         return
     for wall in walls:
         kind, name = "a fixed smooth vertical wall ", Named(wall.name)

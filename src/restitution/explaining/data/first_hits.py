@@ -140,9 +140,9 @@ class _Ahead:
             return None
         low, high = ends if order > 0 else ends[::-1]
         across, beside = self._across, Unit("i" if self.horizontal else "j")
-        way = Binary("-", self._level, self._coordinate(across))
+        distance = Binary("-", self._level, self._coordinate(across))
         slope = Binary("/", self._component(beside), self._component(across))
-        there = Binary("+", self._coordinate(beside), Binary("*", way, slope))
+        there = Binary("+", self._coordinate(beside), Binary("*", distance, slope))
         if happens:
             return Relation(((Link(low, "<", there), Link(there, "<", high)),))
         return Relation(((Link(there, "<=", low),), (Link(there, ">=", high),)))

@@ -248,9 +248,9 @@ def _sign(step: Step, component: Quotient | None) -> int:
 
 def _sign_of_bounds(step: Step, ratios: list[Link]) -> int:
     """The sign that bounds of a tangent tell: 0 where they allow both."""
-    for sign, way in ((1, ">"), (-1, "<")):
+    for sign, bound in ((1, ">"), (-1, "<")):
         for each in ratios:
-            if each.sign[0] != way:
+            if each.sign[0] != bound:
                 continue
             value = sign * _value(step, each.right)
             if step.oracle.proves(Claim(value, ">=")):

@@ -98,7 +98,7 @@ def is_certain(step: Step, relation: Relation) -> bool:
         return True
     if is_bounded_cotangent(step, relation):
         return True
-    ways = [by_oracle, between_tangents]
+    proofs = [by_oracle, between_tangents]
     if any(
         isinstance(each, Apply) and each.function == "arctan"
         for links in relation.options
@@ -106,8 +106,8 @@ def is_certain(step: Step, relation: Relation) -> bool:
         for side in (link.left, link.right)
         for each in walk(side)
     ):
-        ways.reverse()
-    return any(proof(step, relation) for proof in ways)
+        proofs.reverse()
+    return any(proof(step, relation) for proof in proofs)
 
 
 def between_tangents(step: Step, relation: Relation) -> bool:

@@ -76,8 +76,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     final = tree_of(value, angle=angle)
     if value == 0 and isinstance(asked, Binary) and asked.op == "/":
         nothing = chain(asked, (final, None))
-        ways = (Move("rearrange"), Move("put"), Move("divide"))
-        line = scene.judge.write(ways, together(refs), nothing)
+        quotient = (Move("rearrange"), Move("put"), Move("divide"))
+        line = scene.judge.write(quotient, together(refs), nothing)
         if line is None:
             raise NotPlannedError("a quotient that is zero")
         return line, final

@@ -149,13 +149,13 @@ class _Extremum:
         line = self._lettered() or self._line()
         end = self.end
         defined = self._as_defined(start, line)
-        ways = [self._monotone, self._quotient, self._square, self._double]
-        ways += [self._gap, self._plain]
+        methods = [self._monotone, self._quotient, self._square, self._double]
+        methods += [self._gap, self._plain]
         if defined is not None:
             line = defined
         if defined is not None or self._shows_a_square(line):
-            ways.insert(0, self._plain)
-        for method in ways:
+            methods.insert(0, self._plain)
+        for method in methods:
             mark = self.claims.worths.mark()
             self.support, self.place = (), None
             bound = method(line)
@@ -486,7 +486,7 @@ class _Extremum:
     def _value(self, line: int) -> sp.Expr:
         return self.claims.worths.value(self.scene.desk.last_link(line).right)
 
-    # --- ways -----------------------------------------------------------------------------------
+    # --- methods ----------------------------------------------------------------------------------
 
     def _monotone(self, line: int) -> int | None:
         """What only grows, or only falls, is greatest or least at an end."""

@@ -93,8 +93,8 @@ def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> in
     along, towards = (velocity(scene, body, stage, axis) for axis in (beside_axis, across))
     end = scene.scalar(level)
     value = tidy(begin.value + (end - start.value) * along.value / towards.value)
-    way = slope(scene, end, start.value, along.value, towards.value)
-    tree = swept(total((tree_of(begin.value), way)))
+    share = slope(scene, end, start.value, along.value, towards.value)
+    tree = swept(total((tree_of(begin.value), share)))
     bounds = [
         (link.sign, scene.scalar(link.right))
         if link.left == there
@@ -109,7 +109,7 @@ def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> in
     names = worths.known_in(value)
     refs = together(begin.refs, start.refs, along.refs, towards.refs)
     beyond = len(fact.relation.options) > 1
-    said = [_with(fact.relation, there, each) for each in (tree, tree_of(value))]
+    relations = [_with(fact.relation, there, each) for each in (tree, tree_of(value))]
     # To the far side of an end the path may not come at all.
     near = [
         n
@@ -121,10 +121,10 @@ def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> in
     ends = [each for each in solved if each is not None]
     if len(ends) == len(near):
         last = Relation(tuple((each,) for each in ends)) if beyond else _joined(ends)
-        said += [] if last is None else [last]
+        relations += [] if last is None else [last]
     line: int | None = None
     moves = (Move("put"), Move("rearrange"), Move("compare"))
-    for relation in said:
+    for relation in relations:
         if line is not None and relation == scene.desk.relation(line):
             continue
         pool = [fact.id, *refs, *names] if line is None else [line, *names]

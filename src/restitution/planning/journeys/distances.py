@@ -48,11 +48,11 @@ def distance(scene: Scene, asked: Quantity) -> Source:
     length = _as_a_path(scene, asked)
     if length is not None:
         return length
-    way = flown(scene, asked)
-    if way is not None:
+    flight = flown(scene, asked)
+    if flight is not None:
         nowhere = [sp.Integer(0), sp.Integer(0)]
-        refs = together(*(each.refs for each in way))
-        return _write_distance(scene, asked, None, refs, [each.value for each in way], nowhere)
+        refs = together(*(each.refs for each in flight))
+        return _write_distance(scene, asked, None, refs, [each.value for each in flight], nowhere)
     ends = [_end(scene, argument, asked.stage) for argument in asked.arguments]
     refs = together(*(end.refs for end in ends))
     (a, b) = (end.value for end in ends)

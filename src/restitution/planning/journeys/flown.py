@@ -37,11 +37,11 @@ def flown(scene: Scene, asked: Quantity) -> tuple[Source, Source] | None:
     if pace.value == 0 or scene.unknown(pace.value):
         return None
     mark = scene.desk.mark()
-    way = _write_way(scene, body, (early, late), axis, pace)
-    if way is None:
+    length = _write_length(scene, body, (early, late), axis, pace)
+    if length is None:
         scene.desk.back(mark)
         return None
-    x, y = (given[each] or way for each in AXES)
+    x, y = (given[each] or length for each in AXES)
     return x, y
 
 
@@ -70,7 +70,7 @@ def _between_given(scene: Scene, body: str, early: int, late: int, axis: Axis) -
     return Source(tidy(last.value - first.value), together(first.refs, last.refs))
 
 
-def _write_way(
+def _write_length(
     scene: Scene, body: str, events: tuple[int, int], axis: Axis, pace: Source
 ) -> Source | None:
     """The line of how far a body comes in one direction."""

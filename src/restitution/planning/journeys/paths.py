@@ -176,9 +176,9 @@ def _write_steady(scene: Scene, path: Path, steady: Steady) -> int:
         stage = last_move(scene, body, stage)
         refs += velocity(scene, body, stage, steady.axis).refs
     distance = swept(difference(tree_of(last.value), tree_of(first.value)))
-    way = swept(product(tree_of(pace.value), steady.time.link.right))
+    flight = swept(product(tree_of(pace.value), steady.time.link.right))
     whole = together(steady.time.refs, start(scene)[1], first.refs, last.refs, refs)
-    return scene.desk.write(move_of(path), whole, chain(distance, (way, None)))
+    return scene.desk.write(move_of(path), whole, chain(distance, (flight, None)))
 
 
 def _who_goes(scene: Scene, number: int) -> str | None:

@@ -44,7 +44,7 @@ from restitution.planning.formulas.whereabouts import (
 )
 from restitution.planning.journeys.aims import striker, write_aim
 from restitution.planning.journeys.encounters import with_the_gap
-from restitution.planning.journeys.rims import Way, time_of_touching, time_on_a_chord
+from restitution.planning.journeys.rims import Approach, time_of_touching, time_on_a_chord
 from restitution.planning.writing.circles import chord_from, chord_to_a_point, circle_of
 from restitution.planning.writing.degrees import angles_in, share_by_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
@@ -603,7 +603,7 @@ def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:
         return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
     early = time_of(scene, since) if since != start(scene)[0] else Source(sp.Integer(0), refs)
     first, pace = spot(scene, body, since), velocity_then(scene, body, since)
-    return start(scene)[0], time_of_touching(scene, number, [Way(body, first, pace, early)])
+    return start(scene)[0], time_of_touching(scene, number, [Approach(body, first, pace, early)])
 
 
 def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
@@ -649,20 +649,20 @@ def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Sourc
         pace = scene.velocity(aimed, last_move(scene, aimed, number))
         return leg_along(scene, aimed, number, "i" if pace.x != 0 else "j")
     if circle_of(scene, number) is not None:
-        ways = [_way(scene, each, number) for each in scene.bodies(number)]
-        return start(scene)[0], time_of_touching(scene, number, ways)
+        approaches = [_approach(scene, each, number) for each in scene.bodies(number)]
+        return start(scene)[0], time_of_touching(scene, number, approaches)
     for body, other in ((step.first, step.second), (step.second, step.first)):
         if rests(scene, other, number):
             return _leg_to_resting(scene, number, body, other)
     return _leg_of_two(scene, number, step.first, step.second)
 
 
-def _way(scene: Scene, body: str, number: int) -> Way:
+def _approach(scene: Scene, body: str, number: int) -> Approach:
     """How a body comes to an event."""
     since = last_move(scene, body, number)
     first, pace = spot(scene, body, since), velocity_then(scene, body, since)
     early = None if rests(scene, body, number) else time_of(scene, since)
-    return Way(body, first, pace, early)
+    return Approach(body, first, pace, early)
 
 
 def _leg_to_resting(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:

@@ -149,7 +149,7 @@ def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:
 
 
 @dataclass(frozen=True)
-class Way:
+class Approach:
     """How a body comes to an event: from where, how fast, and since when; at rest without that."""
 
     body: str
@@ -158,7 +158,7 @@ class Way:
     early: Source | None
 
 
-def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
+def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) -> Source:
     """The time at which a body is so far from a centre, or from that of another body.
 
     Of the two times of the equation one is before the last event, or that at which they would
@@ -169,12 +169,12 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
         raise NotPlannedError("the time of a contact whose place is not given")
     t = time_tree(number)
     refs: list[Ref] = [f"contact {number}"]
-    begins = [each.early for each in ways if each.early is not None]
+    begins = [each.early for each in approaches if each.early is not None]
     begin = begins[0]
     flight = difference(t, tree_of(begin.value))
     lines: list[Ref] = []
     at, pace = Vector(sp.Integer(0), sp.Integer(0)), Vector(sp.Integer(0), sp.Integer(0))
-    for path, sign in zip(ways, (1, -1), strict=False):
+    for path, sign in zip(approaches, (1, -1), strict=False):
         if path.early is None:
             refs += [*path.first.refs, *path.pace.refs]
             at += sign * path.first.value
@@ -192,7 +192,7 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
         late = tidy(begin.value - path.early.value)
         at += sign * (path.first.value + path.pace.value * late)
         pace += sign * path.pace.value
-    if len(ways) == 1:
+    if len(approaches) == 1:
         at = from_centre(scene, number, at)
     sides = []
     for a, v in zip(at, pace, strict=True):
@@ -222,7 +222,7 @@ def time_of_touching(scene: Scene, number: int, ways: Sequence[Way]) -> Source:
         why: tuple[Ref, ...] = (f"order {number}", *begin.refs)
     else:
         why = (f"towards {number}", *lines)
-        why = together(why, refs[1:], *(each.pace.refs for each in ways))
+        why = together(why, refs[1:], *(each.pace.refs for each in approaches))
     kept = scene.judge.enough(Move("reject"), (line,), chosen, (*why, *background(scene, letters)))
     if kept is None:
         raise NotPlannedError("which of two times it is")
