@@ -131,7 +131,7 @@ def same(left: str, right: str, *identities: str) -> bool:
     """Whether two texts are one quotient of polynomials."""
     roles = {"alpha": ACUTE, "theta": ACUTE, "u": POSITIVE, "m": POSITIVE}
     angles = frozenset({"alpha", "theta"})
-    world = World(roles, frozenset(), angles, identities=frozenset(identities))  # type: ignore[arg-type]
+    world = World(roles, angles=angles, identities=frozenset(identities))  # type: ignore[arg-type]
     a, b = (read_tree(each, {}) for each in (left, right))
     world.divide_angles([a, b])
     gap = world.scalar(a) - world.scalar(b)

@@ -317,7 +317,7 @@ def world_of(
     """The letters of a statement, to compare trees in."""
     known = roles(problem)
     angles = frozenset(name for name, role in known.items() if role.kind == "angle")
-    return World(known, frozenset(), angles, directions)
+    return World(known, angles=angles, directions=directions)
 
 
 def difference(a: Expression, b: Expression) -> Expression:

@@ -8,8 +8,9 @@ import sympy as sp
 
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.lines import derivation
-from restitution.explaining.lines.algebra import Identity, Value
+from restitution.explaining.lines.angles import Identity
 from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign, whole_of
+from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.steps.rules import Rules
 from restitution.explaining.steps.step import Step

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.explaining.lines.algebra import Identity
+from restitution.explaining.lines.angles import Identity
 from restitution.explaining.lines.derivation import Link
 from restitution.explaining.lines.quotients import NotComparableError, Quotient
 from restitution.explaining.lines.trees import rebuilt

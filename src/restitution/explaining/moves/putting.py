@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from restitution.explaining.lines.algebra import Value
 from restitution.explaining.lines.derivation import Link, Relation, Sign
+from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.moves.bases import (

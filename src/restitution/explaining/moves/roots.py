@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.lines.algebra import Value
 from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
 from restitution.explaining.moves.inequalities import is_contradicted, is_of_vectors, same_option

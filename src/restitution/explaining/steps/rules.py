@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 from sympy.polys.rings import PolyElement
 
-from restitution.explaining.lines.algebra import Key, Value, World
+from restitution.explaining.lines.algebra import World
+from restitution.explaining.lines.generators import Key, Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.expression.tree import Expression, Quantity
 

@@ -13,7 +13,7 @@ from typing import Protocol
 from sympy.polys.rings import PolyElement
 
 from restitution.explaining.data.setting import Cited, Setting
-from restitution.explaining.lines.algebra import AngleKey, Atom, Key, World
+from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.derivation import (
     Derivation,
     Link,
@@ -22,6 +22,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
     whole_of,
 )
+from restitution.explaining.lines.generators import AngleKey, Atom, Key
 from restitution.explaining.lines.quotients import (
     CONSTANT,
     NotComparableError,

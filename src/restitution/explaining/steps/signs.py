@@ -10,7 +10,8 @@ from typing import Literal
 from sympy import Rational, pi
 from sympy.polys.rings import PolyElement
 
-from restitution.explaining.lines.algebra import AngleKey, Key, World
+from restitution.explaining.lines.algebra import World
+from restitution.explaining.lines.generators import AngleKey, Key
 from restitution.explaining.lines.quotients import Quotient, factors_of, without_common
 from restitution.oracle import Oracle, Relation, joined, letters_of
 from restitution.oracle.roles import REAL

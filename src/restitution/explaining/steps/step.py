@@ -12,8 +12,10 @@ import sympy as sp
 
 from restitution.explaining.data.offset_angles import named_angles
 from restitution.explaining.data.setting import Cited, Known, Setting, is_angle, is_direction
-from restitution.explaining.lines.algebra import Identity, Value, World
+from restitution.explaining.lines.algebra import World
+from restitution.explaining.lines.angles import Identity
 from restitution.explaining.lines.derivation import Event, Link, Meaning, Move, Relation, whole_of
+from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.rules import Rules
@@ -101,13 +103,12 @@ class Step:
         """The generators, with the directions and the angles that are cited."""
         world = World(
             self.setting.roles,
-            self.setting.vectors,
-            self.setting.angles,
-            _without_circles(self._directions()),
-            {},
-            self.identities,
-            self.opaque,
-            frozenset(self._nonnegative()),
+            vectors=self.setting.vectors,
+            angles=self.setting.angles,
+            directions=_without_circles(self._directions()),
+            identities=self.identities,
+            opaque=self.opaque,
+            nonnegative=frozenset(self._nonnegative()),
         )
         world.turns = _without_circles(self._turns(world))
         for link in self._inequalities():

@@ -1,0 +1,109 @@
+"""Generators of polynomials: one for each letter, quantity, root, cosine and sine of lines."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from sympy.polys.rings import PolyElement
+
+from restitution.explaining.lines.quotients import (
+    MOST_GENERATORS,
+    MOST_TERMS,
+    NotComparableError,
+    Plane,
+    Quotient,
+    lean,
+    quotient_ring,
+)
+from restitution.expression.tree import Expression
+from restitution.oracle.roles import Role
+
+Value = Quotient | Plane
+
+Atom: TypeAlias = Expression | tuple[str, PolyElement, PolyElement]
+"""A part of an angle: a letter, an angle of the motion, or an inverse function by its value."""
+
+AngleKey: TypeAlias = tuple[tuple[Any, ...], Fraction]
+"""An angle by its parts with their multiples, and degrees; a plain angle has one empty part."""
+
+Key: TypeAlias = tuple[Any, ...]
+"""A generator: what it is ("letter", "quantity", "cos", "root", …), and of what."""
+
+
+@dataclass
+class Generators:
+    """The generators in which some trees are compared, and the squares of some of them.
+
+    ``roles`` says what a letter of the statement may be. While ``printed`` is set, what stands
+    below a line is kept among the ``denominators``, which are not zero; what stands below the
+    ``tangents`` of a line counts only where it stays.
+    """
+
+    roles: Mapping[str, Role]
+    printed: bool = True
+    squares: dict[int, PolyElement] = field(default_factory=dict)
+    denominators: list[PolyElement] = field(default_factory=list)
+    tangents: list[PolyElement] = field(default_factory=list)
+    _keys: dict[Key, int] = field(default_factory=dict)
+
+    def generator(self, key: Key) -> Quotient:
+        """The generator of a letter, a quantity, a root or a cosine."""
+        if key not in self._keys:
+            if len(self._keys) == MOST_GENERATORS:
+                raise NotComparableError("lines of too many letters")
+            self._keys[key] = len(self._keys)
+        return Quotient(quotient_ring().gens[self._keys[key]], quotient_ring().one)
+
+    def keys_by_number(self) -> dict[int, Key]:
+        """All generators, by number."""
+        return {number: key for key, number in self._keys.items()}
+
+    def keys(self, *polynomials: PolyElement) -> dict[int, Key]:
+        """The generators that occur, by number."""
+        by_number = self.keys_by_number()
+        return {
+            n: by_number[n]
+            for each in polynomials
+            for powers in each
+            for n, power in enumerate(powers)
+            if power
+        }
+
+    def note_tangents(self, line: Value) -> None:
+        """Keep the cosines below the tangents of a line, as far as they do not cancel there."""
+        parts = (line.x, line.y) if isinstance(line, Plane) else (line,)
+        for cosine in self.tangents:
+            if any(not part.below.is_ground and not part.below.rem(cosine) for part in parts):
+                self.denominators.append(cosine)
+        self.tangents.clear()
+
+    def reduced(self, x: Quotient) -> Quotient:
+        """The quotient with squares of roots (and of sines, where Pythagoras is named) put in."""
+        if not self.squares:
+            return x
+        return lean(self._reduced(x.above), self._reduced(x.below))
+
+    def reduced_value(self, x: Value) -> Value:
+        """A scalar or a vector with squares of roots put in."""
+        if isinstance(x, Plane):
+            return Plane(self.reduced(x.x), self.reduced(x.y))
+        return self.reduced(x)
+
+    def _reduced(self, polynomial: PolyElement) -> PolyElement:
+        for number in sorted(self.squares, reverse=True):
+            square = self.squares[number]
+            while any(powers[number] > 1 for powers in polynomial):
+                total = quotient_ring().zero
+                for powers, value in polynomial.items():
+                    half, odd = divmod(powers[number], 2)
+                    rest = (*powers[:number], odd, *powers[number + 1 :])
+                    total = total + quotient_ring().from_dict({rest: value}) * (
+                        square**half if half else quotient_ring().one
+                    )
+                polynomial = total
+                if len(polynomial) > MOST_TERMS:
+                    raise NotComparableError("a line of too many terms")
+        return polynomial

@@ -1,0 +1,210 @@
+"""Square roots, with square factors taken out: what is positive, and what size the rest has."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import isqrt, prod
+from typing import Any
+
+from sympy.polys.domains import QQ
+from sympy.polys.rings import PolyElement
+
+from restitution.explaining.lines.generators import Generators, Key, Value
+from restitution.explaining.lines.quotients import (
+    CONSTANT,
+    NotComparableError,
+    Plane,
+    Quotient,
+    factors_of,
+    primes,
+    quotient_ring,
+    square_part,
+)
+from restitution.oracle.roles import REAL
+
+
+@dataclass
+class Roots(Generators):
+    """Generators with the square roots of what they make.
+
+    Letters that are cited as ``nonnegative``, and the sines and cosines of such angles up to 90°,
+    are their own size, as are the differences that are ``ordered``: what is cited as greater
+    without what is less.
+    """
+
+    nonnegative: frozenset[str] = frozenset()
+    ordered: set[PolyElement] = field(default_factory=set)
+
+    def root(self, x: Quotient) -> Quotient:
+        """The square root of what is not negative, with square factors taken out."""
+        x = self.reduced(x)
+        if x.vanishes:
+            return x
+        return self._root(x.above * x.below) / self._size_of(x.below)
+
+    def _size_of(self, polynomial: PolyElement) -> Quotient:
+        """The size of a polynomial, by those of its factors."""
+        number, factors = factors_of(polynomial)
+        ratio = _fraction(number)
+        total = CONSTANT(abs(ratio))
+        for factor, times in factors:
+            odd = self._positive(factor) if times % 2 else CONSTANT(1)
+            total = total * odd * Quotient(factor, quotient_ring().one) ** (times - times % 2)
+        return total
+
+    def put_in_order(self, less: Value, greater: Value) -> None:
+        """Take up that one number is not less than another."""
+        if isinstance(less, Plane) or isinstance(greater, Plane):
+            return
+        gap = greater - less
+        number, factors = factors_of(gap.above) if gap.above else (0, [])
+        if len(factors) == 1 and factors[0][1] == 1 and gap.below.is_ground:
+            self.ordered.add(factors[0][0] if number > 0 else -factors[0][0])
+
+    def _root(self, inside: PolyElement) -> Quotient:
+        number, factors = factors_of(inside)
+        outside, rest = CONSTANT(1), quotient_ring().one
+        for factor, times in factors:
+            if times // 2:
+                outside = outside * self._positive(factor) ** (times // 2)
+            if times % 2 and self._is_plainly_positive(factor):
+                plain = self._denested(factor)
+                outside = outside * (self._root_generator(factor) if plain is None else plain)
+            elif times % 2:
+                rest = rest * factor
+        ratio = _fraction(number)
+        if rest == 1:
+            return outside * self._root_of_number(ratio)
+        square, free = square_part(ratio.numerator * ratio.denominator)
+        outside = outside * CONSTANT(Fraction(square, ratio.denominator))
+        if free < 0:
+            rest, free = -rest, -free
+        plain = self._denested(rest * free)
+        if plain is None:
+            plain = self._root_of_number(Fraction(free)) * self._root_generator(rest)
+        return outside * plain
+
+    def _denested(self, inside: PolyElement) -> Quotient | None:
+        """√(a + b√c) as √((a + d)/2) ± √((a − d)/2), where d² = a² − b²c has a rational d."""
+        parts = self._surd(inside)
+        if parts is None:
+            return self._root_of_two_terms(inside)
+        a, b, c = parts
+        gap = a * a - b * b * c
+        if a <= 0 or gap < 0:
+            return None
+        above, below = isqrt(gap.numerator), isqrt(gap.denominator)
+        if above**2 != gap.numerator or below**2 != gap.denominator:
+            return None
+        d = Fraction(above, below)
+        first, second = (self._root_of_number(each) for each in ((a + d) / 2, (a - d) / 2))
+        return first + second if b > 0 else first - second
+
+    def _root_of_two_terms(self, inside: PolyElement) -> Quotient | None:
+        """√(ax² + 2√(ab) xy + by²) as √a x + √b y, where all of this is positive."""
+        if len(inside) != 3 or not self._is_plainly_positive(inside):
+            return None
+        ends = [
+            (powers, _fraction(value))
+            for powers, value in inside.terms()
+            if not any(each % 2 for each in powers)
+        ]
+        if len(ends) != 2:
+            return None
+        root = CONSTANT(0)
+        for powers, value in ends:
+            term = quotient_ring().from_dict({tuple(each // 2 for each in powers): QQ(1)})
+            root = root + self._root_of_number(value) * Quotient(term, quotient_ring().one)
+        difference = self.reduced(root * root - Quotient(inside, quotient_ring().one))
+        return root if difference.vanishes else None
+
+    def _surd(self, polynomial: PolyElement) -> tuple[Fraction, Fraction, Fraction] | None:
+        """The a, b and c of a number a + b√c; None for anything else."""
+        keys = self.keys(polynomial)
+        terms = [(powers, _fraction(value)) for powers, value in polynomial.terms()]
+        if len(terms) != 2 or any(
+            key[0] != "root" or not key[1].is_ground for key in keys.values()
+        ):
+            return None
+        (powers, b), (last, a) = terms if any(terms[0][0]) else reversed(terms)
+        if any(last) or any(power > 1 for power in powers):
+            return None
+        radicands = [key[1].coeff(1) for number, key in keys.items() if powers[number]]
+        return a, b, prod(map(_fraction, radicands), start=Fraction(1))
+
+    def _root_of_number(self, ratio: Fraction) -> Quotient:
+        square, free = square_part(ratio.numerator * ratio.denominator)
+        total = CONSTANT(Fraction(square, ratio.denominator))
+        if free < 0:
+            raise NotComparableError("the root of a negative number")
+        for prime in primes(free):
+            total = total * self._root_generator(quotient_ring().ground_new(QQ(prime)))
+        return total
+
+    def _root_generator(self, inside: PolyElement) -> Quotient:
+        own = self.generator(("root", inside))
+        self.squares[self._keys["root", inside]] = inside
+        return own
+
+    def _positive(self, factor: PolyElement) -> Quotient:
+        """The size of a factor: itself where it is made of positive generators."""
+        if self._is_plainly_positive(factor):
+            return Quotient(factor, quotient_ring().one)
+        for each in (factor, -factor):
+            if each in self.ordered or self._is_positive_between_ends(each):
+                return Quotient(each, quotient_ring().one)
+        surd = self._surd(factor)
+        if surd is not None:
+            a, b, c = surd
+            leading = a if a * a > b * b * c else b  # the larger of the two has the sign
+            return Quotient(factor if leading > 0 else -factor, quotient_ring().one)
+        own = self.generator(("size", factor))
+        self.squares[self._keys["size", factor]] = factor**2
+        return own
+
+    def _is_plainly_positive(self, factor: PolyElement) -> bool:
+        """Whether a factor is a sum of what is positive, or at least not negative."""
+        return all(value > 0 for value in factor.values()) and all(
+            self._is_positive(key) for key in self.keys(factor).values()
+        )
+
+    def _is_positive_between_ends(self, factor: PolyElement) -> bool:
+        """Whether a factor is linear in letters from 0 to 1, and not negative at their ends."""
+        one = quotient_ring().one
+        bounded = [
+            number
+            for number, key in self.keys(factor).items()
+            if key[0] == "letter"
+            and key[1] in self.nonnegative
+            and one - self.generator(key).above in self.ordered
+        ]
+        if not bounded or any(powers[n] > 1 for powers in factor for n in bounded):
+            return False
+        for ends in itertools.product((0, 1), repeat=len(bounded)):
+            there = quotient_ring().zero
+            low = [number for number, end in zip(bounded, ends, strict=True) if not end]
+            for powers, value in factor.items():
+                if not any(powers[n] for n in low):
+                    kept = tuple(0 if n in bounded else each for n, each in enumerate(powers))
+                    there = there + quotient_ring().from_dict({kept: value})
+            if not self._is_plainly_positive(there):
+                return False
+        return True
+
+    def _is_positive(self, key: Key) -> bool:
+        if key[0] == "letter":
+            known = key[1] in self.nonnegative
+            return known or self.roles.get(key[1], REAL).kind == "positive"
+        if key[0] in ("cos", "sin"):
+            terms, degrees = key[1]
+            if terms and terms[0] == ():
+                return True  # a number of degrees, below 45°
+            atom, count = terms[0] if len(terms) == 1 and not degrees and terms[0] else ("", 2)
+            return getattr(atom, "name", "") in self.nonnegative and 0 < count <= 1
+        return key[0] in ("root", "size")
+
+
+def _fraction(number: Any) -> Fraction:
+    return Fraction(int(number.numerator), int(number.denominator))
