@@ -7,10 +7,15 @@ happen as told (in order, on the wall, nothing struck before) becomes a conditio
 
 from __future__ import annotations
 
+import sympy as sp
+
 from restitution.errors import ImpossibleError
+from restitution.exact import tidy
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name, Place, line_and_column
 from restitution.problem import Arrival, Impact, Wall
+from restitution.render.layout import from_sympy
+from restitution.render.text import to_text
 from restitution.shapes import Circle, Segment
 from restitution.solving.algebra.neat import neat
 from restitution.solving.story import contacts
@@ -107,14 +112,26 @@ def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | N
     if isinstance(shape, Segment):
         share = state.rational((where - through).dot(along))
         reason = f"{name} does not meet {wall.name} between its ends"
+        shares = share, along.dot(along) - share
+        if state.field.exact and where.x.is_number and where.y.is_number:
+            reason += _beyond_its_end(wall.name, where, shares)
         state.conditions += [
-            Condition(each, ">", reason, "place", end_of=wall.name)
-            for each in (share, along.dot(along) - share)
+            Condition(each, ">", reason, "place", end_of=wall.name) for each in shares
         ]
     _nothing_first(state, name, wall, known[0], velocity, flight, number)
     time = known[1] + flight
     state.tracks[name].places.append((number, where, time))
     return time
+
+
+def _beyond_its_end(wall: str, where: Vector, shares: tuple[sp.Expr, ...]) -> str:
+    """Where a sphere comes to the line of a wall, if not between its ends; empty if it does."""
+    least = min(shares)
+    if least > 0:
+        return ""
+    there = ", ".join(to_text(from_sympy(tidy(each))) for each in where)
+    place = "which is one of these" if least == 0 else "which is beyond them"
+    return f": it comes to the line of {wall} at ({there}), {place}"
 
 
 def _is_at(state: State, number: int, name: str, wall: Wall) -> bool:

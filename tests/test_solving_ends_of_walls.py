@@ -1,0 +1,25 @@
+"""A wall that is missed: where the sphere comes to its line instead."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+MISSED = """
+wall W: from (4, 0) to (4, {end})
+sphere P: at (0, 0), velocity 2i + 3j
+P hits W: e = 1/2
+find velocity(P)
+"""
+
+
+@pytest.mark.parametrize(
+    ("end", "where"), [("2", "(4, 6), which is beyond them."), ("6", "(4, 6), which is one of")]
+)
+def test_the_place_on_its_line_is_said(end: str, where: str) -> None:
+    text = " ".join(to_text(explain(solve(parse(MISSED.format(end=end)))), 80).split())
+    assert "as P does not meet W between its ends: it comes to the line of W at" in text
+    assert where in text
