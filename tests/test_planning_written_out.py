@@ -6,8 +6,12 @@ import re
 
 import pytest
 
+from restitution.explaining.following.follower import follow
 from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 WALL = """
@@ -25,6 +29,13 @@ let beta = angle(velocity(A), i)
 given {given}
 find {asked}
 """
+SLANTING = """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along theta
+given velocity(A) = 1/2 u i - 1/4 u j
+find theta, e
+"""
 AFTER = "angle(velocity(P), W)"
 
 CASES = {
@@ -35,6 +46,22 @@ CASES = {
     "a difference of such angles": (
         WALL.format(angle="alpha", e=": e = 1/3", given=f"alpha - {AFTER} = 30°", asked="alpha"),
         ["α − β = 30°", "(tan α − ⅓ tan α)/(1 + (tan α)(⅓ tan α)) = √3/3", "α = 60°"],
+    ),
+    "two angles by their sum and one of them": (
+        WALL.format(angle="alpha", e="", given=f"deflection(P) = 75°, {AFTER} = 30°", asked="e"),
+        ["α = 75° − 30° = 45°", "It is given that β = 30°: tan 30° = (√2 eu/2)/(√2 u/2) = e"],
+    ),
+    "two angles by their sum and their ratio": (
+        WALL.format(
+            angle="alpha", e="", given=f"deflection(P) = 90°, alpha = 2 {AFTER}", asked="e"
+        ),
+        ["3β = 90°", "α = 90° − 30° = 60°", "−(√3 u/2)(√3 eu/2) + (u/2)(u/2) = 0"],
+    ),
+    "two angles by their sum and difference": (
+        WALL.format(
+            angle="alpha", e="", given=f"deflection(P) = 75°, alpha - {AFTER} = 15°", asked="e"
+        ),
+        ["Eliminating α from (1) and (2): β = 30°", "tan 30° = (√2 eu/2)/(√2 u/2)"],
     ),
     "an angle that is half of what it was": (
         WALL.format(angle="2 theta", e=": e = 1/3", given=f"{AFTER} = theta", asked="theta"),
@@ -71,3 +98,8 @@ def test_an_angle_that_may_be_both_is_acute() -> None:
     text = WALL.format(angle="2 theta", e=": e = 1/3", given=f"{AFTER} = theta", asked="theta")
     ((_, item),) = solve(parse(text)).items()
     assert [each.display for each in item.answers] == ["30°"]
+
+
+def test_a_given_velocity_across_a_line_at_an_open_angle_is_followed() -> None:
+    problem = parse(SLANTING)
+    assert follow(plan(solve(problem)), Oracle(roles(problem))) == ()

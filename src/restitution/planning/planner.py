@@ -42,6 +42,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import Oracle
+from restitution.planning.angles.angles_at_walls import write_angles_at_walls
 from restitution.planning.axes.by_changes import frame_at, write_axis
 from restitution.planning.axes.offsets import given_by_offsets, paths_beside
 from restitution.planning.axes.open_lines import write_open_lines
@@ -381,7 +382,9 @@ def _write_items(scene: Scene, statuses: dict[str, int], last: int) -> None:
     problem, part = scene.problem, scene.solution
     # What is given may be put in before the first is written.
     scene.desk.item = next(iter(statuses))
+    idle = write_angles_at_walls(scene)
     solver = Solver(scene)
+    solver.equations.used |= idle
     solver.resume(scene.desk.waiting)
     _write_axes_asked(scene)
     whole = scene, solver

@@ -139,6 +139,8 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
     terms = _terms(scene, each)
     assert terms is not None
     *names, sign, angle = terms
+    if (alone := _of_one_that_is_known(scene, names)) is not None:
+        return alone
     tangents: list[Expression] = []
     refs: list[Ref] = []
     for name in names:
@@ -178,6 +180,20 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
     if premises is None:
         raise NotPlannedError("a sum of angles")
     return scene.desk.write(Move("put"), premises, put)
+
+
+def _of_one_that_is_known(scene: Scene, names: Sequence[str]) -> int | None:
+    """The tangent of an angle of the motion of which a line gives the number of degrees."""
+    for name in names:
+        known = scene.desk.known(Letter(name))
+        if known is None or _quantity(scene, name) is None or not known.value.is_number:
+            continue
+        _, (line,) = _tangent(scene, Letter(name))
+        assert isinstance(line, int)
+        tangent = Apply("tan", tree_of(known.value, angle=True))
+        relation = chain(tangent, (scene.desk.last_link(line).right, None))
+        return scene.judge.write((Move("put"),), (line, *known.refs), relation)
+    return None
 
 
 def write_tangent_of_sum(scene: Scene, letter: Letter) -> int | None:

@@ -118,6 +118,10 @@ def given_at_a_wall(
     letter, meaning = letter_of(scene, after)
     own = formula(scene, after)
     cited = together(each.refs, data, (meaning,))
+    known = scene.desk.known(angle) if isinstance(angle, Letter) else None
+    degrees = None if known is None else tree_of(known.value, angle=True)
+    if known is not None and isinstance(degrees, Degrees):
+        angle, cited = degrees, together(cited, known.refs)
     if isinstance(angle, Degrees):
         rest = tidy(turned - scene.scalar(angle))
         final = tree_of(rest, angle=True)

@@ -683,7 +683,12 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
         open_ = scene.unknown(earlier.value) and not scene.unknown(later.value)
         if open_ or isinstance(sides[1], Letter):
             sides.reverse()
-        return scene.desk.write(move, refs, chain(sides[0], (sides[1], None)))
+        relation = chain(sides[0], (sides[1], None))
+        if not scene.judge.follows(move, refs, relation):
+            # Beside a vector that is given, one of the data is resolved in the same line.
+            whole = (*refs, f"velocity {body}")
+            refs = scene.judge.needed(move, whole, relation) or refs
+        return scene.desk.write(move, refs, relation)
     e = scene.coefficient(frame.number)
     move = Move("law", "restitution-wall", frame.number, (body,))
     left, right = tree_of(later.value), tree_of(earlier.value)
