@@ -109,7 +109,7 @@ class _Writer:
 
     def __post_init__(self) -> None:
         derivation = self.derivation
-        self.naming = Naming(derivation, self.problem, self.used)
+        self.naming = Naming(derivation, self.problem, used=self.used)
         self.measures = Measures(self.problem, derivation.meanings)
         self.sources = Sources(derivation)
         self.reasons = Reasons(derivation, self.naming, self.problem, self.sources)

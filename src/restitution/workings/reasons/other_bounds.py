@@ -42,7 +42,7 @@ _ORDER = ("<", "<=", ">", ">=")
 
 def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
     """What is said below the lines of ranges that come of one bound of a coefficient alone."""
-    naming = Naming(derivation, solution.problem, None)
+    naming = Naming(derivation, solution.problem)
     ends = Ends(derivation, solution.problem, naming)
     sentences: dict[int, Sentence] = {}
     for end in derivation.items:
