@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    letters,
     walk,
 )
 from restitution.practice.judgement import Use
@@ -110,7 +111,9 @@ def is_speed_by_energies(entry: Entry, world: World) -> bool:
 
 
 def is_whole_speed(entry: Entry, world: World) -> bool:
-    """Whether a component of a velocity is given the whole speed of its body."""
+    """Whether a component of a velocity is given the whole speed of its body, in data alone."""
+    if not letters(entry.claim.right) <= world.letters.keys():
+        return False
     meant = _meant(entry)
     meant = meant.operand if isinstance(meant, Negate) else meant
     match meant:

@@ -123,7 +123,15 @@ class _Examiner:
             line_of_value = self._elimination()
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
-        return lost or self._missing(point)
+        return lost or self._carried(point) or self._missing(point)
+
+    def _carried(self, point: MarkPoint) -> PointMark | None:
+        """The law of restitution at a wall, in the velocity after that a true line gives."""
+        if point.principle != "restitution" or not self.values.is_at_a_wall(point):
+            return None
+        true = (line for line in self.lines if line.verdict == "true" and line.grounded)
+        line = next((each for each in true if self.values.carries(point, each)), None)
+        return None if line is None else self._earned(point, line, "used here")
 
     def _is_of_deflection(self, mark: PointMark) -> bool:
         """Whether a point is lost by how a deflection is put together, and not by its angles."""
@@ -211,7 +219,7 @@ class _Examiner:
                 why = "follows from an earlier slip"
                 lost = PointMark(point, "lost", line.line.number, why)
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
-        return lost or self._missing(point)
+        return lost or self._carried(point) or self._missing(point)
 
     def _puts_in(self, line: JudgedLine) -> bool:
         """Whether a line is a law with values in it, and not a value alone: ``e = (3 - 1)/4``."""

@@ -372,6 +372,14 @@ class Values:
         except UnvaluedError:
             return False
 
+    def is_at_a_wall(self, point: MarkPoint) -> bool:
+        """Whether a point is for the component of one velocity alone, as at a wall."""
+        link = point.link
+        if link is None:
+            return False
+        after = {each for each in _within(link.left) if each.kind == "velocity"}
+        return len(after) == 1
+
     def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line uses the component of a point: in a velocity, a speed, or as a remark."""
         link = point.link
