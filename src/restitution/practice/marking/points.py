@@ -123,7 +123,17 @@ class _Examiner:
             line_of_value = self._elimination()
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
+        tangent = self._by_tangent(point)
+        if tangent is not None:
+            return self._earned(point, tangent, "the angle by its tangent instead")
         return lost or self._carried(point) or self._missing(point)
+
+    def _by_tangent(self, point: MarkPoint) -> JudgedLine | None:
+        """A line with the angle of a velocity where the scalar product needs its speed."""
+        if not any(each.principle == "scalar-product" for each in self.scheme.points):
+            return None
+        sound = (each for each in self.lines if each.verdict in SOUND)
+        return next((each for each in sound if self.values.has_tangent(point, each)), None)
 
     def _carried(self, point: MarkPoint) -> PointMark | None:
         """The law of restitution at a wall, in the velocity after that a true line gives."""

@@ -228,6 +228,32 @@ class Values:
             for each in walk(side)
         )
 
+    def has_tangent(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line works out, by its components, the angle of a velocity to i or j.
+
+        That is what stands in place of its speed where a path turns through a sum of angles.
+        """
+        left = None if point.link is None else point.link.left
+        if not (isinstance(left, Quantity) and left.kind == "speed"):
+            return False
+        world = self._base
+        try:
+            v = world.value(replace(left, kind="velocity"))
+        except UnvaluedError:
+            return False
+        if not isinstance(v, Vector):
+            return False
+        for chain in _chains(line):
+            for side in (side for claim in chain for side in (claim.left, claim.right)):
+                for each in walk(side):
+                    match each:
+                        case Apply("arctan", Binary("/") as ratio) if is_bare(ratio):
+                            tangent = np.abs(world.scalar(ratio))
+                            pairs = (v.x, v.y), (v.y, v.x)
+                            if any(_close(tangent * np.abs(a), np.abs(b)) for a, b in pairs):
+                                return True
+        return False
+
     def velocities_in(self, claim: Claim, line: JudgedLine) -> frozenset[Expression]:
         """The letters and quantities of a claim that an impact decides; none of the statement."""
         meanings = self._meanings(line)
@@ -859,3 +885,8 @@ def _number(world: World, value: Value) -> Array:
 
 def _near(a: Array, b: Array) -> bool:
     return bool(np.allclose(a, b, rtol=_NEAR, atol=_NEAR))
+
+
+def _close(one: Array, other: Array) -> bool:
+    """Whether two sizes agree to three figures."""
+    return bool(np.all(np.abs(one - other) <= 0.005 * np.abs(other)))
