@@ -439,3 +439,25 @@ def test_a_coefficient_follows_from_wrong_speeds_of_approach_and_separation() ->
     lines = "approach = (7+1)/√2 = 8/√2", "sep = 2/√2", "e = 1/4"
     assert verdicts(statement, *lines) == ["false", "true", "follows"]
     assert verdicts(statement, *lines[:2], "e = 1/2")[-1] == "false"
+
+
+UNKNOWN_WALL = (
+    "wall W\nsphere P: mass 2, velocity 7i + j\nP hits W\ngiven velocity(P) = 3i + 5j\n"
+    "find direction(W), line_of_centres, e, impulse\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("wall: i + j", "remark"),
+        ("perp to wall is -i + j", "true"),
+        ("perp to wall is i + j", "false"),
+        ("parallel to wall: i + j", "true"),
+        ("before wall: 7i + j", "true"),
+        ("impulse = (-8,8), mag 8√2", "true"),
+        ("impulse = (-8,8), mag 7√2", "false"),
+    ],
+)
+def test_which_way_a_wall_goes_and_how_large_a_vector_is(line: str, verdict: str) -> None:
+    assert verdicts(UNKNOWN_WALL, line) == [verdict]

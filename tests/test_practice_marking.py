@@ -465,3 +465,27 @@ def test_of_two_answers_that_follow_none_is_left_out() -> None:
     ]
     lost = kinds_lost(statement, lines, {"w": "along(velocity(B), i)"})
     assert lost == ["A1 solve"]  # p alone
+
+
+def test_a_velocity_after_a_wall_shows_the_law_of_restitution() -> None:
+    statement = (
+        "wall W1: along i\nwall W2: along j\nsphere P: velocity u at alpha to W1\n"
+        "P hits W1: e = e1\nP hits W2: e = e2\n"
+        "given velocity(P) opposite to velocity(P, 0)\nfind e2\n"
+    )
+    marking = restitution.mark(restitution.parse(statement), "after W1 (ucosα, e1usinα)")
+    earned = [each.point.kind for each in marking.marks.points if each.state == "earned"]
+    assert earned == ["B1", "M1", "A1"]
+
+
+def test_an_angle_by_its_tangent_counts_where_the_scheme_has_a_scalar_product() -> None:
+    statement = (
+        "sphere A: mass 3, velocity 5i + 10j\nsphere B: mass 2, at rest\n"
+        "A hits B: along 4i + 3j, e = 1/2\nfind velocity(A), velocity(B)\npart c\n"
+        "find deflection(A)\n"
+    )
+    solution = restitution.solve(restitution.parse(statement))
+    lines = "tan^-1(10/5) = 63.4\ntan^-1(6.4/0.2) = 88.2\nturned 88.2 + 63.4 = 151.6"
+    assert restitution.mark(solution, lines, part="c").marks.earned == 2
+    other = "tan^-1(10/7) = 55.0\ntan^-1(6.4/0.8) = 82.9\nturned 82.9 + 55.0 = 137.9"
+    assert restitution.mark(solution, other, part="c").marks.earned == 0

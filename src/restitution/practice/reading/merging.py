@@ -181,6 +181,8 @@ def _size(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
         behind += 1
     if behind >= len(tokens) or tokens[behind].kind not in ("letter", "(", "number", "-"):
         return None
+    if tokens[behind].kind == "number" and behind == place + 1:
+        return None  # mag 4√2
     return replace(tokens[place], kind="function", name="abs"), behind
 
 

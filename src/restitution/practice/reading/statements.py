@@ -44,7 +44,7 @@ from restitution.practice.reading.relations import (
 )
 from restitution.practice.reading.segments import Segment, split_at_spaces
 from restitution.practice.reading.tokens import Token, Usage
-from restitution.practice.reading.vocabulary import DECLARES, HEADS, STAGES
+from restitution.practice.reading.vocabulary import DECLARES, DIRECTIONS, HEADS, STAGES
 from restitution.practice.script import Claim, Declaration, Link, Sign
 from restitution.problem import Impact, Problem
 
@@ -70,6 +70,8 @@ _NAMES_OF_LAWS = frozenset(
 )
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _TANGENTS = frozenset(("tangent", "tangential", "common"))
+_WALLS = frozenset(("wall", "cushion", "barrier"))
+_OF_WALLS = _WALLS | {"parallel", "along", "perp", "perpendicular", "to", "the", "direction", "of"}
 _CENTRES = frozenset(("centres", "centers", "centre", "loc"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 
@@ -196,6 +198,11 @@ class _Reader:
         self.case: tuple[Claim, ...] = ()
         self.behind: Sequence[Segment] = ()
         self.of_law = False
+
+    @property
+    def walls(self) -> frozenset[str]:
+        """The names of the walls."""
+        return frozenset(each.name for each in self.problem.walls)
 
     def finish(self) -> None:
         """Puts together what was read."""
@@ -576,12 +583,20 @@ class _Reader:
         return heads <= {"direction"} and is_vector(second, self.usage.vectors)
 
     def pointing(self, label: Token, sides: Sequence[Side], tokens: Sequence[Token]) -> None:
-        """The line of centres along a vector, as a relation: nothing of the vector is across it."""
+        """The line of centres along a vector, as a relation: nothing of the vector is across it.
+
+        So is a wall, which is perpendicular to it.
+        """
         words = set(label.name.split())
         impacts = [each for each in self.problem.events if isinstance(each, Impact)]
-        if len(impacts) != 1 or not words & _CENTRES or words & _TANGENTS:
+        if len(impacts) != 1 or words & _TANGENTS:
             return
-        kind = "along" if "perp" in label.name else "across"
+        wall = words & _WALLS and words <= _OF_WALLS and impacts[0].second in self.walls
+        if wall and not words & DIRECTIONS.keys():
+            return
+        if not wall and not words & _CENTRES:
+            return
+        kind = "along" if ("perp" in label.name) != bool(wall) else "across"
         line = Quantity("line_of_centres", ())
         right = tuple(Side(Quantity(kind, (each.tree, line))) for each in sides)
         self.link((Side(Number(Fraction(0))),), "=", right, tokens)

@@ -8,6 +8,7 @@ text raises an error: what cannot be read is a line of kind ``unread`` that says
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
@@ -34,6 +35,9 @@ from restitution.problem import Impact, Problem
 
 MAX_LINES = 60
 MAX_LENGTH = 200
+
+
+_WALL = re.compile(r"\s*(?:the\s+)?(?:wall|cushion|barrier)\s*:", re.IGNORECASE)
 
 
 def read_working(
@@ -110,6 +114,8 @@ class _Reader:
         if not tokens:
             return self._script_line(number, typed, "heading")
         whose = None if scope == self.scope and scope.event is None else self._whose(scope)
+        if _WALL.match(line.text):
+            whose = None  # wall: 2i + j is its direction
         statements = read_statements(
             segments(tokens), self.usage, self.problem, number, line, self.past, whose
         )
