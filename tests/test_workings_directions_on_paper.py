@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 from test_planning_closing import planned
 
-from restitution.workings import to_text
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 
@@ -83,3 +85,67 @@ def test_to_a_wall_a_body_comes_at_the_angle_with_the_wall() -> None:
     assert "along the line of centres, at 60° to W." in words
     assert "(3u/2) sin 60° = −3√3 u/4" in words
     assert "(3u/2) cos 60° = 3u/4" in words
+
+
+@pytest.mark.parametrize(
+    ("statement", "line"),
+    [
+        (
+            """
+sphere P: mass 2m, velocity 3u at theta
+sphere Q: mass m, velocity -2u j
+given tan(theta) = 5/12
+P hits Q: along i, e = 2/5
+find deflection(P)
+""",
+            "δ = β − θ = arctan(25/32) − arctan(5/12)",
+        ),
+        (
+            """
+wall W: along i
+wall X: along j
+sphere P: velocity u at 30° to W
+P hits W: e = 1/2
+P hits X: e = 1/3
+find deflection(P, 1) + deflection(P, 2)
+""",
+            "δ₂ = θ + φ = arctan(2√3) + arctan(2√3/3)",
+        ),
+    ],
+)
+def test_a_sum_of_angles_is_made_of_their_letters_first(statement: str, line: str) -> None:
+    assert line in " ".join(to_text(explain(solve(parse(statement)))).split())
+
+
+CORNER = """
+wall AB: along i
+wall BC: along theta
+sphere P: velocity u at {angle} to AB
+P hits AB: e = {first}
+P hits BC: e = {second}
+given velocity(P) perpendicular to i
+find tan(theta)
+"""
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {"angle": "45°", "first": "1/2", "second": "1/2"},
+        {"angle": "45°", "first": "1", "second": "1/3"},
+    ],
+)
+def test_who_divides_by_a_cosine_says_so_where_sine_and_cosine_are_multiplied(
+    data: dict[str, str],
+) -> None:
+    words = working(CORNER.format(**data))
+    assert "Dividing by cos²θ, which is not zero as θ is acute: " in words
+
+
+def test_of_squares_alone_the_tangent_is_seen() -> None:
+    words = working(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, velocity u at 180° - alpha\n"
+        "A hits B: along i, e = 1/4\ngiven velocity(A) perpendicular to velocity(B)\nfind alpha"
+    )
+    assert "tan²α = 1/16" in words
+    assert "Dividing by" not in words

@@ -81,6 +81,7 @@ class Rows:
         self._figures = Figures()
         # The left side of the row above, and the item to which it belongs.
         self._left: tuple[Expression, str | None] | None = None
+        self._single = True
 
     def afresh(self) -> None:
         """The next row goes on from none."""
@@ -112,11 +113,11 @@ class Rows:
             row = self._chain(line, whole, last=index == len(groups) - 1)
             same = left is not None and not fresh and whole[0].left == left
             goes_on = line.move.id in _GOES_ON and whole[0].sign in ("=", "≈") and row.signs
-            if same and goes_on:
+            if same and goes_on and (self._single or whole[0].sign == "≈"):
                 row = replace(row, operands=(None, *row.operands[1:]))
             yield row
-            if whole[0].sign == "=" and len(whole) == 1:
-                self._left = (whole[0].left, line.item)
+            if all(each.sign == "=" for each in whole):
+                self._left, self._single = (whole[0].left, line.item), len(whole) == 1
             fresh = False
 
     def asides(self, line: Line) -> Iterator[Sentence]:

@@ -892,6 +892,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.no-root": "{value} does not satisfy {equation}",
     "derived.would": "{value} would give {results:and} by {equations:and}",
     "derived.the": "the {quantity}",
+    "derived.divided-by": "Dividing by {factor}:",
     "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",
     "derived.cancel-by": (
         "Dividing {first} by {factor}, which is not zero by {equations:and}, as {reasons:and}:"

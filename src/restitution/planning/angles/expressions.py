@@ -131,7 +131,10 @@ def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
         for each, line in zip(quantities, lines, strict=True)
         if isinstance(scene.desk.last_link(line).left, Letter)
     ]
-    refs = scene.judge.needed(Move("put"), (*lines, *named), relation, lines)
+    # An angle by the letters of others is a number by what these are.
+    arcs = [ref for line in lines for ref in scene.desk.line(line).premises if isinstance(ref, int)]
+    arcs = [ref for ref in arcs if scene.desk.line(ref).move.id == "inverse"]
+    refs = scene.judge.needed(Move("put"), (*lines, *named, *arcs), relation, lines)
     if refs is None:
         raise NotPlannedError("a sum of angles of the motion")
     line = scene.desk.write(Move("put"), refs, relation)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -82,8 +83,18 @@ def write_turn(
     collected = None if plain else _collected(turn, trees) or _with_one_number(turn, trees)
     final = tree_of(value, angle=True, as_it_is=True) if plain else collected or right
     relation = chain(Letter(letter), (right, None), (final, "rearrange"))
+    names = [*map(partial(_by_its_name, scene), (turn.first, turn.second), trees)]
+    by_names = chain(
+        Letter(letter), (turn.made_of(*names), None), (right, "put"), (final, "rearrange")
+    )
     pool = dict.fromkeys((meaning, *refs, *turn.first.refs, *turn.second.refs, *_axis(turn)))
-    premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
+    premises = None
+    if names != trees and not any(map(_is_arc, names)):
+        premises = scene.judge.needed(turn.move, pool, by_names, (meaning,))
+    if premises is not None:
+        relation = by_names
+    else:
+        premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
     if premises is None:
         earlier = [*dict.fromkeys((*_before_put(scene, turn), *pool))]
         premises = scene.judge.needed(turn.move, earlier, relation, (meaning,))
@@ -92,6 +103,19 @@ def write_turn(
         return None
     _without_arcs(scene, premises, mark.lines)
     return scene.desk.write(turn.move, premises, relation)
+
+
+def _is_arc(tree: Expression | None) -> bool:
+    return tree is not None and any(isinstance(each, Apply) for each in walk(tree))
+
+
+def _by_its_name(scene: Scene, side: Direction, tree: Expression | None) -> Expression | None:
+    """An angle that is an arctangent, or the like, by the letter that it has; else as it is."""
+    if tree is None or not _is_arc(tree):
+        return tree
+    if isinstance(side.angle, Letter):
+        return side.angle
+    return Letter(letter_of(scene, side.named)[0]) if side.angle is None else tree
 
 
 def _before_put(scene: Scene, turn: Turn) -> tuple[Ref, ...]:

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     letters,
+    walk,
 )
 from restitution.planning.angles.directions import (
     along_an_axis,
@@ -624,6 +625,7 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
     assert frame.wall is not None
     if (alone := _left_along_the_wall(scene, asked, frame)) is not None:
         return alone
+    names: list[Expression] = []
     terms: list[Expression] = []
     refs: list[Ref] = []
     total_: Any = 0
@@ -632,7 +634,9 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         quantity = Quantity("angle", (velocity, Name(frame.wall)))
         given = _given_angle(scene, velocity, frame.wall)
         if given is not None:
+            name = tree_of(given.value, angle=True)
             given = _by_its_ratio(scene, given)
+            names.append(name)
             terms.append(tree_of(given.value, angle=True))
             refs += given.refs
             total_ += given.value
@@ -642,17 +646,22 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         value = scene.scalar(own.right)
         total_ += value
         terms.append(own.right)
-        refs += [line, letter_of(scene, quantity)[1]]
+        letter, meaning = letter_of(scene, quantity)
+        names.append(own.right if isinstance(own.right, Degrees) else Letter(letter))
+        refs += [line, meaning]
     right = total(terms)
     value = exact.tidy_angle(total_)
     tree = tree_of(value, angle=True, as_it_is=True)
     if value.has(sp.atan) and not value.free_symbols:
         tree = product(TWO, terms[0]) if terms[0] == terms[1] else right
-    return scene.desk.write(
-        Move("define", "sum", event, (body,)),
-        together(refs),
-        chain(asked, (right, None), (tree, "rearrange")),
-    )
+    move, pool = Move("define", "sum", event, (body,)), together(refs)
+    relation = chain(asked, (right, None), (tree, "rearrange"))
+    named = not any(isinstance(each, Apply) for name in names for each in walk(name))
+    if named and total(names) != right:
+        by_names = chain(asked, (total(names), None), (right, "put"), (tree, "rearrange"))
+        if scene.judge.follows(move, pool, by_names):
+            relation = by_names
+    return scene.desk.write(move, pool, relation)
 
 
 def _left_along_the_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:

@@ -55,7 +55,7 @@ from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY, TurnLeads
 from restitution.workings.naming.measured import worth
-from restitution.workings.reasons.factors import factor_cancelled
+from restitution.workings.reasons.factors import cosine_divided, factor_cancelled
 from restitution.workings.reasons.in_any_case import range_behind
 
 TITLED = frozenset({"law", "define"})
@@ -545,7 +545,12 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             else:
                 yield say("derived.cancel", factor=formula, reasons=known)
             return
-        rearranged = self._angles_given(line) if line.move.id == "rearrange" else None
+        rearranges = line.move.id == "rearrange"
+        angle_divided = cosine_divided(self._derivation, line) if rearranges else None
+        if angle_divided is not None:
+            yield self._by_cosine(angle_divided)
+            return
+        rearranged = self._angles_given(line) if rearranges else None
         if rearranged is not None and line.premises == (rearranged.id,):
             yield say("derived.since", facts=(self._naming.fact(rearranged),))
             return
@@ -612,6 +617,14 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         names = names & known or names
         letters = tuple(map(self._naming.layout, sorted(names, key=lambda each: each.name)))
         return say("derived.put", letters=letters) if letters else say("so")
+
+    def _by_cosine(self, angle: Letter) -> Sentence:
+        """By which squared cosine an equation is divided, and why that is not zero."""
+        squared = self._naming.layout(Binary("^", Apply("cos", angle), Number(Fraction(2))))
+        acute = self._reasons.acute(angle)
+        if acute is None:
+            return say("derived.divided-by", factor=squared)
+        return say("derived.cancel", factor=squared, reasons=(acute,))
 
     def _divided(self, line: Line) -> Sentence | None:
         """By what top and bottom of a fraction are divided, where only its form changes."""

@@ -6,9 +6,9 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
-from restitution.explaining.lines.trees import exchanged
+from restitution.explaining.lines.trees import exchanged, trees_of
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Binary, Expression, Letter, is_zero, letters
+from restitution.expression.tree import Apply, Binary, Expression, Letter, is_zero, letters, walk
 from restitution.planning.writing.forms import UnwrittenError, factors_above, tree_of
 from restitution.workings.reasons.right_angles import in_letters_alone
 
@@ -30,6 +30,45 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
         return tree_of(bases[0]) if len(bases) == 1 else None
     except (RestitutionError, UnwrittenError, ZeroDivisionError, TypeError, sp.PolynomialError):
         return None
+
+
+def cosine_divided(derivation: Derivation, line: Line) -> Letter | None:
+    """The angle by whose squared cosine an equation was divided, to have its tangent alone.
+
+    None where only squares stand in it: that a tangent is a quotient is seen there.
+    """
+    first = line.premises[0] if line.premises else None
+    above = derivation.line(first) if isinstance(first, int) else None
+    if above is None or not isinstance(above.relation, Relation):
+        return None
+    assert isinstance(line.relation, Relation)
+    if len(above.relation.options) != 1 or len(line.relation.options) != 1:
+        return None
+    ratios = [_ratios(own) for own in (above.relation, line.relation)]
+    angles = {each.argument for each in ratios[1] if each.function == "tan"}
+    if len(angles) != 1 or any(each.function == "tan" for each in ratios[0]):
+        return None
+    (angle,) = angles
+    own = {each.function for each in ratios[1] if each.argument == angle}
+    if not isinstance(angle, Letter) or own != {"tan"}:
+        return None
+    symbol = sp.Symbol(angle.name, positive=True)
+    tangent, cosine = sp.Dummy(positive=True), sp.Dummy(positive=True)
+    put = {sp.sin(symbol): tangent * cosine, sp.cos(symbol): cosine, sp.tan(symbol): tangent}
+    try:
+        before, after = (_residual(each).xreplace(put) for each in (above.relation, line.relation))
+        ratio = sp.cancel(before / after)
+    except (RestitutionError, ZeroDivisionError, TypeError, sp.PolynomialError):
+        return None
+    divided = sp.cancel(ratio / cosine**2)
+    mixed = sp.expand(after).coeff(tangent, 1) != 0
+    return angle if mixed and not divided.has(cosine, tangent) else None
+
+
+def _ratios(relation: Relation) -> list[Apply]:
+    """The sines, cosines and tangents in a relation."""
+    nodes = (node for tree in trees_of(relation) for node in walk(tree))
+    return [e for e in nodes if isinstance(e, Apply) and e.function in ("sin", "cos", "tan")]
 
 
 def _residual(relation: Relation) -> sp.Expr:
@@ -65,4 +104,4 @@ def factor_left(derivation: Derivation, line: Line) -> Expression | None:
     return left[0] if len(sums) == 2 and len(left) == 1 else None
 
 
-__all__ = ["factor_cancelled", "factor_left"]
+__all__ = ["cosine_divided", "factor_cancelled", "factor_left"]

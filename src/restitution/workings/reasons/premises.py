@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
+import sympy as sp
+
 from restitution.explaining.lines.derivation import (
     Derivation,
     Line,
@@ -370,6 +372,12 @@ class Reasons:
         relation = read_relation(ref, self._naming.bodies)
         acute = acute_by_its_tangent(line, relation, map(self._shapes.relation_of, line.premises))
         return relation if acute is None else self._acute(acute)
+
+    def acute(self, angle: Letter) -> Sentence | None:
+        """That an angle is acute, where its letter may be no other."""
+        role = self._roles.get(angle.name)
+        ends = None if role is None or role.kind != "angle" else (role.low, role.high, *role.closed)
+        return self._acute(angle) if ends == (0, sp.pi / 2, False, False) else None
 
     def _acute(self, angle: Expression) -> Sentence:
         return say("derived.acute", angle=self._naming.layout(angle))
