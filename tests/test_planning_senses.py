@@ -417,7 +417,7 @@ sphere P: velocity 3i - 2j
 P hits W: e = 1
 find deflection(P)
 """,
-        ("δ = arctan(2/3) + arctan(2/3) = 2 arctan(2/3)",),
+        ("δ = β + θ = arctan(2/3) + arctan(2/3) = 2 arctan(2/3)",),
         (),
     ),
     "an offset that is found by its angle": (

@@ -131,7 +131,7 @@ SAYS = [
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
-    (ON_TO_A_WALL, "along the line of centres of the first impact"),
+    (ON_TO_A_WALL, "along the line of centres, at 60° to W"),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
