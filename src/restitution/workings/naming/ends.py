@@ -7,15 +7,7 @@ from typing import Any
 
 from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import (
-    Expression,
-    Letter,
-    Number,
-    Quantity,
-    is_zero,
-    letters,
-    walk,
-)
+from restitution.expression.tree import Expression, Letter, Number, Quantity, is_zero, letters, walk
 from restitution.problem import (
     Aligned,
     Arrival,

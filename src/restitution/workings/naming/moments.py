@@ -9,15 +9,7 @@ from restitution.explaining.lines.derivation import Derivation, Event, Meaning
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SENTENCES
 from restitution.explaining.lines.trees import settled
-from restitution.expression.tree import (
-    AtTime,
-    Binary,
-    Expression,
-    Number,
-    Quantity,
-    Stage,
-    walk,
-)
+from restitution.expression.tree import AtTime, Binary, Expression, Number, Quantity, Stage, walk
 from restitution.problem import Arrival, Problem
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import Measures, with_unit

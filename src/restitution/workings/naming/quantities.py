@@ -12,14 +12,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
-from restitution.explaining.lines.derivation import (
-    Derivation,
-    Event,
-    Fact,
-    Link,
-    Meaning,
-    Relation,
-)
+from restitution.explaining.lines.derivation import Derivation, Event, Fact, Link, Meaning, Relation
 from restitution.explaining.lines.layouts import AsTyped, Forms, of_relation, of_tree, shares_in
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.trees import rebuilt, trees_of

@@ -1,0 +1,166 @@
+"""Equations that close: which one a last unknown is found by, and which two."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.expression.tree import Name, Quantity
+from restitution.planning.angles.deflections import turned_at_a_wall
+from restitution.planning.axes.given_momenta import write_masses
+from restitution.planning.closing.pairs import close_two
+from restitution.planning.closing.shapes import with_known
+from restitution.planning.closing.systems import solve_together
+from restitution.planning.formulas.impacts import residual
+from restitution.planning.routes.by_laws import ByLaws
+from restitution.planning.routes.givens import write_impulse_on
+from restitution.planning.writing.candidates import Candidate
+from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.polynomials import factor_powers, factored, one_fraction
+
+
+class Closing(ByLaws):
+    """Steps that close an equation, or two, or all that are left."""
+
+    def _together(
+        self, left: Sequence[Candidate], goals: Sequence[sp.Expr]
+    ) -> tuple[Candidate, ...] | None:
+        """All equations that are left, solved in one line."""
+        asked = frozenset(symbol for each in goals for symbol in self.scene.unknown(each))
+        lines = [self._line(each) for each in left]
+        try:
+            solve_together(self.scene, [line for line in lines if line is not None], asked)
+        except NotPlannedError as error:
+            self.reasons.append(error)
+            return None
+        return tuple(left)
+
+    def _essential(self, own: Candidate) -> frozenset[sp.Symbol]:
+        """The unknowns of an equation without factors that do not vanish."""
+        open_ = self._open(own)
+        if len(open_) < 2 or len(own.residuals) != 1:
+            return open_
+        model = self.scene.model
+        put, _ = self.scene.put(own.residuals[0])
+        squares = _of_equal_roots(put)
+        if squares is not None:
+            put, open_ = squares, open_ & self.scene.unknown(squares)
+        if open_ & self._letters.keys() and not self._is_of_direction(own):
+            return open_ - self._cancelling(own, put)
+        put = put.replace(sp.Abs, lambda x: x * model.sign(model.in_data(x)))
+        put = put.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
+        above = sp.fraction(one_fraction(put))[0]
+        factors = [base for base, _ in factor_powers(above)]
+        zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
+        return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
+
+    def _is_of_direction(self, own: Candidate) -> bool:
+        """Whether a fact tells the direction of a body that moves along the line of centres."""
+        given = self.equations.givens.get(own.id)
+        match given and given.link.left:
+            case Quantity("direction", (Name(body),), int(number)):
+                frame = self.scene.model.frames.get(number)
+                if frame is None or frame.wall is not None:
+                    return False
+                return bool(tidy(self.scene.velocity(body, number - 1).dot(frame.t)) == 0)
+        return False
+
+    def _cancelling(self, own: Candidate, put: sp.Expr) -> frozenset[sp.Symbol]:
+        """The masses that are a factor of a given fact: it holds without them."""
+        if own.id not in self.equations.givens:
+            return frozenset()
+        factors = sp.Mul.make_args(factored(sp.fraction(one_fraction(put))[0]))
+        return frozenset(each for each in factors if each.is_Symbol and each.is_positive)
+
+    def _closing(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """An equation with one unknown letter."""
+        for own in left:
+            open_ = self._essential(own)
+            if len(open_) != 1:
+                continue
+            (symbol,) = open_
+            if self._mass_by_impulse(own, symbol) or self._mass_by_vectors(own, symbol):
+                return (own,)
+            number = self._line(own)
+            if number is not None and self._closes(number, symbol):
+                return (own,)
+        return None
+
+    def _mass_by_impulse(self, own: Candidate, symbol: sp.Symbol) -> bool:
+        """Whether an impulse that is given closes for the mass of the sphere it was not used of."""
+        law = self.equations.law(own)
+        if law is None or law.kind != "momentum" or symbol in self._letters:
+            return False
+        scene = self.scene
+        bodies = [
+            e for e in scene.bodies(law.number) if symbol in scene.unknown(scene.mass(e).value)
+        ]
+        for given in self.equations.givens.values():
+            if len(bodies) != 1 or given.fact.id not in self.equations.used:
+                continue
+            line = write_impulse_on(scene, given, bodies[0])
+            if line is not None:
+                return self._closes(line, symbol)
+        return False
+
+    def _mass_by_vectors(self, own: Candidate, symbol: sp.Symbol) -> bool:
+        """Whether momentum closes for a mass, with the velocities as vectors."""
+        law = self.equations.law(own)
+        if law is None or law.kind != "momentum" or symbol in self._letters:
+            return False
+        return write_masses(self.scene, law.number, symbol) is not None
+
+    def _two(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """Two equations with the same two unknowns."""
+        for first, second in combinations(left, 2):
+            unknowns = self._open(first) | self._open(second)
+            if len(unknowns) != 2:
+                continue
+            if self._turned(first, second) or self._turned(second, first):
+                return first, second
+            lines = [self._line(each) for each in (first, second)]
+            if None in lines:
+                continue
+            x, y = sorted(unknowns, key=self._wanted_later)
+            try:
+                close_two(self.scene, (lines[0], lines[1]), (x, y))  # type: ignore[arg-type]
+            except NotPlannedError as error:
+                self.reasons.append(error)
+                continue
+            return first, second
+        return None
+
+    def _turned(self, turned: Candidate, fast: Candidate) -> bool:
+        """A deflection at a wall with the speed after it: by the angle that is left to the wall."""
+        pair = self.equations.givens.get(turned.id), self.equations.givens.get(fast.id)
+        if pair[0] is None or pair[1] is None:
+            return False
+        lines = turned_at_a_wall(self.scene, pair[0], pair[1])
+        if lines is None:
+            return False
+        for number, line in enumerate(lines):
+            own = self.scene.unknown(residual(self.scene, with_known(self.scene, line)))
+            if len(own) != 1:
+                return False
+            (symbol,) = own
+            if not self._closes(line, symbol):
+                return number > 0
+        return True
+
+
+def _of_equal_roots(equation: sp.Expr) -> sp.Expr | None:
+    """The difference of what stands below two roots that are equal; None of another equation."""
+    terms = sp.Add.make_args(equation)
+    if len(terms) != 2 or not all(each.atoms(sp.Pow) and _is_root(each) for each in terms):
+        return None
+    one, other = (tidy(each**2) for each in terms)
+    return sp.expand(one - other)
+
+
+def _is_root(term: sp.Expr) -> bool:
+    """Whether a term is a root of letters, times what has none."""
+    roots = [each for each in sp.Mul.make_args(term) if not each.is_rational_function()]
+    return any(each.is_Pow and each.exp == sp.S.Half and each.free_symbols for each in roots)

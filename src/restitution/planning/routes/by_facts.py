@@ -1,0 +1,368 @@
+"""Given facts as the next step of a route: velocities, coefficients, what a fact ties."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move
+from restitution.expression.tree import Letter, Name, Quantity, walk
+from restitution.planning.angles.unknown_blows import take_blow
+from restitution.planning.axes.by_changes import take_impulse, take_opposite
+from restitution.planning.axes.given_momenta import take_mass, take_momentum
+from restitution.planning.closing.roots import senses
+from restitution.planning.formulas.impacts import _given_after, after, residual
+from restitution.planning.formulas.ties import tied
+from restitution.planning.routes.course import Course
+from restitution.planning.routes.given_directions import wall_of, write_resolved
+from restitution.planning.routes.givens import write_given
+from restitution.planning.writing.candidates import Candidate
+from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import factored
+from restitution.planning.writing.scene import GivenEquation
+from restitution.planning.writing.vectors import common_velocity, velocity_given
+
+
+class ByFacts(Course):
+    """Steps that given facts offer."""
+
+    def _vanishing(self, symbols: frozenset[sp.Symbol], own: Candidate) -> frozenset[sp.Symbol]:
+        """Those that are zero in the solution, where an equation holds by that alone."""
+        model = self.scene.model
+        put = [self.scene.with_values(each)[0] for each in own.residuals]
+        return frozenset(
+            each
+            for each in symbols
+            if model.sign(model.in_data(each)) == 0
+            and all(model.identically_zero(x.subs(each, 0)) for x in put)
+        )
+
+    def _velocity_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A velocity that is given is known at once."""
+        for own in left:
+            given = self.equations.givens.get(own.id)
+            if given is None or given.link.sign != "=":
+                continue
+            if common_velocity(given) is not None:
+                if self._take_common(given):
+                    return (own,)
+                continue
+            match given.link.left:
+                case Quantity("velocity", _, int(event)) if (
+                    event and event not in self.scene.model.frames and self._open(own)
+                ):
+                    (body,) = given.link.left.arguments
+                    if not self._is_blow_to_take(body.name, event):  # type: ignore[union-attr]
+                        continue
+                    take_blow(self.scene, body.name, event)  # type: ignore[union-attr]
+                    return (own,)
+                case Quantity("velocity"):
+                    if not self._component_is_given(given):
+                        self._take_velocity(given)
+                    return (own,)
+                case Quantity("speed" | "direction" | "deflection", (Name(body),), int(event)):
+                    known = velocity_given(self.scene, body, event)
+                    if known is not None and (event, body) in self.scene.model.components:
+                        self._take_components(body, event)
+                        return tuple(each for each in left if each.id in known[2])
+                    if known is not None and self._is_blow_to_take(body, event):
+                        take_blow(self.scene, body, event)
+                        desk = self.scene.desk
+                        under = {
+                            e for ref in known[2] if isinstance(ref, int) for e in desk.under(ref)
+                        }
+                        return tuple(each for each in left if each.id in {*known[2], *under})
+                case Quantity("momentum"):
+                    if take_momentum(self.scene, given):
+                        self._take_all_components()
+                        return (own,)
+                case Quantity("impulse", (Name(body),), int(event)):
+                    if self.scene.unknown(self.scene.mass(body).value):
+                        if not take_mass(self.scene, given):
+                            used = tuple(self._by_opposite_impulses(given, left, event))
+                            if used:
+                                return used
+                            continue
+                    else:
+                        take_impulse(self.scene, given)
+                    self._take_components(body, event)
+                    return (own, *self._by_opposite_impulses(given, left, event))
+        return None
+
+    def _by_opposite_impulses(
+        self, given: GivenEquation, left: Sequence[Candidate], event: int
+    ) -> Iterator[Candidate]:
+        """Momentum, where the impulse on the other sphere tells all that it does."""
+        for own in left:
+            if own.id == f"momentum {event}" and (other := take_opposite(self.scene, given)):
+                self._take_components(other, event)
+                yield own
+
+    def _is_blow_to_take(self, body: str, event: int) -> bool:
+        """Whether the velocity after a blow tells the impulse, or the velocity before it."""
+        fact = self.scene.facts.get(f"impulse {event}")
+        if fact is None or event in self.scene.model.frames:
+            return False
+        before = self.scene.velocity(body, event - 1)
+        blow = self.scene.value(fact.relation.only[0].right)
+        return any(map(self.scene.unknown, before)) != bool(self.scene.unknown(blow))
+
+    def _coefficient_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A coefficient that is given as a number is known before a law takes it."""
+        for own in left:
+            given, open_ = self.equations.givens.get(own.id), self._open(own)
+            if given is None or not self._is_value(given) or not self._are_coefficients(open_):
+                continue
+            if len(open_) == 2 and self._take_equal(given, open_):
+                return (own,)
+            if len(open_) == 1 and self._take_value(given, *open_):
+                return (own,)
+        return None
+
+    def _are_coefficients(self, symbols: frozenset[sp.Symbol]) -> bool:
+        """Whether letters are coefficients of restitution."""
+        known = self.scene.model.unknowns.roles
+        kinds = (known[each.name].kind for each in symbols if each.name in known)
+        return [*kinds] == ["restitution"] * len(symbols)
+
+    def _take_equal(self, given: GivenEquation, open_: frozenset[sp.Symbol]) -> bool:
+        """Takes one of two letters that are equal for the other, which is wanted, from here on."""
+        if given.link.sign != "=" or not isinstance(given.link.right, Letter):
+            return False
+        kept, other = sorted(open_, key=self._wanted_later, reverse=True)
+        relation = chain(Letter(other.name), (Letter(kept.name), None))
+        line = self.scene.judge.write((Move("fact"),), (given.fact.id,), relation)
+        if line is not None:
+            self.scene.desk.know(Letter(other.name), kept, (line,))
+        return line is not None
+
+    def _fact_expresses(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A fact with one unknown, which is a component, or a letter that it names."""
+        for own in left:
+            given = self.equations.givens.get(own.id)
+            if given is None:
+                continue
+            open_ = self._open(own)
+            if len(open_) == 2 and tied(given.link) is not None:
+                open_ = self._vanishing(open_, own)
+            if len(open_) != 1:
+                continue
+            (symbol,) = open_
+            if self._is_of_either_sense(own, symbol, left) or self._waits(symbol, left):
+                continue
+            if self._is_value(given) and self._take_value(given, symbol):
+                return (own,)
+            if symbol in self._letters or self._is_value(given):
+                number = self._line(own)
+                if number is not None and self._closes(number, symbol):
+                    return (own,)
+        return None
+
+    def _fact_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A fact that says how many times one component after an impact the other one is."""
+        ids = {each.id for each in left}
+        for own in left:
+            given, open_ = self.equations.givens.get(own.id), self._open(own)
+            if given is None or len(open_) != 2 or len(own.residuals) != 1:
+                continue
+            number, _ = self._letters.get(min(open_, key=str), (0, ""))
+            laws = {f"momentum {number}", f"restitution {number}"}
+            if open_ != self._after(number).keys():
+                continue
+            if not laws <= ids and not self._closes_a_law(laws, open_, left):
+                continue
+            gap = self.scene.with_values(own.residuals[0])[0]
+            slopes = [sp.diff(gap, each).expand() for each in open_]
+            if any(slope == 0 or slope.free_symbols & open_ for slope in slopes):
+                continue
+            if gap.subs(dict.fromkeys(open_, 0)).expand() == 0 and self._tie(given, open_):
+                return (own,)
+        return None
+
+    def _closes_a_law(
+        self, laws: AbstractSet[str], open_: frozenset[sp.Symbol], left: Sequence[Candidate]
+    ) -> bool:
+        """Whether with a fact about both components one law alone tells another letter."""
+        own = [each for each in left if each.id in laws]
+        return len(own) == 1 and len(self._open(own[0]) - open_) == 1
+
+    def _tie(self, given: GivenEquation, open_: frozenset[sp.Symbol]) -> bool:
+        """Takes one of two components as a multiple of the other, as a fact says it."""
+        scene = self.scene
+        try:
+            line = write_given(scene, given)
+        except NotPlannedError as error:
+            self.reasons.append(error)
+            return False
+        gap, link = residual(scene, line), scene.desk.last_link(line)
+        alone = [s for s in open_ if Letter(s.name) in (link.left, link.right)]
+        first = min(alone or open_, key=lambda s: s.name)
+        value = tidy(_solved(gap, first))
+        if not alone:
+            relation = chain(Letter(first.name), (tree_of(value), None))
+            line = scene.desk.write(Move("rearrange"), (line,), relation)
+        scene.desk.know(Letter(first.name), value, (line,))
+        return True
+
+    def _waits(self, symbol: sp.Symbol, left: Sequence[Candidate]) -> bool:
+        """Whether it is the component after a wall that a sphere reaches as it is still to come."""
+        number, _ = self._letters.get(symbol, (0, ""))
+        laws = (self.equations.law(own) for own in left if own.id == f"wall {number}")
+        return any(law is not None and self._earlier(law) for law in laws)
+
+    def _is_of_either_sense(
+        self, own: Candidate, symbol: sp.Symbol, left: Sequence[Candidate]
+    ) -> bool:
+        """Whether a fact gives the square of a component for which both laws are still to come.
+
+        By the laws its sense is known, or shown in letters. They exclude a sense of one value, or
+        of a letter; where that is a sum, or a root of letters, the component comes from them.
+        """
+        link = self.equations.givens[own.id].link
+        kinds = {
+            each.kind
+            for side in (link.left, link.right)
+            for each in walk(side)
+            if isinstance(each, Quantity)
+        }
+        if symbol not in self._letters or not kinds & {"speed", "energy", "angle"}:
+            return False
+        facts = self.scene.facts
+        for ref in senses(self.scene, symbol):
+            is_sense = ref in facts and facts[ref].relation.only[0].sign in ("<", "<=", ">", ">=")
+            if is_sense or str(ref).startswith("sense"):
+                return False
+        number, _ = self._letters[symbol]
+        ids = {each.id for each in left}
+        if not {f"momentum {number}", f"restitution {number}"} <= ids:
+            return False
+        put = [sp.expand(self.scene.with_values(each)[0]) for each in own.residuals]
+        squared = [each for each in put if sp.diff(each, symbol, 2) != 0]
+        if not squared:
+            return False
+        # Of several solutions each would need the laws anew: that is worth it where they part in
+        # the sense, and the laws would leave two letters in one equation.
+        signs = {each.sign(each.in_data(symbol)) for each in self.scene.others}
+        unknowns = {x for each in left for x in self._open(each)} - self._letters.keys()
+        parted = signs >= {-1, 1} and len(unknowns) > 1
+        plain = all(_is_plain_square(each, symbol) for each in squared)
+        return not plain or (bool(signs) and not parted)
+
+    def _is_value(self, given: GivenEquation) -> bool:
+        return isinstance(given.link.left, Letter)
+
+    def _take_value(self, given: GivenEquation, symbol: sp.Symbol) -> bool:
+        """A letter that is given as a number is known at once."""
+        scene = self.scene
+        if given.link.sign != "=" or given.link.left != Letter(symbol.name):
+            return False
+        value, refs = scene.put(scene.scalar(given.link.right))
+        if scene.unknown(value):
+            return False
+        scene.desk.know(given.link.left, value, together(given.refs, refs))
+        return True
+
+    def _take_common(self, given: GivenEquation) -> bool:
+        """Two bodies go on with one velocity: their components are one letter from now on."""
+        scene = self.scene
+        common = common_velocity(given)
+        assert common is not None
+        first, second, number = common
+        if (number, first) not in scene.model.components:
+            return False
+        frame = scene.frame(number)
+        one, other = (after(scene, "along", each, frame) for each in (first, second))
+        letters = [scene.model.components[number, each].symbol for each in (first, second)]
+        if [one.value, other.value] != letters or not scene.unknown(one.value):
+            return False
+        line = scene.desk.write(
+            Move("define", "component", number, (first,)),
+            together(given.refs, frame.refs, one.refs, other.refs),
+            chain(Letter(letters[0].name), (Letter(letters[1].name), None)),
+        )
+        scene.desk.know(Letter(letters[0].name), letters[1], (line,))
+        return True
+
+    def _component_is_given(self, given: GivenEquation) -> bool:
+        """A component that stands by the laws is what is given: an equation for a letter in it."""
+        scene = self.scene
+        for (number, body), component in scene.model.components.items():
+            if given.link.left != Quantity("velocity", (Name(body),), number):
+                continue
+            known = scene.desk.known(Letter(component.symbol.name))
+            source = _given_after(scene, "along", body, scene.frame(number))
+            if known is None or source is None:
+                return False
+            value, refs = scene.put(known.value)
+            other = scene.put(scene.frame(number).letter_sign * source.value)[0]
+            open_ = scene.unknown(value - other)
+            if len(open_) != 1:
+                return False
+            frame, letter = scene.frame(number), Letter(component.symbol.name)
+            lets = scene.desk.introducing({letter.name})
+            read = scene.judge.write(
+                (Move("define", "component", number, (body,)),),
+                (*source.whole, *frame.refs, *lets),
+                chain(letter, (tree_of(other), None)),
+            )
+            if read is None:
+                return False
+            relation = chain(tree_of(value), (tree_of(other), None))
+            line = scene.judge.write((Move("put"),), (*known.refs, read, *refs), relation)
+            return line is not None and self._closes(line, *open_)
+        return False
+
+    def _take_velocity(self, given: GivenEquation) -> None:
+        """The components of a velocity that is given are known from now on."""
+        scene = self.scene
+        for (number, body), component in scene.model.components.items():
+            if given.link.left != Quantity("velocity", (Name(body),), number):
+                continue
+            frame = scene.frame(number)
+            source = _given_after(scene, "along", body, frame)
+            if source is not None:
+                value = frame.letter_sign * source.value
+                scene.desk.know(Letter(component.symbol.name), value, source.refs)
+
+    def _direction_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A velocity after a wall of which the direction is given, and the law of that wall."""
+        for own in left:
+            given = self.equations.givens.get(own.id)
+            number = None if given is None else wall_of(self.scene, given)
+            law = next((x for x in self.equations.laws if x.candidate.id == f"wall {number}"), None)
+            if number is None or law is None or law.candidate.id in self.equations.used:
+                continue
+            used = tuple(each for each in left if each in (own, law.candidate))
+            open_ = {s for each in used for s in self._open(each)} - self._letters.keys()
+            if self._earlier(law) or len(open_) >= len(used):
+                continue
+            if write_resolved(self.scene, number, next(iter(open_), None)):
+                return used
+        return None
+
+
+def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether an equation says that the square of a letter is that of a number or a product."""
+    own = [each for each in equation.atoms(sp.Pow) if each.exp == sp.S.Half]
+    own = [each for each in own if symbol in each.free_symbols]
+    if own:
+        # A speed is the root of such a sum.
+        part = equation.coeff(own[0])
+        other = (equation - part * own[0]).expand()
+        equation = (own[0].base - (other / part) ** 2).expand()
+    slope = sp.diff(equation, symbol, 2) / 2
+    rest = (equation - slope * symbol**2).expand()
+    if symbol in slope.free_symbols or symbol in rest.free_symbols:
+        return False
+    root = tidy(sp.sqrt(factored(-rest / slope)))
+    roots = (power for power in root.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q != 1)
+    return not root.has(sp.Add, sp.sin, sp.cos) and not any(each.free_symbols for each in roots)
+
+
+def _solved(residual_: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    slope = sp.diff(residual_, symbol)
+    return -residual_.subs(symbol, 0) / slope

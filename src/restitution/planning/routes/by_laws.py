@@ -1,0 +1,160 @@
+"""Laws of impacts as the next step of a route: at a wall, both at once, or one alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move
+from restitution.expression.tree import Letter
+from restitution.planning.closing.roots import written_law
+from restitution.planning.closing.shapes import close, is_over_roots, with_known
+from restitution.planning.formulas import separations
+from restitution.planning.formulas.impacts import after, rebound, residual
+from restitution.planning.routes.by_facts import ByFacts, _solved
+from restitution.planning.routes.course import LAWS
+from restitution.planning.routes.equations import Law
+from restitution.planning.routes.laws_solved import tidied_law
+from restitution.planning.writing.candidates import Candidate
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import tree_of
+
+
+class ByLaws(ByFacts):
+    """Steps that the laws offer."""
+
+    def _law_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """The law of restitution alone, where it says that both spheres go on together along it."""
+        ids = {each.id for each in left}
+        for own in left:
+            law = self.equations.law(own)
+            if law is None or law.kind != "restitution" or f"momentum {law.number}" in ids:
+                continue
+            open_ = self._open(own)
+            if self._earlier(law) or open_ != self._after(law.number).keys():
+                continue
+            gap = self.scene.with_values(own.residuals[0])[0]
+            if gap.subs(dict.fromkeys(open_, 0)).expand() != 0:
+                continue
+            one, other = sorted(open_, key=lambda s: s.name)
+            number = self._law_line(law)
+            relation = chain(Letter(other.name), (Letter(one.name), None))
+            line = self.scene.judge.write((Move("rearrange"),), (number,), relation)
+            if line is not None:
+                self.scene.desk.know(Letter(other.name), one, (line,))
+                return (own,)
+        return None
+
+    def _wall(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """At a wall the component after follows at once."""
+        for own in left:
+            law = self.equations.law(own)
+            if law is None or law.kind != "wall":
+                continue
+            frame = self.scene.frame(law.number)
+            (body,) = self.scene.spheres(law.number)
+            symbol = self.scene.model.components[law.number, body].symbol
+            if symbol in self._open(own) and not self._earlier(law):
+                rebound(self.scene, body, frame)
+                return (own,)
+        return None
+
+    def _block(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """Momentum with restitution: two lines, from which the components follow."""
+        for own in left:
+            law = self.equations.law(own)
+            if law is None or law.kind != "momentum" or self._earlier(law):
+                continue
+            other = next((each for each in left if each.id == f"restitution {law.number}"), None)
+            if other is None:
+                continue
+            after_ = self._after(law.number)
+            every = self._open(own) | self._open(other)
+            open_ = every & after_.keys()
+            if len(open_) == 2:
+                self._pair(law.number, after_)
+                return (own, other)
+            shared = self._open(own) & self._open(other)
+            if len(every) == len(shared) == 2 and self._is_linear((own, other), every):
+                self._pair(law.number, dict.fromkeys(sorted(every, key=str), ""))
+                return (own, other)
+        return None
+
+    def _is_linear(self, laws: Sequence[Candidate], symbols: Iterable[sp.Symbol]) -> bool:
+        """Whether laws are linear in some letters, with what is known put in."""
+        rows = [self.scene.put(each)[0] for own in laws for each in own.residuals]
+        slopes = [sp.diff(row, each) for row in rows for each in symbols]
+        # A cosine that is divided by would have to be cited as not zero.
+        return not any(
+            slope.has(sp.sin, sp.cos) or slope.free_symbols & set(symbols) for slope in slopes
+        )
+
+    def _pair(self, number: int, bodies: dict[sp.Symbol, str]) -> None:
+        scene = self.scene
+        frame = scene.frame(number)
+        for body in scene.spheres(number):
+            after(scene, "along", body, frame)
+        laws = [
+            tidied_law(scene, self._law_of(kind, number), tuple(bodies))
+            for kind in ("momentum", "restitution")
+        ]
+        lines = laws[0], laws[1]
+        for symbol in bodies:
+            self.waiting[symbol] = frame, lines, tuple(bodies)
+
+    def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
+        """A law of two spheres with one component open after it: that is expressed."""
+        for own in sorted(left, key=lambda each: len(self._open(each))):
+            law = self.equations.law(own)
+            if law is None or law.kind not in LAWS or self._earlier(law):
+                continue
+            open_ = self._open(own)
+            later = [s for s in open_ if s in self._after(law.number)]
+            if len(later) != 1:
+                continue
+            (symbol,) = later
+            number = self._shorter_law(law, symbol) or self._law_line(law)
+            own_residual = residual(self.scene, number)
+            if symbol not in own_residual.free_symbols:
+                continue  # it is known by now
+            if is_over_roots(own_residual, symbol):
+                close(self.scene, number, symbol)
+                return (own,)
+            value = tidy(_solved(own_residual, symbol))
+            line = self.scene.desk.write(
+                Move("rearrange"), (number,), chain(Letter(symbol.name), (tree_of(value), None))
+            )
+            self.scene.desk.know(Letter(symbol.name), value, (line,))
+            return (own,)
+        return None
+
+    def _shorter_law(self, law: Law, symbol: sp.Symbol) -> int | None:
+        """The law of restitution with what is known, where both laws stand and it is enough."""
+        if law.kind != "momentum" or written_law(self.scene, law.kind, law.number) is None:
+            return None
+        other = written_law(self.scene, "restitution", law.number)
+        if other is None or set(self.scene.unknown(residual(self.scene, other))) != {symbol}:
+            return None
+        return with_known(self.scene, other)
+
+    def _separation(self, left: list[Candidate], goals: Sequence[sp.Expr]) -> bool:
+        """Writes the law of restitution alone, where only the speed of separation is wanted."""
+        ids = {each.id for each in left}
+        for own in left:
+            law = self.equations.law(own)
+            if law is None or law.kind != "restitution" or f"momentum {law.number}" in ids:
+                continue
+            pair = self._after(law.number).keys()
+            rest = [x for each in left if each != own for x in each.residuals]
+            if self._earlier(law) or not pair <= {
+                s for x in own.residuals for s in self.scene.unknown(x)
+            }:
+                continue
+            if all(self._only_apart(x, law.number) for x in [*rest, *goals]):
+                if not pair <= self._separating():
+                    separations.write_separation(self.scene, self.scene.frame(law.number))
+                left.remove(own)
+                return True
+        return False

@@ -1,0 +1,354 @@
+"""What is written so far of a route, what waits for its value, and how a component is expressed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from restitution.components.models import Model
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move
+from restitution.expression.tree import Letter, Name, Quantity
+from restitution.planning.closing.bounded_speeds import bounded_speeds
+from restitution.planning.closing.roots import written_law
+from restitution.planning.closing.shapes import close, with_known, without
+from restitution.planning.formulas import separations
+from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.impacts import (
+    after,
+    closing_at_wall,
+    momentum,
+    residual,
+    restitution,
+    settled,
+)
+from restitution.planning.formulas.velocity_formulas import body_and_stage, speed_formula
+from restitution.planning.journeys import paths, rounds
+from restitution.planning.routes.equations import SHOWN, Equations, Law
+from restitution.planning.routes.givens import write_given
+from restitution.planning.routes.laws_solved import put_into_restitution
+from restitution.planning.writing.candidates import Candidate
+from restitution.planning.writing.desk import (
+    UNPLANNED,
+    Mark,
+    NotPlannedError,
+    Source,
+    chain,
+    together,
+)
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.polynomials import expanded, one_fraction
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+from restitution.work import remembered
+
+LAWS = {"momentum": momentum, "restitution": restitution}
+Waiting = tuple[Frame, tuple[int, int], tuple[sp.Symbol, ...]]
+"""The impact of a component, the lines of its laws, and the components in these."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How far a solver is: what is written, which equations are used, what waits for its value."""
+
+    desk: Mark
+    used: frozenset[str]
+    waiting: Mapping[sp.Symbol, Waiting]
+    frames: Mapping[int, Frame]
+    others: tuple[Model, ...]
+
+
+class Course:
+    """How far the writing of a goal is: what is known, what is open, and what waits."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.equations = Equations(scene)
+        # Components of which the laws are written, and which nothing has asked for yet.
+        self.waiting: dict[sp.Symbol, Waiting] = {}
+        self.goals: Sequence[sp.Expr] = ()
+        # Why a line could not be solved for its unknown.
+        self.reasons: list[NotPlannedError] = []
+        # Whether equations that no shape fits are solved together.
+        self.resort = False
+        self._loosen_ties()
+
+    def _loosen_ties(self) -> None:
+        """Letters that another part has by others, and that are numbers here, are open again.
+
+        What ties them is an equation for one of them, once the other is known.
+        """
+        scene = self.scene
+        for symbol, value in scene.model.final.items():
+            known = scene.desk.known(Letter(symbol.name))
+            if known is None or symbol in self._letters or len(known.refs) != 1:
+                continue
+            if sp.sympify(known.value, strict=True).has(sp.Function):
+                continue  # an angle goes by its ratio
+            open_ = scene.unknown(known.value)
+            if value.free_symbols & scene.model.final.keys() or not open_:
+                continue
+            scene.desk.loosen(Letter(symbol.name), known)
+
+    def resume(self, waiting: Mapping[sp.Symbol, Waiting]) -> None:
+        """Takes up the components of which another solver of the part has written the laws."""
+        for symbol, (frame, lines, components) in waiting.items():
+            self.waiting[symbol] = self.scene.frame(frame.number), lines, components
+
+    def mark(self) -> Standing:
+        """How far the solver is, to which ``back`` returns."""
+        scene = self.scene
+        return Standing(
+            scene.desk.mark(),
+            frozenset(self.equations.used),
+            dict(self.waiting),
+            dict(scene.frames),
+            scene.others,
+        )
+
+    def back(self, standing: Standing) -> None:
+        """Takes back what was written and used since."""
+        scene = self.scene
+        scene.desk.back(standing.desk)
+        self.equations.used, self.waiting = set(standing.used), dict(standing.waiting)
+        scene.frames, scene.others = dict(standing.frames), standing.others
+
+    def _separating(self) -> frozenset[sp.Symbol]:
+        """The components of which only the difference is known."""
+        return frozenset(
+            symbol
+            for number, frame in self.scene.model.frames.items()
+            if frame.wall is None
+            and number in self.scene.frames
+            and separations.separation_known(self.scene, self.scene.frame(number)) is not None
+            for symbol in self._after(number)
+        )
+
+    def _open(self, own: Candidate) -> frozenset[sp.Symbol]:
+        apart = self._separating()
+        put = [self._by_separation(x) if apart else x for x in own.residuals]
+        return frozenset(s for x in put for s in self.scene.unknown(x))
+
+    def _by_separation(self, value: sp.Expr) -> sp.Expr:
+        """A value with the speed of separation put in, where that is all of its two components."""
+        for number, frame in self.scene.model.frames.items():
+            if frame.wall is not None or number not in self.scene.frames:
+                continue  # a separation that is a line has its frame
+            if self._only_apart(value, number):
+                value = separations.with_separation(self.scene, self.scene.frame(number), value)
+        return value
+
+    @property
+    def _letters(self) -> dict[sp.Symbol, tuple[int, str]]:
+        return {
+            component.symbol: (component.number, component.body)
+            for component in self.scene.model.components.values()
+        }
+
+    def _closes(self, number: int, symbol: sp.Symbol) -> bool:
+        """Solves a line for its unknown, if there is a way now; there may be one later."""
+        try:
+            close(self.scene, number, symbol)
+        except NotPlannedError as error:
+            if self._closes_by_a_bound(number, symbol):
+                return True
+            self.reasons.append(error)
+            return False
+        return True
+
+    def _closes_by_a_bound(self, number: int, symbol: sp.Symbol) -> bool:
+        """Solves a line of which a speed that is given as more, or as less, excludes a root.
+
+        The speed stands before the roots, in the unknown.
+        """
+        scene, standing = self.scene, self.mark()
+        bounded = [speed for _, speed in bounded_speeds(scene) if scene.desk.known(speed) is None]
+        try:
+            for speed in bounded:
+                self._express_waiting([*scene.velocity(*body_and_stage(scene, speed))])
+                write_formula(scene, speed_formula(scene, speed))
+            if bounded:
+                close(self.scene, number, symbol)
+                return True
+        except UNPLANNED:
+            self.back(standing)
+        return False
+
+    def take_velocity(self, velocity: Quantity) -> None:
+        """The components are known, once both velocities are, where the laws do not stand yet."""
+        (body,) = velocity.arguments
+        assert isinstance(body, Name)
+        assert isinstance(velocity.stage, int)
+        event = self.scene.last_event(body.name, velocity.stage)
+        if written_law(self.scene, "momentum", event) is None:
+            for sphere in self.scene.spheres(event):
+                self._take_components(sphere, event)
+
+    def _take_all_components(self) -> None:
+        """The components of velocities that are lines are known from now on."""
+        for number, body in self.scene.model.components:
+            if self.scene.desk.known(Quantity("velocity", (Name(body),), number)) is not None:
+                self._take_components(body, number)
+
+    def _take_components(self, body: str, event: int) -> None:
+        """The component of a velocity that is a line is known from now on."""
+        scene = self.scene
+        component = scene.model.components.get((event, body))
+        if component is None:
+            return
+        frame = scene.frame(event)
+        velocity = scene.desk.known(Quantity("velocity", (Name(body),), event))
+        if velocity is not None and frame.is_slanted:
+            # Its scalar product is written where a law needs it.
+            source = Source(velocity.value.dot(frame.n), together(velocity.refs, frame.refs))
+        else:
+            source = after(scene, "along", body, frame)
+        value = frame.letter_sign * source.value
+        scene.desk.know(Letter(component.symbol.name), value, source.refs)
+
+    def _earlier(self, law: Law) -> bool:
+        """Whether a component before an impact is still to be worked out."""
+        return any(
+            number < law.number
+            for symbol, (number, _) in self._letters.items()
+            if symbol in self._open(law.candidate)
+        )
+
+    def _after(self, number: int) -> dict[sp.Symbol, str]:
+        return {s: body for s, (n, body) in self._letters.items() if n == number}
+
+    def _express_waiting(self, values: Sequence[sp.Expr]) -> None:
+        """Expresses the components in some values of which the laws are written."""
+        if not self.waiting:
+            return
+        wanted = [symbol for each in values for symbol in self.scene.unknown(each)]
+        for symbol in [each for each in self.waiting if each in wanted]:
+            self._express(symbol, {s for each in values for s in each.free_symbols})
+
+    def _express(self, symbol: sp.Symbol, wanted: Iterable[sp.Basic]) -> None:
+        """A component from both laws: by leaving out the other, or by putting in what that is.
+
+        It is put in where it is no sum, or where that is wanted too and is none any more.
+        """
+        scene = self.scene
+        _frame, lines, symbols = self.waiting.pop(symbol)
+        residuals = [residual(scene, each) for each in lines]
+        other = self._beside(symbol, symbols, residuals)
+        value = tidy(_two_by_two(tuple(residuals), (symbol, other))[symbol])
+        letter, tree = Letter(symbol.name), Letter(other.name)
+        known = scene.desk.known(tree)
+        now, _ = (value, ()) if known is None else scene.put(known.value)
+        if known is not None and not (now.has(sp.Add) and now.free_symbols):
+            # What letters have come to since is put into the law that has none of them.
+            later = not scene.others and self._is_settled(known.value, value)
+            plain = not known.value.has(sp.Add) or not value.free_symbols or other in wanted
+            laws = [(law, True) for law in lines if later]
+            laws += [(law, False) for law in lines[1:] if plain]
+            source = (settled(scene, tree) or known) if laws else known
+            put, more = scene.put(value)
+            relation = chain(letter, (tree_of(put), None))
+            for law, alone in laws:
+                refs = scene.judge.enough(Move("put"), (law, *source.refs), relation, more)
+                if refs is not None and not (alone and len(refs) > 2):
+                    line = scene.desk.write(Move("put"), refs, relation)
+                    scene.desk.know(letter, put, (line,))
+                    return
+        if (
+            known is not None
+            and not scene.others
+            and put_into_restitution(scene, symbol, other, known, lines[1])
+        ):
+            return
+        move = Move("combine", eliminated=other.name)
+        relation = without(symbol, other, residuals, value)
+        # Of what is zero no denominator says what was divided by.
+        names = {each.name for x in residuals for each in x.free_symbols} if value == 0 else set()
+        enough = scene.judge.enough(move, lines, relation, background(scene, names))
+        line = scene.desk.write(move, enough or lines, relation)
+        scene.desk.know(letter, value, (line,))
+
+    def _beside(
+        self, symbol: sp.Symbol, symbols: Iterable[sp.Symbol], residuals: Sequence[sp.Expr]
+    ) -> sp.Symbol:
+        """The unknown that is eliminated from both laws for a component.
+
+        It is the other component, or a letter where that stands in both laws with its value.
+        """
+        (other,) = (each for each in symbols if each != symbol)
+        if any(other in each.free_symbols for each in residuals):
+            return other
+        both = set.intersection(*(set(self.scene.unknown(each)) for each in residuals))
+        others = [each for each in both if each != symbol]
+        if len(others) != 1:
+            raise NotPlannedError(f"{symbol} is not expressed")
+        return others[0]
+
+    def _is_settled(self, *values: sp.Expr) -> bool:
+        """Whether values in letters have come to numbers, since these have been found."""
+        scene = self.scene
+        put = [scene.put(each)[0] for each in values]
+        return all(each.free_symbols & scene.model.final.keys() for each in values) and not any(
+            each.free_symbols & scene.model.final.keys() or each.has(sp.Add) for each in put
+        )
+
+    def _only_apart(self, value: sp.Expr, number: int) -> bool:
+        """Whether a value has only the difference of the components after an impact in it."""
+        put = self.scene.with_values(value)[0]
+        return not sum(sp.diff(put, each) for each in self._after(number)).expand()
+
+    def _line(self, own: Candidate) -> int | None:
+        """The line of an equation that closes, with what is known put in."""
+        given = self.equations.givens.get(own.id)
+        law = self.equations.law(own)
+        if given is not None:
+            try:
+                return write_given(self.scene, given)
+            except NotPlannedError as error:
+                self.reasons.append(error)
+                return None
+        if own.id in self.equations.paths:
+            return paths.write_path(self.scene, self.equations.paths[own.id])
+        if own.id in self.equations.rounds:
+            return rounds.write_round(self.scene, self.equations.rounds[own.id])
+        if own.id.startswith(SHOWN):
+            return int(own.id.removeprefix(SHOWN))
+        if law is None:
+            return None
+        if law.kind in LAWS:
+            return self._law_line(law)
+        body = law.body or self.scene.spheres(law.number)[0]
+        kind = "along" if law.kind == "wall" else "across"
+        return closing_at_wall(self.scene, body, self.scene.frame(law.number), kind)
+
+    def _wanted_later(self, symbol: sp.Symbol) -> tuple[bool, str]:
+        """What is not asked comes first: it is left out, or put in."""
+        asked = any(symbol in goal.free_symbols for goal in self.goals)
+        return asked, symbol.name
+
+    def _law_line(self, law: Law) -> int:
+        return self._law_of(law.kind, law.number)
+
+    def _law_of(self, kind: str, event: int) -> int:
+        """The line of a law; where it stands already, with what is known by now put in."""
+        number = written_law(self.scene, kind, event)
+        if number is not None:
+            return with_known(self.scene, number)
+        return LAWS[kind](self.scene, self.scene.frame(event))
+
+
+@remembered(512)
+def _two_by_two(
+    residuals: tuple[sp.Expr, ...], symbols: tuple[sp.Symbol, ...]
+) -> dict[sp.Symbol, sp.Expr]:
+    """Two linear equations in two unknowns, by determinants."""
+    rows = [[sp.diff(each, s) for s in symbols] for each in residuals]
+    rest = [expanded(-each.subs(dict.fromkeys(symbols, 0))) for each in residuals]
+    (a, b), (c, d) = rows
+    whole = expanded(a * d - b * c)
+    return {
+        symbols[0]: one_fraction(expanded(rest[0] * d - b * rest[1]) / whole),
+        symbols[1]: one_fraction(expanded(a * rest[1] - rest[0] * c) / whole),
+    }
