@@ -1,0 +1,208 @@
+"""Inequalities without the letters that others tie: by ratios, or by the ends of a range."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+
+import sympy as sp
+
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, Sign
+from restitution.expression.tree import Apply, Binary, Expression, Letter, is_zero, letters
+from restitution.planning.inequalities.claims_in_stages import InStages
+from restitution.planning.inequalities.gaps import write_difference
+from restitution.planning.inequalities.letter_ties import is_letter_or_square
+from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.inequalities import (
+    is_monic,
+    same,
+    solve_linear,
+    subject_of,
+    turned,
+)
+from restitution.planning.writing.polynomials import one_fraction
+from restitution.solving.story.letters import roles
+
+
+class Eliminated(InStages):
+    """Claims from which letters that are tied to others are eliminated."""
+
+    def _attempts(
+        self, target: set[str], relation: Relation
+    ) -> Iterator[Callable[[list[Ref], Relation], int | None]]:
+        wanted = subject_of(relation)
+
+        def by_conditions(base: list[Ref], relation: Relation) -> int | None:
+            lines = [each for each in base if isinstance(each, int)]
+            for bounds in (self._ranges(lines), self.conditions.lines(wanted)):
+                line = self.monotone(lines[0], relation, bounds) if len(lines) == 1 else None
+                if line is not None and bounds:
+                    return line
+            return self.compared([*base, *self.conditions.lines(wanted)], relation, base)
+
+        def by_ties(base: list[Ref], relation: Relation) -> int | None:
+            for line in self.ties.lines():
+                written = self.monotone(line, relation)
+                if written is not None:
+                    return written
+            for line in self.ties.lines():
+                written = self._eliminated(line, base, relation, target)
+                if written is not None:
+                    return written
+            for line in self.ties.lines():
+                written = self._by_each_end(line, relation)
+                if written is not None:
+                    return written
+            return None
+
+        def by_ratios(base: list[Ref], relation: Relation) -> int | None:
+            return self._by_ratios(target, relation)
+
+        def by_all(base: list[Ref], relation: Relation) -> int | None:
+            return self.compared(
+                [*base, *self.ties.lines(), *self.conditions.lines(wanted)], relation
+            )
+
+        def by_story(base: list[Ref], relation: Relation) -> int | None:
+            own = (*self.conditions.story(wanted), *self.conditions.lines(wanted))
+            return self.compared([*base, *own], relation, base)
+
+        yield by_conditions
+        yield by_ratios
+        yield by_ties
+        yield by_all
+        yield by_story
+
+    def _eliminated(
+        self, line: int, base: Sequence[Ref], relation: Relation, target: set[str]
+    ) -> int | None:
+        """By the range of a letter in an equation of which the claim does not speak."""
+        scene = self.scene
+        link = scene.desk.last_link(line)
+        inside = {
+            s for side in (link.left, link.right) for s in self.worths.value(side).free_symbols
+        }
+        known_roles = roles(scene.problem)
+        gone = [s for s in inside if s.name in known_roles and s.name not in target]
+        wanted = subject_of(relation)
+        written: list[int] = []
+        for symbol in sorted(gone, key=self.ties.rank):
+            for sign, x, bound in self.ties.derived(line, symbol):
+                mark = self.worths.mark()
+                solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(
+                    self.scene, sign, x
+                )
+                short = self.ties.put_in(line, symbol, bound)
+                if short is None:
+                    short = Link(tree_of(x), sign, ZERO)
+                    alone = is_letter_or_square(self.scene.desk.last_link(line).left)
+                    if alone or x.atoms(sp.sin, sp.cos, sp.tan):
+                        short = self.ties.bounded(line, symbol, bound) or short
+                        solved = short if _is_subject(short.left) else solved
+                    if solved is not None and (link.left == solved.left or is_monic(scene, x)):
+                        short = solved
+                ends = self.judge.known([symbol.name])
+                first = [ref for ref in ends if any(e in str(ref) for e in _near(bound))]
+                known = self.worths.known_in(x)
+                pool = [line, *first, *ends, *known]
+                moves: tuple[Move, ...] = (Move("sign"),)
+                number_ = None
+                if short.left == link.left and self._is_twice_in(link.right, symbol):
+                    number_ = self.judge.write((Move("monotone"),), pool, Relation(((short,),)))
+                    if number_ is None:
+                        number_ = self._by_difference(line, short)
+                if number_ is None:
+                    number_ = self.judge.write(moves, pool, Relation(((short,),)))
+                if number_ is None:
+                    self.worths.back(mark)
+                    continue
+                if solved is not None and short != solved:
+                    moves = (Move("rearrange"), Move("cancel"), Move("compare"))
+                    after = self.judge.write(moves, [number_, *known], Relation(((solved,),)))
+                    number_ = number_ if after is None else after
+                if same(scene.desk.relation(number_), relation):
+                    return number_
+                if not base:
+                    line_ = self.compared([number_], relation)
+                    if line_ is not None:
+                        return line_
+                written.append(number_)
+        if not written:
+            return None
+        for each in base:
+            line_ = self.monotone(each, relation, written) if isinstance(each, int) else None
+            if line_ is not None:
+                return line_
+        line_ = self.compared([*base, *written], relation)
+        if line_ is None and self.conditions.lines(wanted):
+            line_ = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
+        return line_
+
+    def _by_difference(self, line: int, link: Link) -> int | None:
+        """A bound of a quotient of polynomials in which a letter stands above and below."""
+        right = self.scene.desk.last_link(line).right
+        value = self.worths.value(right)
+        symbols = value.free_symbols
+        if is_zero(link.right) or not value.is_rational_function(*symbols):
+            return None
+        if not any(self._is_twice_in(right, symbol) for symbol in symbols):
+            return None
+        return write_difference(self, line, Relation(((link,),)))
+
+    def _is_twice_in(self, tree: Expression, symbol: sp.Symbol) -> bool:
+        """Whether a letter stands above and below in a quotient: no bound is seen at once."""
+        above, below = sp.fraction(one_fraction(self.worths.value(tree)))
+        return symbol in above.free_symbols and symbol in below.free_symbols
+
+    def _by_ratios(self, target: set[str], relation: Relation) -> int | None:
+        """An angle of which the data give a ratio in numbers, by the tangent of it."""
+        known = roles(self.scene.problem)
+        angles = [n for n in sorted(target) if n in known and known[n].kind == "angle"]
+        if len(angles) != 1:
+            return None
+        tangent = Apply("tan", Letter(angles[0]))
+        symbol = self.scene.model.unknowns.letter(angles[0])
+        standing = self.scene.desk.known(tangent)
+        if standing is not None and not standing.value.free_symbols:
+            return self.compared(standing.refs, relation)
+        value, refs = self.scene.put(sp.tan(symbol))
+        if value.free_symbols or not refs:
+            return None
+        line = next((ref for ref in refs if isinstance(ref, int)), None)
+        equation = Relation(((Link(tangent, "=", tree_of(value)),),))
+        number = self.judge.standing(equation)
+        if number is None and line is not None:
+            number = self.judge.write((Move("triangle"), Move("put")), refs, equation)
+        return self.compared([*(refs if number is None else [number])], relation)
+
+    def _by_each_end(self, line: int, relation: Relation) -> int | None:
+        """One end after the other, by an equation and the range of a letter in it."""
+        mark = self.worths.mark()
+        written: list[int] = []
+        for link in relation.only:
+            own = turned(link) if isinstance(link.right, Letter) else link
+            if self.judge.proves(self.judge.known(letters(own.left)), Relation(((own,),))):
+                continue
+            sides = self.scene.desk.last_link(line)
+            names = letters(sides.left) | letters(sides.right)
+            pool = [line, *self.judge.known(names & set(roles(self.scene.problem)))]
+            end = self._by_difference(line, own) if own.left == sides.left else None
+            if end is None:
+                end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
+            if end is None:
+                self.worths.back(mark)
+                return None
+            written.append(end)
+        last = self.compared(written, relation) if written else None
+        if last is None:
+            self.worths.back(mark)
+        return last
+
+
+def _is_subject(tree: Expression) -> bool:
+    """Whether a side is a letter, a ratio of an angle, or a power of one of them."""
+    return not isinstance(tree, Binary) or tree.op == "^"
+
+
+def _near(sign: Sign) -> tuple[str, ...]:
+    """How premises about that end of a range are written."""
+    return ("acute", "°", f" {sign[0]}")
