@@ -49,6 +49,10 @@ CASES = {
         WALL.format(given="energy(P) >= 1/2 energy(0)", asked="alpha"),
         ["tan²α ≤ 1/(1 − 2e²)", "0° < α ≤ arctan(1/√(1 − 2e²))", "for e ≥ 1/√2"],
     ),
+    "a coefficient that divides": (
+        WALL.format(given="deflection(P) > 90°", asked="alpha"),
+        ["tan²α > 1/e", "tan α > 1/√e, as α is acute", "This holds for e > 0 only."],
+    ),
     "the lesser of two": (
         WALL.format(given="deflection(P) <= 90°", asked="e"),
         ["so the scalar product is not negative", "0 ≤ e ≤ 1/tan²α", "0 ≤ e ≤ 1, for α ≤ 45°"],

@@ -534,19 +534,9 @@ def _write_range(
     name: str,
 ) -> None:
     """A range, of several forms perhaps under the condition of the one that has letters."""
-    mark, answer = solver.mark(), general_answer(result)
-    several = answer is not None and len(result.distinct) > 1
-    try:
+    answer = general_answer(result)
+    if answer is None or not write_form(scene, solver, asked, relation, answer, name):
         write_range(scene, solver, asked, relation, name)
-        lines = scene.desk.lines
-        if several:
-            require_true(scene.model, lines[mark.desk.lines :], lines, scene.desk.facts)
-    except NotPlannedError:
-        solver.back(mark)
-        if answer is None or not several:
-            raise
-        if not write_form(scene, solver, asked, relation, answer, name):
-            raise
 
 
 def _write_one_value(

@@ -34,7 +34,7 @@ def write_form(
     condition = None if len(answer.condition) != 1 else _condition(answer.condition[0])
     if condition is None:
         return False
-    standing, facts = solver.mark(), scene.desk.facts
+    standing, facts, assumed = solver.mark(), scene.desk.facts, scene.desk.assumed
     with suppress(*UNPLANNED, RestitutionError, BeyondError):
         with _assumed(scene, Fact(f"case {name}", "case", condition, scene.desk.part)):
             write_range(scene, solver, asked, relation, name)
@@ -42,7 +42,7 @@ def write_form(
             require_true(scene.model, lines[standing.desk.lines :], lines, scene.desk.facts)
         return True
     solver.back(standing)
-    scene.desk.facts = facts
+    scene.desk.facts, scene.desk.assumed = facts, assumed
     return False
 
 

@@ -205,9 +205,12 @@ class Judge:
         role = roles(self.problem).get(name)
         if role is None:
             return ()
-        facts = self.ranges_given(name)
+        ranges = self.ranges_given(name)
+        # What is known anyway is cited before the condition of a form.
+        cases = [each for each in ranges if str(each).startswith("case")]
+        facts = [each for each in ranges if each not in cases]
         if role.kind == "angle":
-            return (*facts, *_of_angle(name, role.low, role.high, role.closed))
+            return (*facts, *_of_angle(name, role.low, role.high, role.closed), *cases)
         refs: list[Ref] = []
         for end, sign, closed in (
             (role.low, ">", role.closed[0]),
@@ -218,7 +221,7 @@ class Judge:
             if not end.is_Rational:
                 continue
             refs.append(f"{name} {sign}{'=' if closed else ''} {end}")
-        return (*facts, *refs)
+        return (*facts, *refs, *cases)
 
 
 def _of_angle(
