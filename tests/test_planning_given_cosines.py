@@ -38,3 +38,18 @@ def test_the_cosine_of_an_angle_told_by_its_tangent_is_said() -> None:
     text = text_of(MIRRORED.format(angle="arctan(4/3)"))
     assert "is arctan(4/3), of which the\ncosine is ⅗. By the scalar product:" in text
     assert "tan" not in text.partition("By the scalar product:")[2]
+
+
+OFFSET = """
+sphere A: mass m, radius 5, velocity u i
+sphere B: mass m, radius 5, at rest
+A hits B: offset d, e = 1/2
+given angle(line_of_centres, i) = arcsin(3/5)
+find d
+"""
+
+
+def test_the_sine_of_an_offset_is_no_cosine_of_that_angle() -> None:
+    text = text_of(OFFSET)
+    assert "scalar product" not in text
+    assert "of which the cosine" not in text

@@ -74,3 +74,8 @@ def test_the_energy_is_of_the_speeds_that_are_read_off(statement: str, loss: str
 def test_a_slanting_direction_has_its_component_for_a_letter() -> None:
     text = text_of(SLANTING)
     assert "It is given that 𝐯_P is parallel to 𝐢 + 2𝐣:\n    𝐯_P = V(𝐢 + 2𝐣)" in text
+
+
+def test_a_direction_told_by_a_slanting_angle_is_no_vector_with_roots() -> None:
+    text = text_of(SLANTING.replace("velocity(P) parallel to i + 2j", "direction(P) = arctan(2)"))
+    assert "2 = (8 + 3e)/(6 − 4e)" in text

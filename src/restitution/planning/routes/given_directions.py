@@ -6,6 +6,7 @@ import sympy as sp
 
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Expression, Letter, Name, Quantity
+from restitution.oracle.roles import REAL
 from restitution.planning.axes.open_lines import ray_of, tried, without_root, write_ray
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.shapes import close
@@ -45,6 +46,8 @@ def _written(scene: Scene, number: int, symbol: sp.Symbol | None) -> bool:
     ray = ray_of(scene, body, number)
     if ray is None or not frame.is_slanted:
         return False
+    if ray.role is not REAL and 0 not in ray.direction:
+        return False  # told by an angle: there would be roots in both components
     early = [before(scene, kind, body, frame).value for kind in ("along", "across")]
     if any(each.has(sp.Add) for each in early):
         return False  # both laws would be long

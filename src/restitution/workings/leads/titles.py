@@ -167,17 +167,28 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             spheres = line.move.record == "energy-lost" and event is not None and not event.wall
             name = "given.by-those-that-change" if spheres else "given.by-what-changes"
             return (say("given.and", fact=sentence), say(name))
-        if line.move.record == "scalar-angle":
-            cosine = line.relation.options[0][0].left
-            if isinstance(cosine, Apply):
-                return (say("given.and", fact=sentence), say("given.by-the-product"))
-            worth = self._naming.layout(cosine)
-            return (
-                say("given.of-cosine", fact=sentence, cosine=worth),
-                say("given.by-the-product"),
-            )
+        if line.move.record == "scalar-angle" and (told := self._cosine_told(line, facts[0])):
+            return told
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _cosine_told(self, line: Line, fact: Fact) -> tuple[Sentence, ...]:
+        """What is said before the cosine of a given angle between two velocities; else nothing."""
+        assert isinstance(line.relation, Relation)
+        match fact.relation.options[0][0].left:
+            case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+                sentence, cosine = self._naming.fact(fact), line.relation.options[0][0].left
+            case _:
+                return ()
+        if isinstance(cosine, Apply):
+            return say("given.and", fact=sentence), say("given.by-the-product")
+        if letters(cosine) or has_quantity(cosine):
+            return ()
+        worth = self._naming.layout(cosine)
+        return (
+            say("given.of-cosine", fact=sentence, cosine=worth),
+            say("given.by-the-product"),
+        )
 
     def _under_a_tie(self, line: Line) -> tuple[Ref, ...]:
         """What a velocity along a line rests on, where no line says what it has across that."""
