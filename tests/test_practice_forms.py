@@ -461,3 +461,39 @@ UNKNOWN_WALL = (
 )
 def test_which_way_a_wall_goes_and_how_large_a_vector_is(line: str, verdict: str) -> None:
     assert verdicts(UNKNOWN_WALL, line) == [verdict]
+
+
+REVERSED = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\n"
+    "given tan(alpha) = 3/4\nA hits B: along i, e = 3/4\n"
+    "find velocity(A), speed(B), energy_lost\n"
+)
+SLOWED = (
+    "sphere A: mass 3m, velocity 2u i\nsphere B: mass 2m, velocity -u i\nA hits B: along i\n"
+    "find velocity(A), velocity(B) in terms of e, u\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "verdict"),
+    [
+        (REVERSED, "v = 2u/15 to the left", "true"),
+        (REVERSED, "v = 2u/15 in the opposite direction", "true"),
+        (REVERSED, "v = 3u/15 to the left", "false"),
+        (REVERSED, "v = 2u/15", "false"),
+        (REVERSED, "4 = v + 2w (u=5)", "true"),
+        (REVERSED, "5 = v + 2w (u=5)", "false"),
+        (REVERSED, "with u = 5: 4 = v + 2w, w - v = 3", "true"),
+        (REVERSED, "67.38 + 38.66 = 106", "true"),
+        (REVERSED, "67.38 + 38.66 = 107", "false"),
+        (REVERSED, "along only: ½m(16/25 - 4/225)u² - m(49/225)u² = 7mu²/75", "true"),
+        (SLOWED, "A: 2u(2-3e)/5 B: u(4+9e)/5", "true"),
+        (SLOWED, "A: 2u(3-2e)/5", "false"),
+    ],
+)
+def test_senses_in_words_values_put_in_and_headings(
+    statement: str, line: str, verdict: str
+) -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    marking = restitution.mark(solution_of(statement), line, letters=letters).json()
+    assert [each["verdict"] for each in marking["lines"]] == [verdict]

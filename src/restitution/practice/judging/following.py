@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import chain
+from operator import add, mul, sub, truediv
 
 import numpy as np
 
@@ -14,9 +16,11 @@ from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Negate,
+    Number,
     Quantity,
     has_quantity,
     letters,
@@ -63,6 +67,13 @@ NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
 IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
 IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
+_HUNDRED = 100
+_OPERATIONS: Mapping[str, Callable[[Fraction, Fraction], Fraction]] = {
+    "+": add,
+    "-": sub,
+    "*": mul,
+    "/": truediv,
+}
 COEFFICIENT = re.compile(r"e(_\w+)?'*")
 
 
@@ -383,6 +394,8 @@ class Following(OwnValues):
 
     def _nearly(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A line that is true but for what the student's own rounding may have moved."""
+        if any(map(_is_rounded_whole, link.readings)):
+            return JudgedLink("true", link.readings[0], "rounded")
         above = any(entry.decimals for entry in self.entries)
         beside = any(each.decimals for each in line.links if each is not link)
         if self.wrong or not link.decimals or not (above or beside):
@@ -394,6 +407,33 @@ class Following(OwnValues):
                 if self._loosely(claim, world, line, link) is not None:
                     return JudgedLink("true", claim, "coarse", remark=COARSE)
         return None
+
+
+def _is_rounded_whole(claim: Claim) -> bool:
+    """Whether decimals are added up to a whole number of three figures: ``67.38 + 38.66 = 106``."""
+    right = claim.right
+    if claim.sign != "=" or not isinstance(right, Number | Degrees):
+        return False
+    numbers = [each for each in walk(claim.left) if isinstance(each, Number | Degrees)]
+    plain = all(isinstance(each, Number | Degrees | Binary) for each in walk(claim.left))
+    broken = any(each.value.denominator > 1 for each in numbers)
+    if not (plain and broken and right.value.denominator == 1 and right.value >= _HUNDRED):
+        return False
+    value = _worked_out(claim.left)
+    return value is not None and abs(value - right.value) <= Fraction(1, 2)
+
+
+def _worked_out(tree: Expression) -> Fraction | None:
+    """The value of sums, products and quotients of numbers."""
+    match tree:
+        case Number(value) | Degrees(value):
+            return value
+        case Binary("+" | "-" | "*" | "/" as op, left, right):
+            one, other = _worked_out(left), _worked_out(right)
+            if one is None or other is None or (op == "/" and not other):
+                return None
+            return _OPERATIONS[op](one, other)
+    return None
 
 
 def _family(variant: str) -> str:

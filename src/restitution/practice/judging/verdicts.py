@@ -6,6 +6,7 @@ judged in the student's own world as well. The truth of a line never depends on 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -44,6 +45,7 @@ from restitution.practice.judging.judged_link import (
 )
 from restitution.practice.judging.naming import Explained, is_sum_of_angles
 from restitution.practice.judging.other_forms import (
+    is_signed,
     is_to_a_line,
     kind_of,
     label_in,
@@ -69,6 +71,12 @@ _WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follow
 # A cosine below this, turned, is that of an obtuse angle whatever the rounding.
 _OBTUSE = 1e-6
 _SAME_RATIO = 1e-9
+# The sense of a component in words, behind its size.
+_BACK = re.compile(
+    r"\b(to the left|leftwards?|backwards?|downwards?|(in the )?(opposite|other|reverse) direction"
+    r"|the other way|reversed)\b",
+    re.IGNORECASE,
+)
 # What a result is, as the principle of a line.
 _PRINCIPLES = {
     "impulse": "impulse",
@@ -386,24 +394,38 @@ class Judge(Following):
         return self._in_a_case(line, judged) or judged
 
     def _in_a_case(self, line: ScriptLine, judged: Sequence[JudgedLink]) -> list[JudgedLink] | None:
-        """The links of ``e = 0, v = u/2`` where what e is, is left open: a case, and what holds."""
-        if len(judged) < 2 or judged[0].verdict != "false" or speaks_of_an_extreme(line):
+        """The links of ``e = 0, v = u/2`` where what e is, is left open: a case, and what holds.
+
+        The case stands first, or last in brackets: ``4 = v + 2w (u = 5)``.
+        """
+        if len(judged) < 2 or speaks_of_an_extreme(line):
             return None
-        match case := judged[0].claim:
+        for place in (0, len(judged) - 1):
+            case = judged[place].claim
+            if judged[place].verdict != "false" or not self._is_case(case):
+                continue
+            if place and not line.text.rstrip().endswith(")"):
+                continue
+            meanings = self.meanings(line.number)
+            worlds = supposed_in((case,), line, self._base, meanings, self.question.unknown)
+            rest = [
+                self._holds(link, line, worlds or ()) if k != place else ("exact", case)
+                for k, link in enumerate(line.links)
+            ]
+            held = [JudgedLink("true", each[1], each[0]) for each in rest if each is not None]
+            if len(held) == len(rest):
+                return held
+        return None
+
+    def _is_case(self, claim: Claim) -> bool:
+        """Whether a claim gives a letter of the statement a number that nothing determines."""
+        match claim:
             case Claim(Letter(name), "=", value, ()) if is_numeric(value):
-                pass
+                own = self._base.letters.get(name)
             case _:
-                return None
-        own = self._base.letters.get(name)
-        if own is None or name in self._base.determined or np.ptp(self._base.spread(own)) == 0:
-            return None
-        meanings = self.meanings(line.number)
-        worlds = supposed_in((case,), line, self._base, meanings, self.question.unknown)
-        held = [self._holds(link, line, worlds or ()) for link in line.links[1:]]
-        if not all(held):
-            return None
-        rest = [JudgedLink("true", each[1], each[0]) for each in held if each is not None]
-        return [JudgedLink("true", case, "exact"), *rest]
+                return False
+        free = own is not None and name not in self._base.determined
+        return free and bool(np.ptp(self._base.spread(own)) > 0)
 
     def _is_of_unlike(self, line: ScriptLine, link: Link) -> bool:
         """Whether a link compares a vector with a number."""
@@ -460,11 +482,29 @@ class Judge(Following):
             or self._of_other_root(line, link)
             or self._nearly(line, link)
             or self._in_units(line, link, self.worlds, "true")
+            or self._in_other_sense(line, link)
             or self._under_condition(line, link)
             or self._becoming(line, link)
             or self._following(line, link)
             or self._refused(line, link)
         )
+
+    def _in_other_sense(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A component by its size, with its sense in words: ``v = 2u/15 to the left``."""
+        if not _BACK.search(line.text):
+            return None
+        for claim in link.readings:
+            left = claim.left
+            meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else None
+            inside = meant.operand if isinstance(meant, Negate) else meant
+            if claim.sign != "=" or claim.others or inside is None or not is_signed(inside):
+                continue
+            turned = replace(claim, right=Negate(claim.right))
+            for world in self.worlds:
+                grade = self.accuracy(turned, world, line, link)
+                if grade is not None:
+                    return JudgedLink("true", turned, grade)
+        return None
 
     def _refused(self, line: ScriptLine, link: Link) -> JudgedLink:
         """A link that neither holds nor follows: false, or not to be decided."""

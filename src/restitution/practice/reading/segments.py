@@ -146,6 +146,8 @@ def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
         return True
     if tokens[place].gap or tokens[place + 1].gap:
         return False
+    if tokens[place - 1].kind == "number" and tokens[place + 1].name == "sqrt":
+        return True
     kinds = {tokens[place - 1].kind, tokens[place + 1].kind}
     return kinds in ({"number"}, {"letter"})
 
@@ -156,7 +158,9 @@ def _ends_a_title(tokens: Sequence[Token], place: int) -> bool:
     words = any(each.kind in ("word", "phrase") for each in tokens[:place])
     before = any(each.kind == "relation" for each in tokens[:place])
     behind = any(each.kind == "relation" for each in tokens[place:])
-    return apart and words and behind and not before
+    # u = 5: 4 = v + 2w
+    case = before and tokens[place - 2].kind == "relation"
+    return apart and behind and (case or (words and not before))
 
 
 def _is_factor(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:
@@ -192,7 +196,8 @@ def _loose_brackets(tokens: Sequence[Token]) -> set[int]:
 def _without_swallowed(segment: Segment) -> Segment:
     """A segment without what belongs to the prose before it: ``divide by m  2v + 3w = 6``."""
     tokens = segment.tokens
-    if tokens[0].kind in ("/", "*") and len(tokens) > 2 and tokens[2].gap and segment.has_relation:
+    begins = tokens[0].kind in ("/", "*") and len(tokens) > 2 and tokens[2].gap
+    if begins and tokens[2].kind != "relation" and segment.has_relation:
         return replace(segment, tokens=tokens[2:])  # ÷ m  u = v + 2w
     if not segment.before or segment.before[-1] not in SWALLOWING or not segment.has_relation:
         return segment

@@ -249,6 +249,8 @@ class _Reader:
         if not any(each.kind in (*_OPERANDS, "|", "phrase", "relation") for each in segment.tokens):
             return
         if segment.is_phrase and self._is_label(segment, following):
+            if "only" in following[0].before and not has_head(segment.tokens[0]):
+                return  # along only: ½(2)(16 - 4) = 12
             self.label = segment.tokens[0]
             self.of_law = bool(words & _NAMES_OF_LAWS)
             return
@@ -482,8 +484,18 @@ class _Reader:
         return False
 
     def labelled(self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token]) -> None:
-        """The value of a label: ``A: 3i - 2j``, ``KE after: 12``."""
-        self.link((Side(self.label_tree(label, sides, tokens)),), "=", sides, tokens, label)
+        """The value of a label: ``A: 3i - 2j``, ``KE after: 12``.
+
+        What may be negative, ``A: u(2 - 3e)``, may be a component rather than a speed.
+        """
+        own = [Side(self.label_tree(label, sides, tokens))]
+        signed = any(
+            isinstance(each, Negate) or (isinstance(each, Binary) and each.op == "-")
+            for each in walk(sides[0].tree)
+        )
+        if label.name in self.usage.spheres and own[0].tree == Letter(f"speed of {label.name}"):
+            own += [Side(Letter(f"component of {label.name} along"))] if signed else []
+        self.link(tuple(own), "=", sides, tokens, label)
 
     def label_tree(
         self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token] = ()
