@@ -61,6 +61,17 @@ def test_between_two_impacts_a_body_comes_as_far_as_its_velocity_takes_it(
     text = to_text(explanation_of(derivation, solution.problem))
     assert "displacement of P along 𝐢 from the first impact to the second impact" in text
     assert "Distance, by Pythagoras:" in text
+    assert ("= 3 m" in text) == (data["d"] == "3")
+
+
+def test_a_distance_that_is_a_product_has_its_title() -> None:
+    solution, derivation = planned(
+        "wall W: along j, through (0, 0)\nsphere A: mass m, at (d, 0), velocity -u i\n"
+        "sphere B: mass m, at (4d, 0), at rest\nA hits W: e = 0\n"
+        "find distance(A, B, at time(1) + T)"
+    )
+    text = to_text(explanation_of(derivation, solution.problem))
+    assert "Distance, from the coordinates:" in text
 
 
 APART = """

@@ -49,7 +49,7 @@ from restitution.workings.naming.measured import (
     with_unit,
 )
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.naming.sources import is_time, is_vector
+from restitution.workings.naming.sources import is_displacement, is_time, is_vector
 from restitution.workings.rendering.steps import REQUIRED, Row
 
 # In these the second line of an equation leaves out the side that stays.
@@ -625,7 +625,7 @@ def _has_decimals(side: lay.Layout) -> bool:
 
 def _is_value(tree: Expression) -> bool:
     """Whether a side names one quantity, whose dimension is known."""
-    return isinstance(tree, Letter | Quantity) or is_time(tree)
+    return isinstance(tree, Letter | Quantity) or is_time(tree) or is_displacement(tree)
 
 
 def _has_root(tree: Expression) -> bool:

@@ -131,7 +131,8 @@ def _collected(scene: Scene, right: Expression, final: Expression) -> list[Expre
         return []
     if factor.as_coeff_Mul()[0].is_negative:
         factor, whole = -factor, -whole
-    return [_put_together(factor, total(map(_term, _parts(whole))), below)]
+    inside, line = total(map(_term, _parts(whole))), _is_over_a_number(final)
+    return [_put_together(factor, inside, below, line=line)]
 
 
 def _terms(tree: Expression, factor: tuple[Expression, ...] = ()) -> Iterator[Expression]:
@@ -272,13 +273,15 @@ def _in_terms(terms: list[_Term], final: sp.Expr) -> list[Expression]:
     whole = sp.Add(*(each * term.base**2 for each, term in zip(rest, terms, strict=True)))
     if not factor.free_symbols and not below.free_symbols:
         return []  # the squares are worked out where they stand
-    lines = [_put_together(factor, inside, below)]
+    # A number below has the place that it has in the value.
+    line = _is_over_a_number(tree_of(final))
+    lines = [_put_together(factor, inside, below, line=line)]
     collected = sp.expand(whole)
     if not _divisors(below) <= _divisors(sp.fraction(sp.together(final))[1]):
         above_ = tree_of(sp.factor(factor * collected))
         lines.append(Binary("/", above_, tree_of(below)))
     elif len(sp.Add.make_args(collected)) > _COLLECTED and not below.free_symbols:
-        lines.append(_put_together(factor, total(map(_term, _parts(collected))), below))
+        lines.append(_put_together(factor, total(map(_term, _parts(collected))), below, line=line))
     return lines
 
 
@@ -300,14 +303,21 @@ def _beside(front: Expression, bracket: Expression) -> Expression:
     return product(*(each for each in own if each not in ratios), bracket, *ratios)
 
 
-def _put_together(factor: sp.Expr, inside: Expression, below: sp.Expr) -> Expression:
-    """A factor, a bracket, and what stands below them."""
+def _put_together(
+    factor: sp.Expr, inside: Expression, below: sp.Expr, *, line: bool = False
+) -> Expression:
+    """A factor, a bracket, and what stands below them; with a ``line``, below that."""
     number_, letters_ = factor.as_coeff_Mul()
     front = tree_of(letters_)
-    if not below.free_symbols and letters_ != 1:
+    if not below.free_symbols and letters_ != 1 and not line:
         return _beside(product(tree_of(number_ / below), front), inside)
     whole = _beside(product(tree_of(number_), front), inside)
     return whole if below == 1 else Binary("/", whole, tree_of(below))
+
+
+def _is_over_a_number(tree: Expression) -> bool:
+    """Whether a number stands below all that a tree has."""
+    return isinstance(tree, Binary) and tree.op == "/" and not letters(tree.right)
 
 
 def _divisors(below: sp.Expr) -> set[sp.Expr]:

@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.naming.sources import is_time
+from restitution.workings.naming.sources import is_displacement, is_time
 
 
 def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence:
@@ -41,7 +41,7 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
             return say("flight.origin") if one else say("flight.origin-of", body=body)
     if _is_place(left) and not _by_the_way(derivation, line):
         return say("flight.place") if one else say("flight.place-of", body=body)
-    if isinstance(left, Binary) and left.op == "-" and _is_place(left.left):
+    if is_displacement(left):
         return say("flight.displacement") if one else say("flight.displacement-of", body=body)
     if _tells_a_time(derivation, line):
         return say("flight.title") if one else say("flight.title-of", body=body)
@@ -120,21 +120,23 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
             not line.move.event
         ):
             places = [each for each in ends if isinstance(each, Quantity)]
+            if not places:
+                return say("distance.coordinates")
             first = min(places, key=lambda each: each.stage if isinstance(each.stage, int) else 0)
             match first.arguments:
                 case (Name(body),):
                     return say("flight.title-of", body=body)
-    if any(_is_displacement(derivation, ref) for ref in line.premises):
+    if any(_tells_a_displacement(derivation, ref) for ref in line.premises):
         return say("distance.displacements")
     return say("distance.relative" if line.move.event else "distance.coordinates")
 
 
-def _is_displacement(derivation: Derivation, ref: Ref) -> bool:
+def _tells_a_displacement(derivation: Derivation, ref: Ref) -> bool:
     """Whether a premise is the line of how far a body comes in one direction."""
     own = derivation.line(ref) if isinstance(ref, int) else None
     match None if own is None else own.relation:
-        case Relation(options=((Link(Binary("-", place, _)), *_), *_)):
-            return _is_place(place)
+        case Relation(options=((Link(left), *_), *_)):
+            return is_displacement(left)
     return False
 
 

@@ -68,6 +68,18 @@ def is_time(tree: Expression) -> bool:
     return False
 
 
+def is_displacement(tree: Expression) -> bool:
+    """Whether a tree is how far a body comes in one direction: one of its coordinates less one."""
+    match tree:
+        case Binary(
+            "-",
+            Quantity("along", (Quantity("position", _, late), axis)),
+            Quantity("along", (Quantity("position", _, early), other)),
+        ):
+            return axis == other and late != early
+    return False
+
+
 def is_vector(tree: Expression) -> bool:
     """Whether a side of an equation is written as a vector."""
     match tree:
