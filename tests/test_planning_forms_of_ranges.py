@@ -30,6 +30,16 @@ given {given}
 find range of {asked}
 """
 
+TWO_WALLS = """
+wall X: along j, through (0, 0)
+wall Y: along j, through (d, 0)
+sphere P: at (0, 0), velocity u i
+P hits Y
+P hits X
+given time(2) >= 3 d/u
+find range of e
+"""
+
 CASES = {
     "collide again": (
         SPHERES.format(
@@ -78,3 +88,9 @@ def test_a_condition_of_a_form_is_in_force_for_its_range_alone() -> None:
     cited = {ref for line in derivation.lines if line.item == "2" for ref in line.premises}
     assert len(lines) == 2
     assert not any(str(ref).startswith("case") for ref in cited)
+
+
+def test_what_divides_a_time_is_not_zero() -> None:
+    working = re.sub(r"\s+", " ", to_text(explain(solve(parse(TWO_WALLS))), 200))
+    assert "(1 + e)d/(eu) ≥ 3d/u" in working
+    assert "0 < e ≤ ½ A1" in working

@@ -36,6 +36,14 @@ A hits B: along theta
 given velocity(A) = 1/2 u i - 1/4 u j
 find theta, e
 """
+AFTER_A_WALL = """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+wall W: along j
+A hits B: along i
+B hits W
+show A and B collide again
+"""
 AFTER = "angle(velocity(P), W)"
 
 CASES = {
@@ -103,3 +111,8 @@ def test_an_angle_that_may_be_both_is_acute() -> None:
 def test_a_given_velocity_across_a_line_at_an_open_angle_is_followed() -> None:
     problem = parse(SLANTING)
     assert follow(plan(solve(problem)), Oracle(roles(problem))) == ()
+
+
+def test_a_sum_that_is_never_zero_has_its_square_completed() -> None:
+    working = re.sub(r"\s+", " ", to_text(explain(solve(parse(AFTER_A_WALL))), 200))
+    assert "= u(1 − e + e²)/3 = u((e − ½)² + ¾)/3" in working

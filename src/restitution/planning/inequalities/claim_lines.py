@@ -11,7 +11,17 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.following.trials import names_in
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, MoveId, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.planning.inequalities.conditions import Conditions
 from restitution.planning.inequalities.degrees_by_ratios import bound_by_a_ratio
 from restitution.planning.inequalities.letter_ties import Ties
@@ -136,6 +146,11 @@ class ClaimLines:
         line = self.judge.write((Move(kind),), pool, relation)
         if line is not None:
             return line
+        above = self._dividing(conditions, relation)
+        if above:
+            line = self.judge.write((Move("compare"),), [*refs, *above, *pool], relation)
+            if line is not None:
+                return line
         mark = self.worths.mark()
         several = self.coefficients(names)
         products = self.products(several)
@@ -207,3 +222,29 @@ class ClaimLines:
                     )
                     return self.judge.write((Move("compare"),), pool, Relation((links,)))
         return None
+
+    def _dividing(self, conditions: Sequence[int], relation: Relation) -> list[Ref]:
+        """The lines under conditions in which a letter divides that a range has above zero.
+
+        So it is not zero: what takes the time d/(eu) comes to its end.
+        """
+        match relation.options:
+            case ((Link(left, "<", Letter() as letter), *_),) if is_zero(left):
+                pass
+            case _:
+                return []
+        refs = {ref for each in conditions for ref in self.scene.desk.under(each)}
+        return [
+            ref
+            for ref in sorted(each for each in refs if isinstance(each, int))
+            if any(
+                isinstance(node, Binary) and node.op == "/" and letter in walk(node.right)
+                for tree in self._trees(ref)
+                for node in walk(tree)
+            )
+        ]
+
+    def _trees(self, number: int) -> Iterable[Expression]:
+        """The trees of a line; none of one that introduces a letter."""
+        own = self.scene.desk.line(number).relation
+        return trees_of(own) if isinstance(own, Relation) else ()

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -22,7 +23,7 @@ from restitution.planning.formulas.separations import separation_known
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
-from restitution.planning.writing.forms import swept, tree_of
+from restitution.planning.writing.forms import square, swept, tree_of
 from restitution.planning.writing.polynomials import cancelled, factored
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -63,8 +64,9 @@ class Comparison:
             turn = 1 if link.sign[0] == ">" else -1
             value = tidy(factored(values[::turn][0] - values[::turn][1]))
             put = swept(Binary("-", *map(tree_of, values[::turn])))
+            steps = [tree_of(value), *_with_its_square(value)]
             difference = chain(
-                Binary("-", *sides[::turn]), (put, None), (tree_of(value), "rearrange")
+                Binary("-", *sides[::turn]), (put, None), *((each, "rearrange") for each in steps)
             )
             line = self._difference(difference, numbers)
             if line is not None:
@@ -215,3 +217,22 @@ class Comparison:
         relation = Relation(((Link(Letter(symbol.name), "=", tree_of(value)),),))
         line = self.judge.write((Move("put"),), (*own.refs, *refs), relation)
         return source.refs if line is None else (line,)
+
+
+def _with_its_square(value: sp.Expr) -> Iterator[Expression]:
+    """A product whose only sum is 1 − e + e², with that as (e − ½)² + ¾; nothing of another."""
+    sums = [each for each in sp.Mul.make_args(sp.fraction(value)[0]) if each.is_Add]
+    if len(sums) != 1 or len(sums[0].free_symbols) != 1:
+        return
+    (whole,), (symbol,) = sums, sums[0].free_symbols
+    if not whole.is_polynomial(symbol) or sp.degree(whole, symbol) != 2:
+        return
+    lead, middle, rest = (whole.coeff(symbol, n) for n in (2, 1, 0))
+    least = -middle / (2 * lead)
+    more = rest / lead - least**2
+    if lead != 1 or not (least.is_Rational and more.is_Rational and least > 0 and more > 0):
+        return
+    stand_in = sp.Dummy("sum", positive=True)
+    completed = Binary("+", square(Binary("-", tree_of(symbol), tree_of(least))), tree_of(more))
+    tree = tree_of(value.xreplace({whole: stand_in}))
+    yield exchanged(tree, {Letter(stand_in.name): completed})
