@@ -45,7 +45,7 @@ def write_angles_at_walls(scene: Scene) -> set[str]:
     """
     idle: set[str] = set()
     for number, frame in scene.model.frames.items():
-        if frame.wall is None or scene.others:
+        if frame.wall is None or scene.others or f"axis {number}" not in scene.facts:
             continue
         body = scene.bodies(number)[0]
         before = angle_of_approach(scene, body, scene.frame(number))
