@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 
 import restitution as r
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression import read_expression
 from restitution.expression.tree import Expression
-from restitution.practice.script import Claim, Decimal
+from restitution.practice.script import Claim, Decimal, InScript
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.solving.equations.solution import Solution
@@ -35,11 +37,22 @@ def read(text: str, column: int = 0) -> Expression:
     return read_expression(" " * column + text, names=set(NAMES))
 
 
+def in_script(tree: Expression) -> Expression:
+    """A tree whose parts stand in a script, as those that a student typed do."""
+
+    def placed(node: Expression) -> Expression:
+        place = node.place
+        return node if place is None else replace(node, place=InScript(place.line, place.column))
+
+    return rebuilt(tree, placed)
+
+
 def claim(text: str) -> tuple[Claim, tuple[Decimal, ...]]:
     """``left = right`` with its decimals, columns counted in the text."""
     sign = _SIGN.search(text)
     assert sign is not None, text
-    left, right = read(text[: sign.start()]), read(text[sign.end() :], sign.end())
+    left = in_script(read(text[: sign.start()]))
+    right = in_script(read(text[sign.end() :], sign.end()))
     found = (
         Decimal(
             match.start() + 1,

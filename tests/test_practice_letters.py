@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from lines_of_practice import in_script
 
 import restitution as r
 from restitution.errors import StatementError
@@ -73,7 +74,9 @@ def script_of(text: str, problem: Problem, scopes: Mapping[int, Scope] | None = 
         column, sides = 1, []
         for side in line.split("="):
             shift = len(side) - len(side.lstrip())
-            sides.append(read_expression(side.strip(), names=names, column=column + shift))
+            sides.append(
+                in_script(read_expression(side.strip(), names=names, column=column + shift))
+            )
             column += len(side) + 1
         decimals = tuple(
             Decimal(

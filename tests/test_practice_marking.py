@@ -489,3 +489,30 @@ def test_an_angle_by_its_tangent_counts_where_the_scheme_has_a_scalar_product() 
     assert restitution.mark(solution, lines, part="c").marks.earned == 2
     other = "tan^-1(10/7) = 55.0\ntan^-1(6.4/0.8) = 82.9\nturned 82.9 + 55.0 = 137.9"
     assert restitution.mark(solution, other, part="c").marks.earned == 0
+
+
+LOST = """
+wall W: along i
+sphere P: mass 0.3, velocity 5 at alpha to W
+given sin(alpha) = 4/5
+P hits W: e = 1/4
+find energy_lost/energy(0) as a percentage
+"""
+
+
+@pytest.mark.parametrize("typed", ["60%", "60.0%", "60", "0.6", "3/5"])
+def test_a_percentage_is_right_in_percent_and_as_a_number(typed: str) -> None:
+    marking = restitution.mark(restitution.parse(LOST), f"percentage lost = {typed}")
+    assert (marking.json()["lines"][0]["verdict"], marking.marks.earned) == ("true", 4)
+
+
+@pytest.mark.parametrize("typed", ["12.3%", "75%", "7%", "59.9%", "12.3"])
+@pytest.mark.parametrize("name", ["percentage lost", "% lost"])
+def test_a_wrong_percentage_earns_nothing(name: str, typed: str) -> None:
+    """A percent sign makes a decimal no coarser; it stands wherever its column may be.
+
+    Columns of the script are none of the templates that say what a mistake leads to.
+    """
+    marking = restitution.mark(restitution.parse(LOST), f"{name} = {typed}")
+    (line,) = marking.json()["lines"]
+    assert (line["verdict"], line["mistake"]["id"], marking.marks.earned) == ("false", None, 0)

@@ -11,10 +11,22 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal
 
-from restitution.expression.tree import Expression
+from restitution.expression.tree import Degrees, Expression, Number, Place
 
 Sign = Literal["=", "<", "<=", ">", ">=", "!="]
 LineKind = Literal["relations", "declaration", "heading", "remark", "crossed", "unread"]
+
+
+class InScript(Place):
+    """Where something stands in a script; what statements and templates say has another place."""
+
+    __slots__ = ()
+
+
+def column_of(tree: Expression) -> int | None:
+    """The column at which a number of a script stands; None of anything else."""
+    is_number = isinstance(tree, Number | Degrees)
+    return tree.place.column if is_number and isinstance(tree.place, InScript) else None
 
 
 @dataclass(frozen=True)
@@ -28,6 +40,10 @@ class Decimal:
     value: Fraction
     figures: int
     half_unit: Fraction
+
+    def half_unit_of(self, number: Fraction) -> Fraction:
+        """Half a unit where a reading has another number here: 12.3, and not 0.123, for 12.3%."""
+        return self.half_unit * number / self.value if self.value else self.half_unit
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judging.entries import Entry
 from restitution.practice.letters.trial import inside_angles
-from restitution.practice.script import Claim, Decimal, Sign
+from restitution.practice.script import Claim, Decimal, Sign, column_of
 from restitution.problem import Aligned, Compare, Given, Part, Problem, Range
 from restitution.solving.equations.solution import PartSolution
 
@@ -91,11 +91,9 @@ class Bounds:
 def _moved(tree: Expression, end: float, decimal: Decimal) -> float:
     """By how much the end of an inequality moves where a decimal in it moves by half a unit."""
     put: dict[Expression, Expression] = {
-        each: replace(each, value=each.value + decimal.half_unit)
+        each: replace(each, value=each.value + decimal.half_unit_of(each.value))
         for each in walk(tree)
-        if isinstance(each, Number | Degrees)
-        and each.place is not None
-        and each.place.column == decimal.column
+        if isinstance(each, Number | Degrees) and column_of(each) == decimal.column
     }
     return abs(float(_worth(exchanged(tree, put), {})) - end) if put else 0.0
 

@@ -23,7 +23,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.script import Claim, Decimal
+from restitution.practice.script import Claim, Decimal, column_of
 from restitution.practice.worlds.arrays import FIELD, Array, angle, is_bare
 from restitution.practice.worlds.telling import NO_MEANINGS, Meanings, Telling
 from restitution.practice.worlds.world import World
@@ -147,16 +147,24 @@ class Tester:
 
         Whole degrees count where they stand for an angle by themselves.
         """
+        numbers = {
+            column: node.value
+            for side in (left, right)
+            for node in walk(side)
+            if isinstance(node, Number | Degrees) and (column := column_of(node)) is not None
+        }
         ends = {
-            each.column: np.float64(each.value + each.half_unit)
+            each.column: np.float64(number + each.half_unit_of(number))
             for each in decimals
             if each.value not in self.exact
+            for number in (numbers.get(each.column, each.value),)
         }
         for side in (left, right):
-            if isinstance(side, Number | Degrees) and side.place is not None:
+            column = column_of(side)
+            if column is not None and isinstance(side, Number | Degrees):
                 whole = side.value.denominator == 1 and side.value not in self.exact
-                if whole and side.value % 15 and side.place.column not in ends:
-                    ends[-side.place.column] = np.float64(side.value + Fraction(1, 2))
+                if whole and side.value % 15 and column not in ends:
+                    ends[-column] = np.float64(side.value + Fraction(1, 2))
         return ends
 
     def _rounded(

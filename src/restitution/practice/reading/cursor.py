@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from restitution.expression.tree import Place
 from restitution.practice.reading.tokens import Token, Usage
+from restitution.practice.script import InScript
 
 
 class UnreadableError(Exception):
@@ -68,6 +68,6 @@ class Cursor:
         there = self.position < len(self.tokens)
         return UnreadableError(expected, self.token().column if there else self.end_column)
 
-    def place(self, token: Token) -> Place:
+    def place(self, token: Token) -> InScript:
         """Where a token stands."""
-        return Place(self.line, token.column)
+        return InScript(self.line, token.column)

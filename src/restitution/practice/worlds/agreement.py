@@ -22,7 +22,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import Accuracy
-from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope, Sign
+from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope, Sign, column_of
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.telling import NO_MEANINGS, NO_NUMBERS, Meanings
 from restitution.practice.worlds.world import World
@@ -243,22 +243,24 @@ def _half_units(
     given = world.plot.known.get("numbers")
     if given is None:
         given = world.plot.known["numbers"] = numbers_of(world.problem)
-    columns = {
-        node.place.column
+    numbers = {
+        column: node.value
         for node in _numbers((claim.left, claim.right))
-        if node.place is not None and not _is_half(node, claim, given)
+        if (column := column_of(node)) is not None and not _is_half(node, claim, given)
     }
     fine: dict[int, tuple[float, float]] = {}
     coarse: dict[int, tuple[float, float]] = {}
     for decimal in decimals:
-        if decimal.column in columns and decimal.value not in given:
+        number = numbers.get(decimal.column)
+        if number is not None and decimal.value not in given:
             chosen = fine if decimal.figures >= 3 else coarse
-            chosen[decimal.column] = float(decimal.value), float(decimal.half_unit)
+            chosen[decimal.column] = float(number), float(decimal.half_unit_of(number))
     for node in whole:
-        known = node.place is None or node.place.column in {**fine, **coarse}
-        if not known and node.value not in given and node.value not in _WHOLE:
-            assert node.place is not None
-            fine[node.place.column] = float(node.value), 0.5
+        column = column_of(node)
+        if column is None or column in {**fine, **coarse}:
+            continue
+        if node.value not in given and node.value not in _WHOLE:
+            fine[column] = float(node.value), 0.5
     return fine, coarse
 
 

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
+from restitution.practice.script import column_of
 from restitution.vector import Vector
 
 Array = Any  # an array of shape (n,), or a single number for all samples
@@ -123,7 +124,8 @@ class ArrayEvaluator(Evaluator):
         if kind is Quantity:
             return self._quantity(tree)  # type: ignore[misc,arg-type]
         if kind is Number or kind is Degrees:
-            number = self._put.get(tree.place.column) if self._put and tree.place else None
+            column = column_of(tree) if self._put else None
+            number = None if column is None else self._put.get(column)
             if number is None:
                 number = FIELD.number(tree.value)  # type: ignore[union-attr]
             return number if kind is Number else angle(np.radians(number))
