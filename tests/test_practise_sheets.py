@@ -8,6 +8,7 @@ from commands import run
 import restitution as r
 from restitution.export import mark_scheme as tables
 from restitution.practice.marking.mark_scheme import mark_scheme
+from restitution.practice.questions.varying import variant
 from restitution.workings import explain
 
 STATEMENT = """title A ball & a cushion
@@ -65,3 +66,25 @@ def test_versions_need_a_file_each(tmp_path):
     path.write_text(STATEMENT, encoding="utf-8")
     status, _, _ = run("sheet", path, "-o", "-", "--format", "html", "--variants", "2")
     assert status == 2
+
+
+AT_AN_ANGLE = """sphere A: mass 5, velocity 5 at alpha
+sphere B: mass 1, velocity -3i
+given tan(alpha) = 4/3
+A hits B: along i, e = 1/3
+find speed(A), speed(B)
+"""  # 13/3 and 7
+TANGENTS = {"3/4": 5, "4/3": 5, "5/12": 13, "12/5": 13}
+
+
+@pytest.mark.parametrize("seed", [7, 8, 9])
+def test_a_version_has_values_as_plain_as_the_question(seed):
+    text = variant(r.parse(AT_AN_ANGLE), seed).statement
+    varied = r.parse(text)
+    tangent = next(sides for sides in TANGENTS if f"tan(alpha) = {sides}\n" in text)
+    hypotenuse = TANGENTS[tangent]
+    speed = varied.spheres[0].velocity.size.value
+    assert speed % hypotenuse == 0  # so that its components are whole
+    (part,) = r.solve(varied).parts.values()
+    for item in part.items:
+        assert item.distinct[0].value.is_Rational and item.distinct[0].value.q <= 15

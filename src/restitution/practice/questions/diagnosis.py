@@ -106,7 +106,7 @@ class _Desk:
 
     def __init__(self, solution: Solution) -> None:
         self.problem = solution.problem
-        self.samples = tuple(_samples(solution))
+        self.samples = tuple(samples(solution))
         self._shaken = [_shaken(self.problem, n) for n in (1, 2)]
         self._known: dict[tuple[int, str], Answers | None] = {}
 
@@ -194,7 +194,8 @@ _VARIANTS = {
 }
 
 
-def _samples(solution: Solution) -> Iterator[_Sample]:
+def samples(solution: Solution) -> Iterator[_Sample]:
+    """Each part that has a number for an answer, with values for its letters."""
     for index, part in enumerate(solution.problem.parts):
         solved = solution.parts.get(part.label)
         if solved is None or not solved.branches:

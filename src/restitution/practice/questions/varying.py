@@ -8,9 +8,10 @@ again. What cannot be varied stays as it is, and the reason is told.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import isqrt
 from typing import Any
 
 from restitution.errors import RestitutionError, UnsupportedError
@@ -36,6 +37,9 @@ from restitution.solving.equations.solution import ItemResult, Solution
 
 MOST_DRAWS = 2000
 _ANGLES = (30, 45, 60)
+_SCREENED = 300  # draws in which values as plain as those of the original are sought,
+_SOLVED = 10  # of which so many are solved; then the plainest of them is taken,
+_CHOICES = 3  # or the plainest of so many draws, where each takes longer
 _SAME = 40  # draws that change nothing tell that there is nothing to be changed
 
 
@@ -55,55 +59,119 @@ def variant(problem: Problem, seed: int = 1) -> Variant:
     Raises the error of a question that has no answer, and UnsupportedError where nothing can be
     varied, or no draw is fit to be set: it names what was most often in the way.
     """
-    from restitution.language import parse, to_statement
     from restitution.practice.questions.diagnosis import clash
-    from restitution.practice.questions.generate import VERSION
     from restitution.solving import solve
 
     original = solve(problem)
     _require_answers(original)
-    wants_simple = not ugly_value(original)
     wants_apart = clash(original) is None
     notes = [*_notes(problem)]
     if not wants_apart:
         notes.append("its own answers do not tell all mistakes apart, so neither need those here")
     _require_letters(problem, original)
-    why: Counter[str] = Counter()
-    unchanged, follows = 0, any(True for _ in _followers(problem))
-    for draw in range(1, MOST_DRAWS + 1):
-        dice = Dice(f"{VERSION}/like/{seed}/{draw}")
-        changed = _redrawn(problem, dice)
-        if replace(changed, title=problem.title) == problem:
-            unchanged += 1
-            if unchanged == draw == _SAME and not follows:
-                raise UnsupportedError("nothing in this question can be varied: it has no numbers")
-            if not follows:
+    draws = _Draws(problem, original, seed)
+
+    def fit(drawn: _Drawn) -> bool:
+        pair = clash(drawn.solution) if wants_apart else None
+        if pair is not None:
+            draws.why[f"{pair} lead to the same answers"] += 1
+        return pair is None
+
+    solved = _CHOICES if any(True for _ in _followers(problem)) else _SOLVED
+    for screened, most, choices in ((True, _SCREENED, solved), (False, MOST_DRAWS, _CHOICES)):
+        waiting: list[_Drawn] = []
+        for drawn in draws.drawn(most, screened=screened):
+            waiting.append(drawn)
+            if any(drawn.beyond) and len(waiting) < choices:
                 continue
-        try:
-            changed = _consistent(changed, problem, original, dice)
-            text = to_statement(changed)
-            read = parse(text)
-            if read.notes and not problem.notes:
-                why["the notation would be doubtful"] += 1
-                continue
-            solution = solve(read)
-            _require_alike(solution, original)
-            if wants_simple and (ugly := ugly_value(solution)):
-                why[f"{ugly} is no simple number"] += 1
-                continue
-            pair = clash(solution) if wants_apart else None
-            if pair is not None:
-                why[f"{pair} lead to the same answers"] += 1
-                continue
-        except RestitutionError as error:
-            why[error.message] += 1
-            continue
-        head = f"# like another question, seed {seed}  (generator version {VERSION})\n"
-        return Variant(head + text, seed, tuple(notes), draw)
+            best = next((each for each in sorted(waiting, key=_by_excess) if fit(each)), None)
+            if best is not None:
+                return _headed(best, seed, notes)
+            waiting.clear()
+        best = next((each for each in sorted(waiting, key=_by_excess) if fit(each)), None)
+        if best is not None:
+            return _headed(best, seed, notes)
     raise UnsupportedError(
         f"no question like this was found in {MOST_DRAWS} draws: most often "
-        f"{why.most_common(1)[0][0]}"
+        f"{draws.why.most_common(1)[0][0]}"
     )
+
+
+@dataclass(frozen=True)
+class _Drawn:
+    """A draw that is solved. ``beyond`` is by how much it is less plain than the original."""
+
+    draw: int
+    text: str
+    solution: Solution
+    beyond: tuple[int, ...]
+
+
+def _by_excess(drawn: _Drawn) -> tuple[tuple[int, ...], int]:
+    return drawn.beyond, drawn.draw
+
+
+def _headed(drawn: _Drawn, seed: int, notes: Sequence[str]) -> Variant:
+    from restitution.practice.questions.generate import VERSION
+
+    head = f"# like another question, seed {seed}  (generator version {VERSION})\n"
+    return Variant(head + drawn.text, seed, tuple(notes), drawn.draw)
+
+
+class _Draws:
+    """The draws of a question, one by one. ``why`` counts what stood in their way."""
+
+    def __init__(self, problem: Problem, original: Solution, seed: int) -> None:
+        from restitution.practice.questions.plainness import Screen
+
+        self.problem, self.original, self.seed = problem, original, seed
+        self.why: Counter[str] = Counter()
+        self._simple = not ugly_value(original)
+        self._follows = any(True for _ in _followers(problem))
+        self._screen = Screen(original)
+
+    def drawn(self, most: int, *, screened: bool) -> Iterator[_Drawn]:
+        """The draws that are alike; with ``screened`` without those seen to be less plain."""
+        from restitution.practice.questions.generate import VERSION
+        from restitution.practice.questions.plainness import excess
+
+        unchanged = 0
+        for draw in range(1, most + 1):
+            dice = Dice(f"{VERSION}/like/{self.seed}/{draw}")
+            changed = _redrawn(self.problem, dice)
+            if replace(changed, title=self.problem.title) == self.problem:
+                unchanged += 1
+                if unchanged == draw == _SAME and not self._follows:
+                    message = "nothing in this question can be varied: it has no numbers"
+                    raise UnsupportedError(message)
+                if not self._follows:
+                    continue
+            try:
+                changed = _consistent(changed, self.problem, self.original, dice)
+                if screened and not self._screen.passes(changed):
+                    continue
+                text, solution = _solved(changed, self.original)
+            except RestitutionError as error:
+                self.why[error.message] += 1
+                continue
+            if self._simple and (ugly := ugly_value(solution)):
+                self.why[f"{ugly} is no simple number"] += 1
+                continue
+            yield _Drawn(draw, text, solution, excess(solution, self.original))
+
+
+def _solved(changed: Problem, original: Solution) -> tuple[str, Solution]:
+    """A changed question as text, and solved; UnsupportedError where it is not alike."""
+    from restitution.language import parse, to_statement
+    from restitution.solving import solve
+
+    text = to_statement(changed)
+    read = parse(text)
+    if read.notes and not original.problem.notes:
+        raise UnsupportedError("the notation would be doubtful")
+    solution = solve(read)
+    _require_alike(solution, original)
+    return text, solution
 
 
 def _require_answers(solution: Solution) -> None:
@@ -148,22 +216,57 @@ def _items(solution: Solution) -> list[ItemResult]:
 
 def _redrawn(problem: Problem, dice: Dice) -> Problem:
     """A problem with its data drawn again; values of the motion afterwards are left as they are."""
-    spheres = tuple(
-        replace(
-            sphere,
-            mass=_scaled(sphere.mass, lambda old: _mass(old, dice)),
-            velocity=_velocity(sphere.velocity, dice),
-        )
-        for sphere in problem.spheres
-    )
     parts = tuple(
         replace(part, steps=tuple(_step(step, dice) for step in part.steps))
         for part in problem.parts
     )
+    changed = replace(problem, parts=parts)
+    old, new = _hypotenuses(problem), _hypotenuses(changed)
+    spheres = tuple(
+        replace(
+            sphere,
+            mass=_scaled(sphere.mass, lambda old: _mass(old, dice)),
+            velocity=_velocity(sphere.velocity, dice, _fit_to(sphere.velocity, old, new)),
+        )
+        for sphere in problem.spheres
+    )
     title = problem.title
     if title is not None and any(each.isdigit() for each in title):
         title = None  # it tells a number that is another one now
-    return replace(problem, title=title, spheres=spheres, parts=parts)
+    return replace(changed, title=title, spheres=spheres)
+
+
+def _hypotenuses(problem: Problem) -> dict[str, int]:
+    """The hypotenuse of the triangle of whole sides, for each letter of which facts tell one."""
+    sides: dict[str, int] = {}
+    for _, step in problem.steps():
+        for relation in step.relations if isinstance(step, Given) else ():
+            match relation:
+                case Compare(
+                    (
+                        Apply("tan" | "sin" | "cos" as function, Letter(name)),
+                        Binary("/", Number(top), Number(under)),
+                    ),
+                    ("=",),
+                ) if under:
+                    ratio = top / under
+                    if function != "tan":
+                        sides[name] = ratio.denominator
+                        continue
+                    square = ratio.numerator**2 + ratio.denominator**2
+                    if isqrt(square) ** 2 == square:
+                        sides[name] = isqrt(square)
+    return sides
+
+
+def _fit_to(velocity: Any, old: Mapping[str, int], new: Mapping[str, int]) -> int:
+    """Of what a new speed is a multiple, for whole components, where the old one is such."""
+    if isinstance(velocity, Polar):
+        sizes = [node.value for node in _nodes(velocity.size) if isinstance(node, Number)]
+        for name in letters(velocity.angle):
+            if name in old and len(sizes) == 1 and (sizes[0] / old[name]).denominator == 1:
+                return new.get(name, 1)
+    return 1
 
 
 def _step(step: Step, dice: Dice) -> Step:
@@ -192,13 +295,19 @@ def _relation(relation: Relation, dice: Dice) -> Relation:
     return relation
 
 
-def _velocity(tree: Any, dice: Dice) -> Any:
-    """A velocity with other components, or another size and angle; letters stay."""
+def _velocity(tree: Any, dice: Dice, unit: int) -> Any:
+    """A velocity with other components, or another size and angle; letters stay.
+
+    A size is a multiple of ``unit``.
+    """
     match tree:
         case Polar(size, angle):
             return replace(
                 tree,
-                size=_scaled(size, lambda old: _component(old, dice)),
+                size=_scaled(
+                    size,
+                    lambda old: _component(old, dice) if unit == 1 else _multiple(old, unit, dice),
+                ),
                 angle=_angle(angle, dice),
             )
         case Pair(x, y):
@@ -206,7 +315,7 @@ def _velocity(tree: Any, dice: Dice) -> Any:
         case Unit():
             return tree
         case Binary("+" | "-", left, right):
-            return replace(tree, left=_velocity(left, dice), right=_velocity(right, dice))
+            return replace(tree, left=_velocity(left, dice, 1), right=_velocity(right, dice, 1))
     return _sized(tree, dice) if isinstance(tree, Expression) else tree
 
 
@@ -255,6 +364,11 @@ def _component(old: Fraction, dice: Dice) -> Fraction:
     most = max(8, min(int(old) + 4, 30))
     whole = Fraction(dice.between(1, most))
     return whole if old.denominator == 1 else whole / old.denominator
+
+
+def _multiple(old: Fraction, unit: int, dice: Dice) -> Fraction:
+    """A multiple of a hypotenuse, of about the size of a speed."""
+    return Fraction(unit * dice.between(1, max(2, int(old) // unit)))
 
 
 def _fraction(value: Fraction) -> Expression:
