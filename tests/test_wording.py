@@ -44,7 +44,38 @@ def test_the_sides_of_an_angle_are_told_where_they_matter():
     lines = "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
     assert "clockwise" not in to_text(question(parse(lines + "find speed(P)")))
     said = to_text(question(parse(lines + "find velocity(P)")), 1000)
-    assert "measured clockwise from 𝐢" in said and "𝐣 at 90° anticlockwise from 𝐢" in said
+    assert "towards W at an acute angle α clockwise from 𝐢" in said
+    assert "𝐣 at 90° anticlockwise from 𝐢" in said
+
+
+@pytest.mark.parametrize("asked", ["speed(P)", "angle(velocity(P), OY), energy_lost"])
+def test_towards_the_first_of_two_perpendicular_walls(asked):
+    """Mirrored, it is the same question, so that the angle is told with the wall alone."""
+    walls = "wall OX: along i\nwall OY: along j\nsphere P: mass 2, velocity 5 at alpha from -i\n"
+    text = f"{walls}P hits OX: e = 1/2\nP hits OY: e = 1/3\nfind {asked}"
+    said = to_text(question(parse(text)), 1000)
+    assert "towards OX at an acute angle α to OX" in said and "clockwise" not in said
+    said = to_text(question(parse(text + "\nfind velocity(P)")), 1000)
+    assert "at an acute angle α anticlockwise from −𝐢" in said
+
+
+def test_the_side_of_parallel_paths_is_told_where_it_matters():
+    text = (
+        "sphere A: mass 2m, radius r, velocity u i\nsphere B: mass m, radius r, velocity -3u i\n"
+        "A hits B: offset 1.2r, e = 1/4\nfind speed(A)"
+    )
+    assert "a distance 1.2r apart." in to_text(question(parse(text)), 1000)
+    said = to_text(question(parse(text + "\nfind velocity(A)")), 1000)
+    assert "that of B on the left as seen by A" in said
+
+
+def test_a_fact_stands_beside_the_angle_that_it_tells():
+    text = (
+        "sphere A: mass 4, velocity 13 at alpha\nsphere B: mass 1, velocity -6i\n"
+        "given tan(alpha) = 12/5\nA hits B: along i\nfind e"
+    )
+    said = to_text(question(parse(text)), 1000)
+    assert "from 𝐢, where tan α = 12/5, and B is moving with velocity −6𝐢 m s⁻¹." in said
 
 
 @pytest.mark.parametrize(
@@ -52,10 +83,10 @@ def test_the_sides_of_an_angle_are_told_where_they_matter():
     [
         ("2", "3i - 4j", "", ["2 kg", "(3𝐢 − 4𝐣) m s⁻¹"]),
         ("m", "u i", "", ["mass m,", "velocity u𝐢."]),
-        ("2m", "3u at 60°", "", ["mass 2m,", "speed 3u at"]),
+        ("2m", "3u at 60°", "", ["mass 2m,", "speed 3u towards W at"]),
         ("m", "p i + 3j", "", ["(p𝐢 + 3𝐣) m s⁻¹", "p is a constant"]),
         ("2", "u at 60°", "given impulse = 12", ["speed u m s⁻¹", "12 N s"]),
-        ("2", "5 at alpha", "", ["5 m s⁻¹ at an acute angle α"]),
+        ("2", "5 at alpha", "", ["5 m s⁻¹ towards W at an acute angle α"]),
         ("2", "3i", "given energy_lost = 6", ["6 J"]),
         ("m", "6i", "given impulse = 12", ["m kg", "12 N s"]),
         ("m", "u cos(alpha) i + u sin(alpha) j", "", ["where α is acute"]),

@@ -15,7 +15,7 @@ from restitution.wording import values
 from restitution.wording.clauses import mathematics
 from restitution.wording.letters import is_ratio, named_letters
 from restitution.wording.scene import Scene, is_letter_fact
-from restitution.wording.structure import Sentence, Words
+from restitution.wording.structure import Named, Sentence, Words
 from restitution.wording.words import listed, words
 
 # Letters that stand for numbers wherever people write them.
@@ -95,9 +95,35 @@ def with_facts(
 def _where(sentence: Sentence, facts: Sequence[Fact]) -> Sentence:
     if not facts:
         return sentence
+    where = listed(_phrases(facts))
+    broken = _broken(sentence, frozenset().union(*(fact.letters for fact in facts)))
+    if broken is not None:
+        before, after = broken
+        return words(before, ", where ", where, ", and ", after)
     *front, last = sentence
     assert isinstance(last, str)
-    return words(*front, last.removesuffix("."), ", where ", listed(_phrases(facts)), ".")
+    return words(*front, last.removesuffix("."), ", where ", where, ".")
+
+
+def _broken(sentence: Sentence, names: frozenset[str]) -> tuple[Words, Words] | None:
+    """A sentence of two clauses, broken where the second begins, if it has none of the letters.
+
+    ``A is moving at an acute angle α to i`` and ``B is at rest.``
+    """
+    joints = [
+        place
+        for place, piece in enumerate(sentence)
+        if isinstance(piece, str)
+        and piece.endswith(" and ")
+        and isinstance(sentence[place + 1], Named)
+        and str(sentence[place + 2]).startswith((" is at rest", " is moving"))
+    ]
+    if len(joints) != 1 or any(", " in each for each in sentence if isinstance(each, str)):
+        return None
+    (place,) = joints
+    joint = str(sentence[place]).removesuffix(" and ")
+    before, after = words(sentence[:place], joint), words(sentence[place + 1 :])
+    return None if letters_in(after) & names or not letters_in(before) & names else (before, after)
 
 
 def _phrases(facts: Sequence[Fact]) -> list[Words]:

@@ -6,8 +6,11 @@ from dataclasses import dataclass, field, replace
 
 from restitution.counting import ordinal
 from restitution.expression.tree import (
+    Degrees,
     Expression,
+    Letter,
     Name,
+    Negate,
     Pair,
     Polar,
     Quantity,
@@ -99,8 +102,9 @@ class Scene:
 
 def scene_of(problem: Problem) -> Scene:
     """The scene of a statement of which nothing is told yet."""
-    placed, oriented = _placed(problem), _oriented(problem)
-    return Scene(problem, problem.events, style_of(problem), placed, oriented, _taken(problem))
+    style, placed = style_of(problem), _placed(problem)
+    oriented = _oriented(problem, style)
+    return Scene(problem, problem.events, style, placed, oriented, _taken(problem))
 
 
 def _taken(problem: Problem) -> frozenset[str]:
@@ -136,19 +140,60 @@ def _placed(problem: Problem) -> bool:
     return any(isinstance(node, Quantity) and node.kind in _PLACED for node in nodes)
 
 
-def _oriented(problem: Problem) -> bool:
+def _oriented(problem: Problem, style: Style) -> bool:
     """Whether the statement turned round or mirrored would have other answers.
 
-    With one wall and a sphere that comes to it at some angle, and no vector asked for, it has
-    not: then nobody need be told how the wall runs, and from which side the sphere comes.
+    With a sphere that comes to a wall at some angle, or to the first of two that are parallel or
+    perpendicular, and no vector asked for, it has not: then nobody need be told how a wall alone
+    runs, and from which side the sphere comes.
     """
-    if len(problem.walls) != 1 or len(problem.spheres) != 1 or problem.points:
+    if len(problem.walls) not in (1, 2) or len(problem.spheres) != 1 or problem.points:
         return True
-    (sphere,), (wall,) = problem.spheres, problem.walls
-    if sphere.position is not None or not isinstance(wall.along, Unit) or wall.through is not None:
+    (sphere,) = problem.spheres
+    if sphere.position is not None or any(
+        not isinstance(wall.along, Unit) or wall.through is not None for wall in problem.walls
+    ):
         return True
-    if not (isinstance(sphere.velocity, Polar) and sphere.velocity.wall is not None):
+    if not (isinstance(sphere.velocity, Polar) and _wall_of(problem, style, sphere.velocity)):
         return True
+    return speaks_of_axes(problem)
+
+
+def wall_before(scene: Scene, velocity: Polar) -> str | None:
+    """The wall to which a velocity at the start is at an acute angle, if that says all of it."""
+    return None if scene.oriented else _wall_of(scene.problem, scene.style, velocity)
+
+
+def _wall_of(problem: Problem, style: Style, velocity: Polar) -> str | None:
+    """The wall that a velocity names, or that is hit first, parallel to where its angle begins."""
+    if isinstance(velocity.wall, Name):
+        return velocity.wall.name
+    first = next(iter(problem.events), None)
+    wall = next(
+        (each for each in problem.walls if isinstance(first, Impact) and each.name == first.second),
+        None,
+    )
+    origin = Unit("i") if velocity.origin is None else velocity.origin
+    if isinstance(origin, Negate):
+        origin = origin.operand
+    match velocity.angle:
+        case Letter(name):
+            acute = name in style.acute
+        case Degrees(size):
+            acute = 0 < size < 90
+        case _:
+            acute = False
+    return wall.name if wall is not None and acute and wall.along == origin else None
+
+
+def is_mirrored(scene: Scene) -> bool:
+    """Whether a collision of spheres on parallel lines, mirrored, would have the same answers."""
+    alone = len(scene.events) == 1 and not (scene.problem.walls or scene.problem.points)
+    return alone and not scene.places and not speaks_of_axes(scene.problem)
+
+
+def speaks_of_axes(problem: Problem) -> bool:
+    """Whether a statement speaks of vectors besides the velocities at the start."""
     return any(_of_axes(step) for _, step in problem.steps())
 
 

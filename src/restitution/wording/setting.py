@@ -11,12 +11,12 @@ import sympy
 from restitution.errors import RestitutionError
 from restitution.expression.dimensions import MASS, SPEED
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Expression, Name, Polar
+from restitution.expression.tree import Expression, Name, Negate, Polar
 from restitution.problem import Problem, Sphere, Wall
 from restitution.shapes import Circle, Line, Segment
 from restitution.vector import Vector
 from restitution.wording import values
-from restitution.wording.scene import Scene, before
+from restitution.wording.scene import Scene, before, wall_before
 from restitution.wording.structure import Named, Sentence, Words
 from restitution.wording.words import count, listed, names, sentence, words
 
@@ -234,8 +234,17 @@ def moving(scene: Scene, velocity: Expression) -> Words:
 
 def course(scene: Scene, velocity: Polar) -> Words:
     """The direction of a vector by size and direction; towards a wall, with its sense."""
-    sense = _sense(scene, velocity.wall.name) if isinstance(velocity.wall, Name) else ()
-    return words(values.direction(scene.style, velocity), sense)
+    name = wall_before(scene, velocity)
+    if name is not None:
+        return values.towards(scene.style, name, velocity.angle)
+    if not isinstance(velocity.wall, Name):
+        return values.direction(scene.style, velocity)
+    wall = scene.wall(velocity.wall.name)
+    match wall.shape if wall is not None else None:
+        case Line(along) if along is not None and values.is_vector(along):
+            turned = Polar(velocity.size, Negate(velocity.angle), along)
+            return words("towards ", Named(velocity.wall.name), " ", course(scene, turned))
+    return words(values.direction(scene.style, velocity), _sense(scene, velocity.wall.name))
 
 
 def _sense(scene: Scene, name: str) -> Words:

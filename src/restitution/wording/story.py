@@ -10,7 +10,7 @@ from restitution.expression.tree import Expression, Letter, Negate, Number, Pola
 from restitution.problem import Arrival, Impact, Kick, bodies_of
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.scene import Scene
+from restitution.wording.scene import Scene, is_mirrored
 from restitution.wording.setting import course, exact
 from restitution.wording.structure import Named, Sentence, Words
 from restitution.wording.words import names, sentence, words
@@ -135,13 +135,15 @@ def _offset(scene: Scene, event: Impact, offset: Expression) -> Sentence:
             second,
         )
     length = values.length(scene.style, size)
+    either = is_mirrored(scene)
     if paths == "struck at rest":
         return sentence(
             "the centre of ",
             second,
             " is at a distance ",
             length,
-            f" to the {side} of the line along which the centre of ",
+            " from " if either else f" to the {side} of ",
+            "the line along which the centre of ",
             first,
             " moves",
         )
@@ -153,10 +155,8 @@ def _offset(scene: Scene, event: Impact, offset: Expression) -> Sentence:
             second,
             " move along parallel lines a distance ",
             length,
-            " apart, that of ",
-            second,
-            f" on the {side} as seen by ",
-            first,
+            " apart",
+            *(() if either else (", that of ", second, f" on the {side} as seen by ", first)),
         )
     return sentence(
         "the centre of ",

@@ -126,9 +126,13 @@ def turned(style: Style, tree: Expression, origin: Any = None) -> Words:
 def direction(style: Style, tree: Polar) -> Words:
     """The direction of a vector that is told by size and direction."""
     if isinstance(tree.wall, Name):
-        wall = Named(tree.wall.name)
-        return words("towards ", wall, " at ", angle(style, tree.angle), " to ", wall)
+        return towards(style, tree.wall.name, tree.angle)
     return turned(style, tree.angle, tree.origin)
+
+
+def towards(style: Style, wall: str, size: Expression) -> Words:
+    """``towards W at an angle of 60° to W``."""
+    return words("towards ", Named(wall), " at ", angle(style, size), " to ", Named(wall))
 
 
 def direction_of(style: Style, tree: Expression) -> Words:
