@@ -36,13 +36,13 @@ def test_a_seed_gives_one_question():
     assert one == again
     assert one.statement != other.statement
     assert "--seed 5" in one.statement
-    assert one.address == "spheres-vectors/1/5/v2"
+    assert one.address == "spheres-vectors/1/5/v3"
     # frozen: the same on every machine, for this version of the generator
     assert practice_question("wall-forward", 1, 1).statement == WALL
 
 
 WALL = """\
-# restitution practise wall-forward --level 1 --seed 1  (generator version 2)
+# restitution practise wall-forward --level 1 --seed 1  (generator version 3)
 title Velocity after an impact with a wall
 wall W: along j
 sphere A: velocity -10i + 4j

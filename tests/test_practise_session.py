@@ -70,14 +70,14 @@ def test_whatever_is_typed_is_borne(line):
 
 def test_a_question_left_open_comes_again():
     state = State([], {"topic": "wall-energy", "level": 2, "seed": 9, "mistake": None})
-    assert first_question(Wanted(), state, 100, 1).address == "wall-energy/2/9/v2"
-    assert first_question(Wanted("wall-angle"), state, 100, 4).address == "wall-angle/1/4/v2"
+    assert first_question(Wanted(), state, 100, 1).address == "wall-energy/2/9/v3"
+    assert first_question(Wanted("wall-angle"), state, 100, 4).address == "wall-angle/1/4/v3"
 
 
 @pytest.mark.parametrize("opened", [{}, {"topic": 3}, {"topic": "wall-energy", "level": 99}, 5])
 def test_what_is_no_open_question_is_left(opened):
     state = State.of_json(json.dumps({"attempts": [3, {}], "open": opened}))
-    assert first_question(Wanted(), state, 100, 1).address == "wall-forward/1/1/v2"
+    assert first_question(Wanted(), state, 100, 1).address == "wall-forward/1/1/v3"
 
 
 @pytest.mark.parametrize("text", ["", "[]", "{}", "{" * 10**5, '{"attempts": 3}'])

@@ -69,6 +69,17 @@ def test_the_side_of_parallel_paths_is_told_where_it_matters():
     assert "that of B on the left as seen by A" in said
 
 
+def test_nothing_is_called_a_value_that_may_hold_a_coefficient():
+    text = (
+        "sphere A: mass 2m, velocity u at alpha\nsphere B: mass 7m, at rest\n"
+        "A hits B: along i{e}\ngiven deflection(A) = 90°\npart a\nfind tan(alpha)"
+    )
+    said = to_text(question(parse(text.format(e=""))), 1000)
+    assert "Find tan α." in said
+    said = to_text(question(parse(text.format(e=", e = 6/7"))), 1000)
+    assert "Find the value of tan α." in said
+
+
 def test_a_fact_stands_beside_the_angle_that_it_tells():
     text = (
         "sphere A: mass 4, velocity 13 at alpha\nsphere B: mass 1, velocity -6i\n"

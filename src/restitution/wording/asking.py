@@ -6,8 +6,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.expression.quantities import dimension_of_any
-from restitution.expression.tree import Expression, Quantity, has_quantity
-from restitution.problem import Compare, Extremum, Find, Item, Range, Show, Value
+from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.problem import (
+    Compare,
+    Extremum,
+    Find,
+    Given,
+    Impact,
+    Item,
+    Problem,
+    Range,
+    Show,
+    Value,
+)
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import bounds, clause, to_figures
@@ -106,7 +117,9 @@ def _percentage(noun: Noun) -> Noun:
 def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
     if not has_quantity(tree):
         shown = values.layout_of(tree)
-        return Noun(words(shown)) if plain else Noun(words("the value of ", shown), (), "value")
+        if plain or letters(tree) | _open_coefficients(scene.problem) != letters(tree):
+            return Noun(words(shown))
+        return Noun(words("the value of ", shown), (), "value")
     if isinstance(tree, Quantity) and tree.kind == "direction":
         name = name_of(tree.arguments[0]) or ""
         if scene.is_wall(name):
@@ -116,6 +129,30 @@ def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
     if noun.where and not plain and not values.is_vector(tree):
         return replace(noun, head=words("the value of ", noun.head))
     return noun
+
+
+def _open_coefficients(problem: Problem) -> frozenset[str]:
+    """Coefficients that no fact tells and nobody asks for: a value may hold them."""
+    letters_of = {
+        name
+        for event in problem.events
+        if isinstance(event, Impact)
+        for name in letters(event.e or Letter("e"))
+    }
+    for part, step in problem.steps():
+        if isinstance(step, Find):
+            letters_of -= {
+                item.expression.name
+                for item in step.items
+                if isinstance(item, Value) and isinstance(item.expression, Letter)
+            }
+        elif isinstance(step, Given) and part.label is None:
+            letters_of -= {
+                relation.operands[0].name
+                for relation in step.relations
+                if isinstance(relation, Compare) and isinstance(relation.operands[0], Letter)
+            }
+    return frozenset(letters_of)
 
 
 def _where(noun: Noun) -> Words:

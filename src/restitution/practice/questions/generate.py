@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from restitution.solving.equations.solution import Solution
     from restitution.wording import Question
 
-VERSION = 2
+VERSION = 3
 """The version of the generator: it grows whenever a seed gives another question than before."""
 
 MOST_DRAWS = 2000

@@ -99,7 +99,7 @@ def _right_angle_4(d: Dice) -> str:
         "A hits B: along i",
         "given deflection(A) = 90°",
         "part a",
-        "find tan(alpha)",
+        "find tan(alpha) in terms of e",
         "part b",
         f"given e = {ratio(e)}",
         d.of(("find speed(A), speed(B)", "find speed(B), impulse")),

@@ -47,16 +47,18 @@ def _line_3(d: Dice) -> str:
         c = pair(d, at_rest=True)
         if c.m1.denominator == c.m2.denominator == 1:
             break
-    k = d.between(1, 3)
-    second = f"velocity {vector(-k, 0, 'u')}" if d.below(3) else "at rest"
+    both_moving = d.below(3) > 0
+    second = f"velocity {vector(-d.between(1, 5), 0, 'u')}" if both_moving else "at rest"
+    first = vector(d.between(1, 5), 0, "u")
+    angles = ("find deflection(A)", "find angle(velocity(A), line_of_centres), speed(A)")
     return lines_of(
-        f"sphere A: mass {times(c.m1, 'm')}, velocity {vector(d.between(1, 3), 0, 'u')}, radius r",
+        f"sphere A: mass {times(c.m1, 'm')}, velocity {first}, radius r",
         f"sphere B: mass {times(c.m2, 'm')}, {second}, radius r",
         f"A hits B: offset {offset}, e = {ratio(c.e)}",
         "part a",
-        "find impulse",
+        d.of(("find impulse", "find energy_lost")),
         "part b",
-        d.of(("find speed(A)", "find speed(B)", "find speed(A), speed(B)")),
+        d.of(("find speed(A)", "find speed(B)", "find speed(A), speed(B)", *angles)),
     )
 
 

@@ -92,7 +92,7 @@ def masses(d: Dice) -> tuple[Fraction, Fraction]:
 def number(x: Fraction | int) -> str:
     """A fraction as text: whole, as a decimal of one place in tenths, or as a/b."""
     x = Fraction(x)
-    if x.denominator in (10, 5) and abs(x) < 1:
+    if x.denominator in (10, 5, 2) and abs(x) < 1:
         return f"{float(x):g}"
     return f"{x}"
 

@@ -135,7 +135,7 @@ TOPICS = (
     ),
     Topic(
         "at-rest-afterwards",
-        "Brought to rest, or to move along the tangent",
+        "Stopped along the line of centres",
         "what follows where a component is taken away",
         "Given facts",
     ),
