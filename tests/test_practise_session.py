@@ -11,7 +11,14 @@ import restitution as r
 from restitution.cli import practising
 from restitution.errors import StatementError, UnsupportedError
 from restitution.practice.questions.generate import practice_question
-from restitution.practice.questions.session import Conversation, State, Wanted, first_question
+from restitution.practice.questions.session import (
+    GUIDE,
+    Conversation,
+    Progress,
+    State,
+    Wanted,
+    first_question,
+)
 from restitution.practice.questions.varying import variant
 
 
@@ -51,9 +58,24 @@ def test_a_wrong_answer_loses_marks_and_may_be_tried_again():
 
 def test_hints_and_the_working_are_there():
     shown, _, attempt = talk(QUESTION, "hint", "show", "next")
-    assert "You have not used" in shown
+    assert "What happens to the component" in shown or "What does e tell" in shown
     assert "Newton's experimental law" in shown
     assert attempt is None
+
+
+def test_a_hint_asked_again_is_longer():
+    one, two, three = (talk(QUESTION, *["hint"] * n, "quit")[0] for n in (1, 2, 3))
+    before = len(talk(QUESTION, "quit")[0])
+    first, second, third = one[before:], two[len(one) :], three[len(two) :]
+    assert "?" in first and len(set(map(str.strip, (first, second, third)))) == 3
+    assert len(third) > len(second) and "the wall" in third
+    shown, _, _ = talk(QUESTION, *["hint"] * 6, "quit")
+    assert "There is no longer hint: show gives the working." in shown
+
+
+def test_help_is_no_working():
+    shown, _, attempt = talk(QUESTION, "help", "quit")
+    assert shown.endswith(GUIDE) and attempt is None
 
 
 @pytest.mark.parametrize("word", ["next", "quit", "another", "SKIP", "q"])
@@ -136,6 +158,36 @@ def test_what_is_interrupted_is_left_open(tmp_path, monkeypatch):
     kept = json.loads(path.read_text())
     assert kept["attempts"] == []
     assert kept["open"]["seed"] == 1
+
+
+PARTED = ("practise", "sphere-at-rest", "--level", "2", "--seed", "1", "--state")
+
+
+def test_a_question_left_at_its_second_part_goes_on_there(tmp_path):
+    path = tmp_path / "mine.json"
+    _, output, messages = run(*PARTED, path, stdin=b"show\nmu = 3\nquit\n")
+    assert "Part (b)" in output, messages
+    assert json.loads(path.read_text())["open"]["progress"]["part"] == "b"
+    _, output, _ = run("practise", "--state", path, stdin=b"quit\n")
+    assert "seed 1 ---" in output
+    assert "Part (a)" not in output and "Part (b)" in output
+    assert "Your lines so far:\n> mu = 3" in output
+
+
+def test_what_was_handed_in_keeps_its_first_marks(tmp_path):
+    path = tmp_path / "mine.json"
+    run(*PARTED, path, stdin=b"speed(A) = 1\n\n\nquit\n")
+    kept = json.loads(path.read_text())
+    assert kept["attempts"] == [] and kept["open"]["progress"]["first"]["a"]
+    run("practise", "--state", path, stdin=b"show\nquit\n")
+    kept = json.loads(path.read_text())
+    (attempt,) = kept["attempts"]
+    assert attempt["lost_method"] and kept["open"] is None
+
+
+@pytest.mark.parametrize("data", [3, {}, {"part": 3, "lines": [1], "draft": {"a": 1}}])
+def test_what_is_no_progress_is_left(data):
+    assert Progress.of(data) == Progress()
 
 
 @pytest.mark.parametrize(

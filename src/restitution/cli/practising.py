@@ -16,7 +16,7 @@ from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
     from restitution.practice.questions.generate import PracticeQuestion
-    from restitution.practice.questions.session import Conversation, State, Wanted
+    from restitution.practice.questions.session import Conversation, Progress, State, Wanted
 
 _SEEDS = 1_000_000  # of those that are taken where none is wanted
 
@@ -125,20 +125,33 @@ class _State:
 def _hold(asked: Practising, kept: _State) -> int:
     """Question after question, until the user ends it."""
     from restitution.cli.files import terminal_width
-    from restitution.practice.questions.session import GUIDE, Conversation, another, chosen
+    from restitution.practice.questions.session import (
+        GUIDE,
+        Conversation,
+        Progress,
+        another,
+        chosen,
+        progress_of,
+    )
 
     question = _chosen(asked, kept.state)
+    progress = progress_of(kept.state, question)
     width = min(terminal_width(), 80)
     put(f"{GUIDE}\n\n")
+    conversation = None
     try:
         while True:
-            _leave_open(kept, question)
+            _leave_open(kept, question, progress)
             put(f"{_heading(question)}\n\n")
-            conversation = Conversation(question, _line, _shown, width)
+            conversation = Conversation(question, _line, _shown, width, progress)
             outcome = conversation.hold()
+            if outcome == "quit" and not conversation.ended:
+                _leave_open(kept, question, progress)
+                break
             _remember(kept, conversation)
             if outcome == "quit":
                 break
+            progress = Progress()
             following = asked if asked.seed is None else Practising(asked.topic, asked.level)
             question = (
                 another(question)
@@ -152,6 +165,10 @@ def _hold(asked: Practising, kept: _State) -> int:
             )
     except KeyboardInterrupt:
         put("\n")
+        if conversation is not None and conversation.ended:
+            _remember(kept, conversation)
+        else:
+            _leave_open(kept, question, progress)
     put(_farewell(question, kept))
     return 0
 
@@ -170,13 +187,14 @@ def _remember(kept: _State, conversation: Conversation) -> None:
         kept.keep()
 
 
-def _leave_open(kept: _State, question: PracticeQuestion) -> None:
-    """Note the question that is open, so that the next start goes on with it."""
+def _leave_open(kept: _State, question: PracticeQuestion, progress: Progress) -> None:
+    """Note the question that is open, so that the next start goes on where it was left."""
     kept.state.open = {
         "topic": question.topic,
         "level": question.level,
         "seed": question.seed,
         "mistake": question.mistake,
+        "progress": progress.data(),
     }
     kept.keep()
 

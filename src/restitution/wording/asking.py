@@ -117,7 +117,9 @@ def _percentage(noun: Noun) -> Noun:
 def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
     if not has_quantity(tree):
         shown = values.layout_of(tree)
-        if plain or letters(tree) | _open_coefficients(scene.problem) != letters(tree):
+        if plain or (
+            not isinstance(tree, Letter) and _open_coefficients(scene.problem) - letters(tree)
+        ):
             return Noun(words(shown))
         return Noun(words("the value of ", shown), (), "value")
     if isinstance(tree, Quantity) and tree.kind == "direction":

@@ -14,11 +14,12 @@ from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
 from restitution.expression.tree import Expression, Letter, Quantity, walk
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.letters.wordings import words_of
+from restitution.practice.marking import next_steps
 from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.lines import text_of
-from restitution.problem import Problem
+from restitution.problem import Impact, Problem
 
 LEVELS = (0, 1, 2, 3, 4)
 
@@ -284,7 +285,7 @@ def _letters_in(tree: Expression) -> Iterator[Letter]:
 
 
 def _next_step(points: Sequence[PointMark], letters: _Words, level: int) -> str | None:
-    """First the principle that is missing, then its equation."""
+    """First a question, then the principle that is missing, what it says, and its equation."""
     missing = next(
         (
             each.point
@@ -295,8 +296,25 @@ def _next_step(points: Sequence[PointMark], letters: _Words, level: int) -> str 
     )
     if missing is None or missing.principle not in _PRINCIPLES:
         return None
-    if level >= LEVELS[-1]:
-        written = _written(missing, letters)
-        if written is not None:
-            return f"The next line is {written}."
-    return f"You have not used {_PRINCIPLES[missing.principle]} yet."
+    principle = missing.principle
+    used = f"You have not used {_PRINCIPLES[principle]} yet."
+    if level == 1:
+        return _at(missing, letters.problem, next_steps.QUESTIONS.get(principle, used))
+    if level == 2:
+        return used
+    written = _written(missing, letters) if level >= LEVELS[-1] else None
+    if written is not None:
+        return f"The next line is {written}."
+    law = next_steps.LAWS.get(principle)
+    return used if law is None else f"{used} {_at(missing, letters.problem, law)}"
+
+
+def _at(point: MarkPoint, problem: Problem, text: str) -> str:
+    """A text about an impact, in the words for a wall or for two spheres."""
+    events = problem.events
+    event = events[point.event - 1] if point.event and point.event <= len(events) else None
+    if isinstance(event, Impact):
+        walls = {wall.name for wall in problem.walls}
+        directions = next_steps.AT_A_WALL if event.second in walls else next_steps.OF_SPHERES
+        return text.format(**directions)
+    return text.format(**(next_steps.AT_A_WALL if problem.walls else next_steps.OF_SPHERES))

@@ -6,7 +6,8 @@ What was done is plain data, for `choosing` and for a file that the user names.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -21,10 +22,11 @@ if TYPE_CHECKING:
 
 Attempt = dict[str, Any]
 Outcome = Literal["another", "next", "quit"]
-Word = Literal["hint", "show", "another", "next", "quit"]
+Word = Literal["hint", "show", "another", "next", "quit", "help"]
 
 _MARKING = 10.0  # seconds
 _LATE = TimeLimitError("the working was not marked in time: take a line away, and try again")
+_NO_HINT = "There is no hint for this: show gives the working."
 _NOTHING = "nothing yet"  # a remark, so that the first step may be hinted at
 _MOST_BYTES = 4_000_000
 WORDS: dict[str, Word] = {
@@ -38,11 +40,13 @@ WORDS: dict[str, Word] = {
     "quit": "quit",
     "q": "quit",
     "exit": "quit",
+    "help": "help",
+    "words": "help",
 }
 GUIDE = (
     "Type your working, one step a line; an empty line hands it in.\n"
     "Words for you alone on a line: hint, show (the working), another (like this),\n"
-    "next, quit."
+    "next, quit, help (these words)."
 )
 
 
@@ -72,6 +76,45 @@ class State:
         return State(attempts, opened if isinstance(opened, dict) else None)
 
 
+@dataclass
+class Progress:
+    """How far a question is done: the part that is open, with the lines typed and not handed in,
+    the lines of each part, and the whole working as each part was first handed in.
+    """
+
+    part: str | None = None
+    draft: list[str] = field(default_factory=list)
+    lines: dict[str | None, list[str]] = field(default_factory=dict)
+    first: dict[str | None, list[str]] = field(default_factory=dict)
+
+    def data(self) -> dict[str, Any]:
+        """As plain data; the only part of a question is called by an empty text."""
+        return {
+            "part": self.part or "",
+            "draft": self.draft,
+            "lines": {label or "": typed for label, typed in self.lines.items()},
+            "first": {label or "": typed for label, typed in self.first.items()},
+        }
+
+    @staticmethod
+    def of(data: object) -> Progress:
+        """From plain data; what is none is left out."""
+        if not isinstance(data, dict):
+            return Progress()
+        lines, first = (_by_part(data.get(name)) for name in ("lines", "first"))
+        return Progress(_text(data.get("part")) or None, _lines(data.get("draft")), lines, first)
+
+
+def _by_part(value: object) -> dict[str | None, list[str]]:
+    if not isinstance(value, dict):
+        return {}
+    return {_text(label) or None: _lines(typed) for label, typed in value.items()}
+
+
+def _lines(value: object) -> list[str]:
+    return [each for each in value if isinstance(each, str)] if isinstance(value, list) else []
+
+
 @dataclass(frozen=True)
 class Wanted:
     """What is asked for when practice begins; None is chosen from what was done."""
@@ -99,6 +142,15 @@ def first_question(wanted: Wanted, state: State, day: int, seed: int) -> Practic
         except RestitutionError:
             state.open = None
     return chosen(wanted, state, day, seed)
+
+
+def progress_of(state: State, question: PracticeQuestion) -> Progress:
+    """How far a question is done that was left open; nothing of any other."""
+    opened = state.open or {}
+    same = (opened.get("topic"), opened.get("level"), opened.get("seed"))
+    if same != (question.topic, question.level, question.seed):
+        return Progress()
+    return Progress.of(opened.get("progress"))
 
 
 def chosen(wanted: Wanted, state: State, day: int, seed: int) -> PracticeQuestion:
@@ -152,16 +204,28 @@ class Conversation:
     read: Callable[[str], str | None]
     write: Callable[[str], None]
     width: int = 80
-    lines: dict[str | None, list[str]] = field(default_factory=dict)
+    progress: Progress = field(default_factory=Progress)
     first: dict[str | None, Marking] = field(default_factory=dict)
+    hinted: tuple[str, ...] = ()
+    ended: bool = False
+
+    @property
+    def lines(self) -> dict[str | None, list[str]]:
+        """What was typed, part by part."""
+        return self.progress.lines
 
     def hold(self) -> Outcome:
-        """Ask every part, and say what is wanted next."""
+        """Ask every part from the one that is open on, and say what is wanted next."""
         from restitution.wording import to_text
 
         self.write(to_text(self.question.question, self.width))
         labels = [part.label for part in self.question.question.parts if part.marks is not None]
+        self._mark_again(labels or [None])
+        if self.progress.part in labels:
+            labels = labels[labels.index(self.progress.part) :]
         for label in labels or [None]:
+            if label != self.progress.part:
+                self.progress.part, self.progress.draft = label, []
             outcome = self._part(label)
             if outcome is not None:
                 return outcome
@@ -171,22 +235,28 @@ class Conversation:
         """One part, until it is right or left; what is wanted where the question is left."""
         if label is not None:
             self.write(f"Part ({label})")
-        level, handed_in = 0, False
-        draft: list[str] = []
+        level, handed_in = 0, label in self.progress.first
+        draft = self.progress.draft
+        typed = draft or self.lines.get(label, [])
+        if typed:
+            head = "Your lines so far:" if draft else "Handed in:"
+            self.write("\n".join((head, *(f"> {line}" for line in typed))))
         while True:
             before = len(draft)
             word = self._working(draft)
             level = level if len(draft) == before else 0
-            if word == "show":
+            if word == "help":
+                self.write(GUIDE)
+            elif word == "show":
                 self.write(self._solution(label))
                 return None
-            if word == "hint":
-                level = min(level + 1, 4)
-                self._mark(label, draft or self.lines.get(label, []), level)
+            elif word == "hint":
+                level = self._hint(label, draft or self.lines.get(label, []), level)
             elif word is not None:
                 return word
             elif draft:
-                marking, draft, handed_in = self._mark(label, draft, 0), [], True
+                marking, handed_in = self._mark(label, list(draft), 0), True
+                draft.clear()
                 if marking is not None and marking.marks.earned == marking.marks.of:
                     return None
                 self.write("Try again, or an empty line to go on. (hint, show)")
@@ -210,12 +280,11 @@ class Conversation:
             draft.append(line)
 
     def _mark(self, label: str | None, typed: list[str], hints: int) -> Marking | None:
-        """The marks of a part, shown; None where it cannot be marked, which is told."""
+        """The marks of a part, shown but for hints; None where it cannot be marked, as is told."""
         from restitution.practice.marking.marking import mark
-        from restitution.render.text import wrapped
 
         if typed:
-            self.lines[label] = typed
+            self.lines[label] = list(typed)
         try:
             with limited(_MARKING, error=_LATE):
                 script = list(self._script()) if typed else [_NOTHING]
@@ -224,14 +293,47 @@ class Conversation:
             self.write(error.message)
             return None
         if hints:
-            own = dict.fromkeys(message.text for message in marking.messages if message.text)
-            lines = [line for text in own for line in wrapped(text, self.width)]
-            self.write("\n".join(lines) or "There is no hint for this.")
             return marking
         self.write(str(marking))
-        if typed:
-            self.first.setdefault(label, marking)
+        if typed and label not in self.first:
+            self.first[label] = marking
+            self.progress.first[label] = script
         return marking
+
+    def _mark_again(self, labels: Sequence[str | None]) -> None:
+        """The marks at the first go of what was handed in before the question was left open."""
+        from restitution.practice.marking.marking import mark
+
+        for label in labels:
+            script = self.progress.first.get(label)
+            if script is not None:
+                with suppress(RestitutionError), limited(_MARKING, error=_LATE):
+                    self.first[label] = mark(self.question.solution, script, label)
+
+    def _hint(self, label: str | None, typed: list[str], level: int) -> int:
+        """The first hint above a level that says more than that at the level; its own level."""
+        from restitution.render.text import wrapped
+
+        before = self.hinted if level else ()
+        for longer in range(level + 1, 5):
+            hints = self._hints(label, typed, longer)
+            if hints is None:
+                return level
+            if hints and hints != before:
+                lines = [line for text in hints for line in wrapped(text, self.width)]
+                self.write("\n".join(lines))
+                self.hinted = hints
+                return longer
+        none = "There is no longer hint: show gives the working." if level else _NO_HINT
+        self.write(none)
+        return level
+
+    def _hints(self, label: str | None, typed: list[str], level: int) -> tuple[str, ...] | None:
+        """The hints at a level; None where the working cannot be marked, which is told."""
+        marking = self._mark(label, typed, level)
+        if marking is None:
+            return None
+        return tuple(dict.fromkeys(each.text for each in marking.messages if each.text))
 
     def _script(self) -> Iterable[str]:
         """All that was typed so far, part by part."""
@@ -247,6 +349,7 @@ class Conversation:
         return to_text(explanation, self.width)
 
     def _end(self) -> Outcome:
+        self.ended = True
         earned = sum(marking.marks.earned for marking in self.first.values())
         self.write(f"{earned} of {self.question.marks} marks at the first go.")
         while True:
@@ -256,6 +359,8 @@ class Conversation:
             word = WORDS.get(line.strip().lower(), None if line.strip() else "next")
             if word == "show":
                 self.write(self._solution(None))
+            elif word == "help":
+                self.write("Words: another (a question like this), next, show (the working), quit.")
             elif word is not None and word != "hint":
                 return word
 
