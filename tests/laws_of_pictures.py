@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from statements import EXAMPLES, law, solved
+from laws_of_questions import leaves
+from statements import EXAMPLES, explained, law, solved
 
 from restitution.drawing import scenes as pictures
 from restitution.drawing.ink import ink
@@ -25,6 +26,9 @@ from restitution.drawing.scene import (
     StraightWall,
 )
 from restitution.drawing.velocities import TINY
+from restitution.expression.tree import letters as names_in
+from restitution.problem import Let, trees
+from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.solving import Solution
 
@@ -224,7 +228,7 @@ def in_words(scene: Scene, before: Shown) -> None:
     assert "Before: " in scene.description and "After: " in scene.description
     assert scene.description.endswith(".")
     if scene.note is not None:
-        assert to_text(scene.note).startswith(("Drawn for ", "The shortest arrows"))
+        assert to_text(scene.note).startswith(("Drawn for ", "The shortest arrows", "Speeds are"))
 
 
 @law(EXAMPLES)
@@ -237,3 +241,19 @@ def pictures_of_impacts_show_what_happens(path: Path) -> None:
         for label in placed.labels:
             assert placed.box[0] <= label.box[0] and label.box[2] <= placed.box[2]
             assert placed.box[1] <= label.box[1] and label.box[3] <= placed.box[3]
+
+
+@law(EXAMPLES)
+def letters_of_pictures_are_those_of_the_statement_or_of_the_working(path: Path) -> None:
+    solution, working = solved(path), explained(path)
+    problem = solution.problem
+    known = {name for tree in trees(problem) for name in names_in(tree)}
+    known |= {each.name for each in (*problem.spheres, *problem.walls)}
+    known |= {step.letter for _, step in problem.steps() if isinstance(step, Let)}
+    known |= {"e", *working.letters.values()}
+    for scene in pictures(solution, letters=working.letters):
+        for label in scene.labels:
+            for letter in leaves(label.content, lay.Letter):
+                name = f"{letter.name}_{letter.subscript}".rstrip("_")
+                if scene.event is not None:
+                    assert name in known, (scene.title, to_text(label.content))

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import pytest
 import strategies
 from hypothesis import given
-from laws_of_pictures import NEAR, angle_between, check, length, scenes, shown
+from laws_of_pictures import NEAR, Shown, angle_between, check, length, scenes, shown
 from strategies import Tale
 from test_properties import Told, can_happen, examples
 
@@ -22,6 +22,7 @@ from restitution.drawing.scene import (
     Arc,
     Arrow,
     Line,
+    RightAngle,
     Scene,
 )
 from restitution.drawing.velocities import TINY
@@ -109,13 +110,99 @@ def test_a_wall_in_letters() -> None:
     (scene,) = scenes(solved(WALL))
     before, after = shown(scene)
     assert sorted(before.labels()) == sorted(["P", "m", "u", "α", "u cos α", "u sin α"])
-    assert sorted(after.labels()) == sorted(["P", "m", "β", "u cos α", "eu sin α", "J", "δ"])
+    assert sorted(after.labels()) == sorted(["P", "m", "β", "u cos α", "eu sin α", "δ"])
     assert to_text(scene.note) == "Drawn for α = 40° and e = ½."
     (dotted,) = after.of(Line, "onward")
     arrow = before.velocity("P")
     assert angle_between(dotted.end - dotted.start, arrow) < NEAR
     (alpha,) = before.of(Arc, "angle")
     assert (alpha.end - alpha.start) % math.tau == pytest.approx(math.radians(40))
+
+
+CORNER = """
+wall AB: along i
+wall BC: along 120°
+sphere P: mass 2m, velocity u at 30° to AB
+P hits AB: e = 2/3
+part a
+find speed(P), deflection(P)
+part b
+P hits BC: e = 1/2
+find angle(velocity(P, 1), BC), speed(P)
+"""
+
+
+def test_letters_are_those_of_the_working() -> None:
+    solution = solved(CORNER)
+    working = r.explain(solution)
+    assert "Let θ be the angle between 𝐯₁ and BC." in str(working)
+    first, second = (each for each in pictures(solution, letters=working.letters) if each.event)
+    assert sorted(shown(first)[1].labels()) == sorted(["P", "2m", "AB", "u/3", "√3 u/2", "δ"])
+    before, after = map(Shown.labels, shown(second))
+    assert "θ" in before and "β" not in before
+    assert {"11u/24", "√3 u/12"} <= set(after)
+
+
+def test_a_wall_changes_a_component_that_has_no_letter() -> None:
+    question = """
+    wall W: along j
+    sphere S: velocity 12i + 5j
+    S hits W: e = 1/3
+    find speed(S)
+    """
+    (scene,) = scenes(solved(question))
+    assert sorted(shown(scene)[1].labels()) == ["4", "5", "S"]
+    assert to_text(scene.note) == "Speeds are in m s⁻¹."
+
+
+def test_all_masses_of_a_picture_stand_within_their_circles_or_none_does() -> None:
+    question = """
+    sphere A: mass {}, velocity 5i + 2j
+    sphere B: mass {}, at rest
+    A hits B: along i, e = 3/4
+    find speed(A)
+    """
+    (scene,) = scenes(solved(question.format("0.2", "1/2")))
+    for panel in shown(scene):
+        within = [x for x in scene.labels if to_text(x.content) in ("0.2", "½")]
+        assert len(within) == 4 and all(label.fixed for label in within)
+        assert {"0.2", "½"} <= set(panel.labels())
+    (scene,) = scenes(solved(question.format("1 + 2k + 3k^2", "1")))
+    for panel in shown(scene):
+        assert sum(text.startswith("mass ") for text in panel.labels()) == 2
+
+
+SMALL = """
+sphere A: mass 2m, velocity u i, radius r
+sphere B: mass m, velocity -3u i, radius r
+A hits B: offset 1.2 r, e = 1/4
+find speed(A)
+"""
+
+
+def test_marks_of_right_angles_are_smaller_than_their_triangles() -> None:
+    (scene,) = scenes(solved(SMALL))
+    parts = [s for s in scene.shapes if isinstance(s, Arrow) and s.role == "component"]
+    marks = [s for s in scene.shapes if isinstance(s, RightAngle)]
+    assert len(marks) == len(parts) / 2 >= 2
+    for mark in marks:
+        sides = [
+            length(part.end - part.start)
+            for part in parts
+            if min(length(part.start - mark.corner), length(part.end - mark.corner)) < NEAR
+        ]
+        assert len(sides) == 2 and mark.size < min(sides) / 3
+
+
+def test_a_component_under_its_velocity_has_an_arrow_beside_it() -> None:
+    (scene,) = scenes(solved(SMALL))
+    _, after = shown(scene)
+    velocity, disc = after.velocity("B"), after.discs["B"]
+    (w,) = (x for x in scene.labels if to_text(x.content) == "w")
+    senses = after.of(Arrow, "sense")
+    assert min(length(w.at - (s.start + s.end) / 2) for s in senses) < NEAR
+    assert any(angle_between(s.end - s.start, velocity) < 0.2 for s in senses)
+    assert length(w.at - disc.centre) > disc.radius + length(velocity)
 
 
 def test_the_description_says_the_picture() -> None:
@@ -236,7 +323,9 @@ def test_an_arrow_too_short_to_be_seen_is_longer_than_to_scale_and_the_note_says
     before, after = shown(scene)
     assert length(before.velocity("B")) == pytest.approx(TINY)
     assert length(after.velocity("B")) > TINY
-    assert to_text(scene.note) == "The shortest arrows are longer than to scale."
+    assert to_text(scene.note) == (
+        "The shortest arrows are longer than to scale. Speeds are in m s⁻¹."
+    )
 
 
 # --- values ---------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -9,7 +10,7 @@ from laws_of_paths import angle, size
 
 from restitution.drawing import figure, scenes
 from restitution.drawing.path import path_scene
-from restitution.drawing.scene import Arrow, Label, Scene
+from restitution.drawing.scene import Arc, Arrow, Label, Scene
 from restitution.language import parse
 from restitution.render.text import to_text
 from restitution.solving import solve
@@ -147,3 +148,36 @@ find h
     assert texts(scene) == {"P", "N", "W", "u", "45°", "h", "2 m", "7 m"}
     # By hand: h + 2 × 2 = 7.
     assert "3 m" in texts(scenes(solution)[0])
+
+
+def test_the_plan_comes_first_where_a_later_part_has_the_second_impact() -> None:
+    question = """
+    wall AB: along i
+    wall BC: along 60°
+    sphere P: velocity u at 30° to AB
+    P hits AB: e = 1/2
+    part a
+    find speed(P)
+    part b
+    P hits BC: e = 1/3
+    find speed(P)
+    """
+    assert [scene.event for scene in scenes(solve(parse(question)))] == [None, 1, 2]
+
+
+def test_arcs_at_a_corner_and_at_an_impact_near_it_do_not_meet() -> None:
+    question = """
+    wall AB: along i
+    wall BC: along 60°
+    sphere P: mass m, velocity u at 30° to AB
+    P hits AB
+    given speed(P) = 7/8 u
+    P hits BC: e = 1/3
+    find speed(P)
+    """
+    plan, *_ = scenes(solve(parse(question)))
+    arcs = [shape for shape in plan.shapes if isinstance(shape, Arc)]
+    assert len(arcs) > 3
+    for one, other in itertools.combinations(arcs, 2):
+        apart = math.hypot(*(one.centre - other.centre))
+        assert apart < 1e-6 or apart > one.radius + other.radius

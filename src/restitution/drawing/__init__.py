@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
     from restitution.drawing.scene import Scene
+    from restitution.expression.tree import Expression
     from restitution.solving.equations.solution import PartSolution, Solution
     from restitution.staging.values import When
     from restitution.vector import Vector
@@ -49,19 +50,27 @@ def draw(solution: Solution, part: str | None = None) -> Drawings:
     return Drawings(scenes(solution, part))
 
 
-def scenes(solution: Solution, part: str | None = None) -> tuple[Scene, ...]:
-    """A plan of the paths, and for each impact and blow from outside one of before and after.
+def scenes(
+    solution: Solution,
+    part: str | None = None,
+    letters: Mapping[Expression, str] | None = None,
+) -> tuple[Scene, ...]:
+    """A plan of the paths, and then for each impact and blow from outside one of before and after.
 
     A plan is drawn of a story with places, or of several events with a wall; its ``event`` is None.
 
     An impact for which a coefficient of restitution outside [0, 1] is found is shown as before, and
     says so; no event after it is drawn.
 
+    ``letters`` are those that the working introduces, by the quantities for which they stand: what
+    has none there is shown by its value, or without a letter. None where no working is at hand.
+
     An event is drawn by the values of the first part that is solved with it; with ``part``, all
     events up to that part by its values. Raises KeyError for a part that is not there, and what
     kept it from being solved (ContradictionError, ImpossibleError, …) where nothing can be drawn.
     """
-    return tuple(_pictures(solution, _parts(solution, part)))
+    pictures = _pictures(solution, _parts(solution, part), letters)
+    return tuple(sorted(pictures, key=lambda scene: scene.event is not None))
 
 
 def thumbnail(solution: Solution) -> Scene | None:
@@ -71,7 +80,7 @@ def thumbnail(solution: Solution) -> Scene | None:
     """
     from restitution.drawing.small import small
 
-    first = next(_pictures(solution, _parts(solution, None)), None)
+    first = next(_pictures(solution, _parts(solution, None), None), None)
     return None if first is None else small(first)
 
 
@@ -145,7 +154,11 @@ def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
     return solved
 
 
-def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Scene]:
+def _pictures(
+    solution: Solution,
+    parts: Iterable[PartSolution],
+    letters: Mapping[Expression, str] | None,
+) -> Iterator[Scene]:
     """The plan and a picture of each event, by the values of the first part that has it."""
     from restitution.drawing.before_after import before_and_after
     from restitution.drawing.describe import is_possible
@@ -160,7 +173,7 @@ def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Sce
         if len(branch.numbers.happenings) == drawn:
             continue
         numbers = motion(solution, part, branch)
-        question_words = sayings(numbers)
+        question_words = sayings(numbers, letters)
         possible = all(is_possible(numbers, each.number) for each in numbers.story.happenings)
         if possible and _says_more(solution, part):
             plan = path_scene(solution, part, branch, numbers)
@@ -170,7 +183,9 @@ def _pictures(solution: Solution, parts: Iterable[PartSolution]) -> Iterator[Sce
             if isinstance(happening.step, Impact | Kick):
                 panels: Sequence[When] = ("before", "after")
                 panels = panels if is_possible(numbers, happening.number) else panels[:1]
-                scene = before_and_after(numbers, question_words, happening.number, panels)
+                scene = before_and_after(
+                    numbers, question_words, happening.number, panels, letters=letters
+                )
                 yield replace(scene, part=part.part.label, event=happening.number)
             if not is_possible(numbers, happening.number):
                 return

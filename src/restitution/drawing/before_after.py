@@ -9,7 +9,7 @@ two panels are then laid side by side.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from restitution.drawing import describe
@@ -44,7 +44,8 @@ from restitution.drawing.scene import (
     Side,
     StraightWall,
 )
-from restitution.drawing.velocities import TINY, put_velocity
+from restitution.drawing.velocities import TINY, has_numbers, put_velocity
+from restitution.expression.tree import Expression
 from restitution.problem import Impact, Kick
 from restitution.render import layout as lay
 from restitution.render.glyphs import Box, outline
@@ -71,13 +72,14 @@ def before_and_after(
     *,
     question: bool = False,
     to_scale: bool = True,
+    letters: Mapping[Expression, str] | None = None,
 ) -> Scene:
     """The picture of one impact, or of one blow from outside. ``number`` is that of the event.
 
     That of a ``question`` has velocities as the statement gives them, and no values by which it is
-    drawn; it says so where it is not ``to_scale``.
+    drawn; it says so where it is not ``to_scale``. ``letters`` are those of the working.
     """
-    view = replace(_view(motion, sayings, number), question=question)
+    view = replace(_view(motion, sayings, number), question=question, letters=letters)
     to_scale &= set(drawn_for(motion, (number,), panels)) <= set(motion.solved)
     scale, drawings = _fitted(view, panels)
     boxes = [each.box() for each in drawings]
@@ -219,6 +221,8 @@ def _note(view: View, panels: Sequence[When], scale: float, *, to_scale: bool) -
     sizes = [math.hypot(*view.velocity(body.name, when)) for body in view.bodies for when in panels]
     if any(1e-6 < size * scale < TINY for size in sizes):
         words += (lay.Words("The shortest arrows are longer than to scale."),)
+    if has_numbers(view, panels):
+        words += (lay.Words("Speeds are in m s⁻¹."),)
     return lay.Phrase(words) if words else None
 
 

@@ -15,6 +15,7 @@ from restitution.shapes import Circle
 from restitution.staging.geometry import floats
 from restitution.vector import Vector
 
+_TALLEST = 0.65 * RADIUS  # is a mass below a name
 _LEAST = 1.5  # of the letters of a name within a circle
 
 
@@ -94,20 +95,28 @@ def put_names(view: View, body: Body, drawing: Drawing) -> None:
         name = Label(written, body.centre, sides_towards(UP), RADIUS + 0.8, 3.0)
     else:
         name = Label(written, body.centre, ("centre",), 0.0, size, fixed=True)
-    given = view.motion.model.story.spheres[body.name].mass
-    if given is not None:
-        layout = lay.as_layout(given)
-        left, _, right, _ = outline(layout).box
-        size = max(2.1, min(2.6, 1.2 * RADIUS / (right - left)))
-        mass = Label(layout, body.centre, ("centre",), 0.0, size, fixed=True)
-        if _fits(mass):
-            if name.fixed:
-                name = replace(name, at=body.centre + UP * (0.5 + _height(name) / 2))
-                mass = replace(mass, at=body.centre - UP * (0.5 + _height(mass) / 2))
-        else:
-            mass = Label(layout, body.centre, sides_towards(-UP), RADIUS + 0.8, 2.6)
+    mass = _mass(view, body)
+    if mass is not None:
+        masses = [each for other in view.bodies if (each := _mass(view, other)) is not None]
+        if not all(map(_fits, masses)):  # then none is within: outside it could be a speed
+            words = lay.Phrase((lay.Words("mass"), mass.content))
+            mass = Label(words, body.centre, sides_towards(-UP), RADIUS + 0.8, 2.6)
+        elif name.fixed:
+            name = replace(name, at=body.centre + UP * (0.5 + _height(name) / 2))
+            mass = replace(mass, at=body.centre - UP * (0.5 + _height(mass) / 2))
         drawing.labels.append(mass)
     drawing.labels.append(name)
+
+
+def _mass(view: View, body: Body) -> Label | None:
+    """The mass of a sphere, if it is given, as large as it may be within its circle."""
+    given = view.motion.model.story.spheres[body.name].mass
+    if given is None:
+        return None
+    layout = lay.as_layout(given)
+    left, bottom, right, top = outline(layout).box
+    size = min(2.6, 1.2 * RADIUS / (right - left), _TALLEST / (top - bottom))
+    return Label(layout, body.centre, ("centre",), 0.0, max(2.1, size), fixed=True)
 
 
 def _height(label: Label) -> float:
@@ -118,4 +127,4 @@ def _height(label: Label) -> float:
 def _fits(label: Label) -> bool:
     """Whether a label is small enough to stand in a circle, with another one above or below."""
     left, bottom, right, top = (label.size * x for x in outline(label.content).box)
-    return right - left < 1.25 * RADIUS and top - bottom < 0.65 * RADIUS
+    return right - left < 1.25 * RADIUS and top - bottom < _TALLEST + 1e-9

@@ -5,7 +5,7 @@ Lengths are in millimetres on paper, around the point of contact.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -13,6 +13,7 @@ from restitution.drawing.geometry import COMPASS, sides_towards
 from restitution.drawing.ink import Piece, distance, ink, overlap, stick
 from restitution.drawing.sayings import Sayings, Words, state_after
 from restitution.drawing.scene import Arrow, Label, Shape
+from restitution.expression.tree import Expression
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
 from restitution.staging.values import Motion, When
@@ -49,6 +50,7 @@ class View:
     n: Vector
     t: Vector
     question: bool = False  # only what the statement gives is to be seen
+    letters: Mapping[Expression, str] | None = None  # of the working; None where there is none
 
     def velocity(self, body: str, when: When) -> Vector:
         get = self.motion.before if when == "before" else self.motion.after

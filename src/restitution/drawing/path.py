@@ -50,6 +50,7 @@ _SAME = 1e-9
 # On a longer way, only the first and the last speeds are shown; and none beside short pieces.
 _MANY, _NARROW = 5, 9.0
 _ARC = 6.0
+_LEAST_ARC = 2.4
 _MARGIN = 5.0
 # The radius of a disc that has room for its letter.
 _LETTERED = 2.3
@@ -215,11 +216,19 @@ class _Drawing:
         low, high = sorted(map(_bearing, ways))
         if high - low > math.pi:
             low, high = high, low + 2 * math.pi
-        self.shapes.append(Arc("angle", corner, _ARC, low, high))
+        radius = min(_ARC, self._room(corner))
+        self.shapes.append(Arc("angle", corner, radius, low, high))
         bisector = Vector(math.cos((low + high) / 2), math.sin((low + high) / 2))
         self.labels.append(
-            Label(label, corner + bisector * _ARC, sides_towards(bisector), gap=0.7, size=2.7)
+            Label(label, corner + bisector * radius, sides_towards(bisector), gap=0.7, size=2.7)
         )
+
+    def _room(self, vertex: Vector) -> float:
+        """The radius of an arc that no arc at another corner or impact meets."""
+        others = [end for wall in self.plan.walls for end in (wall.start, wall.end)]
+        others += [centre for stop in self.plan.stops for centre in stop.centres.values()]
+        apart = (length(each - vertex) for each in others)
+        return max(_LEAST_ARC, 0.45 * min((x for x in apart if x > _NEAR), default=math.inf))
 
     def _wall_name(self, wall: Straight) -> None:
         letters = _ends_named(wall.name)
@@ -415,6 +424,7 @@ class _Drawing:
             self.shapes.append(RightAngle(corner, reference, ray))
             return True
         radius = min(_ARC if turn > 0.3 else 1.6 * _ARC, 0.45 * length(leg.end - leg.start))
+        radius = min(radius, self._room(corner))
         low, high = sorted((_bearing(reference), _bearing(ray)))
         if high - low > math.pi:
             low, high = high, low + 2 * math.pi

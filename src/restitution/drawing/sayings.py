@@ -6,7 +6,7 @@ A velocity is known by its sphere and by the latest event that changed it (0 is 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -50,7 +50,6 @@ from restitution.staging.values import Motion
 from restitution.vector import Vector
 
 _GREEK = ("beta", "theta", "phi", "psi", "gamma", "omega")
-_IMPULSES = ("J", "I", "K", "Q", "R", "S")
 _UNREADABLE = (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError)
 
 
@@ -122,9 +121,13 @@ def state_after(motion: Motion, body: str, stage: int) -> int:
     return 0
 
 
-def sayings(motion: Motion) -> Sayings:
-    """Everything that is said, read once for a part of a problem."""
-    reader = _Reader(motion)
+def sayings(motion: Motion, letters: Mapping[Expression, str] | None = None) -> Sayings:
+    """Everything that is said, read once for a part of a problem.
+
+    ``letters`` are those that the working introduces, by the quantities for which they stand: what
+    is asked for is called by them, or has no letter. None where no working is at hand.
+    """
+    reader = _Reader(motion, letters)
     for sphere in motion.model.problem.spheres:
         reader.start(sphere)
     asked: list[tuple[Expression, int]] = []
@@ -172,12 +175,12 @@ def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]
 
 
 class _Reader:
-    def __init__(self, motion: Motion) -> None:
+    def __init__(self, motion: Motion, letters: Mapping[Expression, str] | None) -> None:
         self.motion = motion
+        self.letters = letters
         self.sayings = Sayings({}, {}, {}, {}, {})
         self.taken = set(motion.model.unknowns.taken)
         self.deflections: list[tuple[int, str]] = []
-        self.impulses: list[int] = []
 
     def words(self, key: Key) -> Words:
         return self.sayings.velocities.setdefault(key, Words())
@@ -269,15 +272,36 @@ class _Reader:
                 event = self.event(node, now)
                 if event is not None and event not in self.sayings.deflections:
                     self.deflections.append(event)
-            case "impulse":
-                number = node.stage if isinstance(node.stage, int) else self.latest_event(now, node)
-                if number and number not in self.sayings.impulses:
-                    self.impulses.append(number)
             case "angle":
                 self.angle(node, now, None)
 
     def angle(self, node: Quantity, now: int, label: Layout | None) -> None:
         """The angle between a velocity and a wall, a line of centres or a vector."""
+        place = self.place_of_angle(node, now)
+        if place is None:
+            return
+        key, reference, line = place
+        angles = self.words(key).angles
+        if any(_alike(each.reference, reference) for each in angles):
+            return
+        label = self.letter_of_angle(key, reference) if label is None else label
+        if label is not None:
+            angles.append(Angle(reference, line, label))
+
+    def letter_of_angle(self, key: Key, reference: Vector) -> lay.Letter | None:
+        """The letter of an angle that is asked for."""
+        if self.letters is None:
+            return self.letter(_GREEK)
+        now = len(self.motion.story.happenings)
+        for quantity, letter in self.letters.items():
+            if isinstance(quantity, Quantity) and quantity.kind == "angle":
+                place = self.place_of_angle(quantity, now)
+                if place is not None and place[0] == key and _alike(place[1], reference):
+                    return lay.letter(letter)
+        return None
+
+    def place_of_angle(self, node: Quantity, now: int) -> tuple[Key, Vector, bool] | None:
+        """The velocity that has an angle, what it is measured from, and whether that is a line."""
         for one, other in (node.arguments, node.arguments[::-1]):
             key = self.key(one, now) if isinstance(one, Quantity) else None
             if key is None or not isinstance(one, Quantity) or one.kind != "velocity":
@@ -288,26 +312,23 @@ class _Reader:
             wall = isinstance(other, Name)
             tree = Quantity("direction", (other,)) if wall else other
             reference = self.number_vector(tree, now)
-            if reference is None:
-                continue
-            angles = self.words(key).angles
-            if any(_alike(each.reference, reference) for each in angles):
-                continue
-            if label is None:
-                label = self.letter(_GREEK)
-            if label is not None:
-                angles.append(Angle(reference, line, label))
-            return
+            if reference is not None:
+                return key, reference, line
+        return None
 
     def name_what_is_asked(self) -> None:
-        """One letter for all impulses asked for, and one for all angles of deflection.
+        """The letters of angles of deflection: those of the working, else one for all.
 
         Where an event turns two spheres, their names tell the angles apart.
         """
-        number = self.letter(_IMPULSES) if self.impulses else None
-        for event in self.impulses:
-            if number is not None:
-                self.sayings.impulses.setdefault(event, number)
+        if self.letters is not None:
+            now = len(self.motion.story.happenings)
+            for quantity, name in self.letters.items():
+                if isinstance(quantity, Quantity) and quantity.kind == "deflection":
+                    key = self.event(quantity, now)
+                    if key in self.deflections:
+                        self.sayings.deflections.setdefault(key, lay.letter(name))
+            return
         turned = [
             deflection
             for deflection in self.deflections

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from restitution.drawing.angles import put_angle, put_deflection
@@ -19,10 +20,11 @@ from restitution.drawing.event import (
     room_beside,
 )
 from restitution.drawing.geometry import sides_towards
+from restitution.drawing.sayings import has_letters
 from restitution.drawing.scene import Arrow, Label, RightAngle
 from restitution.exact import tidy
 from restitution.expression.tree import Letter
-from restitution.problem import Impact
+from restitution.problem import Impact, Let
 from restitution.render import layout as lay
 from restitution.render.glyphs import outline
 from restitution.render.layout import Layout
@@ -34,6 +36,8 @@ from restitution.vector import Vector
 
 TINY = 1.5  # no arrow is shorter, or it could not be seen
 _SEEN = 0.6  # a component that is shorter has no label
+_NARROW = 2.7  # a triangle with a shorter side is not drawn
+_MARK = 0.28  # of the shorter side of a triangle is the mark of its right angle
 _WIDEST = 5.6  # of a label of a component, in em
 
 
@@ -76,7 +80,8 @@ def put_velocity(view: View, body: Body, when: When, scale: float, drawing: Draw
     else:
         _triangle(view, body, when, tail, tip, Vector(along, across), drawing)
     for index, angle in enumerate(words.angles):
-        leg = 0.0 if view.question else abs(across)
+        hidden = view.question or _is_narrow(Vector(along, across))
+        leg = 0.0 if hidden else abs(across)
         put_angle(view, body, angle, (tail, tip), arriving, leg, index, drawing)
     if when == "after":
         put_deflection(view, body, tail, length, len(words.angles), drawing)
@@ -132,6 +137,10 @@ def _triangle(
     """
     along, across = parts
     labels = _components(view, body, when)
+    if _is_narrow(parts):
+        _beside_narrow(view, body, (tail, tip), parts, labels, drawing)
+        _own_label(view, body, when, (tail, tip), tail + view.t * across, drawing)
+        return
     legs = [(view.t, across, labels[1]), (view.n, along, labels[0])]
     if math.hypot(*(tip - body.centre)) < math.hypot(*(tail - body.centre)):
         legs.reverse()
@@ -153,10 +162,43 @@ def _triangle(
         label = None if part is None else _directed(part, axis, value, middle, outward, drawing)
         if label is not None:
             drawing.labels.append(beside(label, start, end, outward))
-    if min(abs(along), abs(across)) > 2.5:
-        sides = direction(tail - corner), direction(tip - corner)
-        drawing.shapes.append(RightAngle(corner, *sides, 1.3))
+    sides = direction(tail - corner), direction(tip - corner)
+    size = min(1.3, _MARK * min(abs(along), abs(across)))
+    drawing.shapes.append(RightAngle(corner, *sides, size))
     _own_label(view, body, when, (tail, tip), corner, drawing)
+
+
+def _is_narrow(parts: Vector) -> bool:
+    """Whether a triangle of components would lie under the arrow of the velocity itself."""
+    return bool(min(abs(parts.x), abs(parts.y)) < _NARROW)
+
+
+def _beside_narrow(
+    view: View,
+    body: Body,
+    arrow: tuple[Vector, Vector],
+    parts: Vector,
+    labels: tuple[Any, Any],
+    drawing: Drawing,
+) -> None:
+    """The components of a velocity as small arrows of their senses, beside it and at its end.
+
+    The end is the one away from the sphere.
+    """
+    tail, tip = arrow
+    end = max(arrow, key=lambda each: math.hypot(*(each - body.centre)))
+    beyond = 1.0 if end is tip else -1.0
+    legs = [(view.t, parts.y, labels[1]), (view.n, parts.x, labels[0])]
+    for (axis, value, part), (other, across, _) in zip(legs, reversed(legs), strict=True):
+        if part is None:
+            continue
+        if abs(value) > abs(across):
+            at, outward = (tail + tip) / 2, other * (-1.0 if across > 0 else 1.0)
+        else:
+            at, outward = end, other * (beyond if across > 0 else -beyond)
+        label = _directed(part, axis, value, at, outward, drawing)
+        if label is not None:
+            _sense(label, axis * (1.0 if value > 0 else -1.0), at, outward, drawing)
 
 
 def _own_label(
@@ -204,7 +246,7 @@ def _lifted(view: View, body: Body, course: Vector, length: float) -> Vector | N
 
 
 def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
-    """The components along and across in the letters of the working; None where it has none.
+    """The components along and across in the letters of the working, or by their values.
 
     A velocity that the statement gives has components as given.
     """
@@ -229,7 +271,38 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
         if view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
             e = model.happening(number).e
             along = rebound if e.free_symbols and _layout(rebound) is not None else along
-    return _by_now(view, along), _by_now(view, across)
+    return _in_letters(view, _by_now(view, along)), _in_letters(view, _by_now(view, across))
+
+
+def has_numbers(view: View, panels: Sequence[When]) -> bool:
+    """Whether speeds are shown as numbers, which have units that letters have with them."""
+    for body in view.bodies:
+        for when in panels:
+            v, words = view.velocity(body.name, when), view.words(body.name, when)
+            if words.size is not None and not has_letters(words.size):
+                return True
+            shown = zip(_components(view, body, when), (v.dot(view.n), v.dot(view.t)), strict=True)
+            if any(getattr(x, "is_number", False) and abs(y) > 1e-6 for x, y in shown):
+                return True
+    return False
+
+
+def _in_letters(view: View, x: Any) -> Any:
+    """The same without letters of components that the working does not introduce.
+
+    It introduces those of two spheres where it is not known, and calls what a wall changes by name.
+    """
+    model = view.motion.model
+    own = {each.symbol: each for each in model.components.values()}
+    given = {step.letter for _, step in model.problem.steps() if isinstance(step, Let)}
+    known = given if view.letters is None else given | {*view.letters.values()}
+    foreign = {
+        symbol: component.value
+        for symbol, component in own.items()
+        if symbol in x.free_symbols and symbol.name not in known
+        if view.letters is not None or model.frames[component.number].wall is not None
+    }
+    return tidy(x.xreplace(foreign)) if foreign else x
 
 
 def _by_now(view: View, x: Any) -> Any:

@@ -42,6 +42,7 @@ Format = Literal["text", "markdown", "latex", "html", "json"]
 _FIRST = 0.6
 _WRITING = 0.3
 _WRITTEN = 0.8  # by then a working is written, or given up: from one checkpoint to the next is far
+_LETTERS = 0.6  # for the plan of the working whose letters pictures have
 _SHOWING = 0.9  # by then all pieces of a page are made, or given up
 
 
@@ -301,7 +302,7 @@ def serve(job: Job) -> Reply:
         case Drawing(event):
             from restitution.export.pictures import picture
 
-            svg = picture(solution, event)
+            svg = picture(solution, event, _left(job.limit, began, _LETTERS))
             return Reply(svg, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Playing(part, mistake):
             from restitution.export.player import play
@@ -318,9 +319,11 @@ def serve(job: Job) -> Reply:
             warnings = reply["warnings"]
             return Reply(one, answered, errors, tuple(warnings), tired=tired, notes=unvaried)
         case Picturing(event):
+            from restitution.export.pictures import letters_of_working
             from restitution.export.working import pictured
 
-            drawn: DrawnObject = {**reply, **pictured(solution, event)}
+            letters = letters_of_working(solution, _left(job.limit, began, _LETTERS))
+            drawn: DrawnObject = {**reply, **pictured(solution, event, letters)}
             return Reply(drawn, answered, errors, tuple(reply["warnings"]), tired=tired)
         case Showing(early):
             from restitution.export.working import Pieces, shown

@@ -4,29 +4,56 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from restitution.errors import StatementError
+from restitution.errors import RestitutionError, StatementError
+from restitution.work import limited
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from restitution.drawing.scene import Scene
+    from restitution.expression.tree import Expression
     from restitution.solving.equations.solution import Solution
 
 
-def picture(solution: Solution, event: int | None = None) -> str:
+def picture(solution: Solution, event: int | None = None, seconds: float | None = None) -> str:
     """All pictures of a solved problem in one SVG file, or that of one event.
+
+    Their letters are those of the working, if that is planned within so many ``seconds``.
 
     Raises StatementError where there is nothing to draw, and what kept the problem from being
     solved.
     """
     from restitution.drawing.svg import stacked
 
-    return stacked(chosen(solution, event))
+    return stacked(chosen(solution, event, letters_of_working(solution, seconds)))
 
 
-def chosen(solution: Solution, event: int | None = None) -> tuple[Scene, ...]:
+def letters_of_working(
+    solution: Solution, seconds: float | None = None
+) -> Mapping[Expression, str] | None:
+    """The letters that the working introduces, by the quantities for which they stand.
+
+    None where there is no working, or none within so many ``seconds``.
+    """
+    from restitution.solving.worker import UNFORESEEN
+    from restitution.workings import explain
+
+    try:
+        with limited(seconds):
+            return explain(solution, marks="none").letters
+    except (RestitutionError, *UNFORESEEN):
+        return None
+
+
+def chosen(
+    solution: Solution,
+    event: int | None = None,
+    letters: Mapping[Expression, str] | None = None,
+) -> tuple[Scene, ...]:
     """All pictures of a solved problem, or that of one event; raises as ``picture`` does."""
     from restitution.drawing import scenes
 
-    pictures = scenes(solution)
+    pictures = scenes(solution, letters=letters)
     if event is not None:
         numbers = [scene.event for scene in pictures if scene.event is not None]
         pictures = tuple(scene for scene in pictures if scene.event == event)

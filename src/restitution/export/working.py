@@ -44,6 +44,7 @@ if TYPE_CHECKING:
         SolvedObject,
         StepContent,
     )
+    from restitution.expression.tree import Expression
     from restitution.solving.equations.solution import (
         Answer,
         ItemResult,
@@ -142,6 +143,12 @@ def shown(
         )
         unexplained = unexplained or unshown
         latex = clock.spare("LaTeX", lambda: to_latex(explanation))
+        lettered = clock.spare(
+            "lettering of the pictures",
+            lambda: pictured(solution, letters=explanation.letters),
+        )
+        if lettered is not None and lettered["pictures"]:
+            pictures = lettered
     motion, unmoved = clock.piece(
         "motion", 1.0, lambda: of_solution(solution, seconds=clock.share(_EXACT))
     )
@@ -149,6 +156,7 @@ def shown(
     warnings = solution.warnings if explanation is None else explanation.warnings
     pieces = replace(
         first,
+        pictures=first.pictures if pictures is None else pictures["pictures"],
         working=unworked if shown_parts is None else shown_parts,
         working_error=unexplained,
         latex=latex,
@@ -205,10 +213,18 @@ class _Clock:
         return piece
 
 
-def pictured(solution: Solution, event: int | None = None) -> PicturesObject:
-    """The pictures of a solved problem, or that of one event, or the reason why there is none."""
+def pictured(
+    solution: Solution,
+    event: int | None = None,
+    letters: Mapping[Expression, str] | None = None,
+) -> PicturesObject:
+    """The pictures of a solved problem, or that of one event, or the reason why there is none.
+
+    ``letters`` are those of the working, if it is known.
+    """
     try:
-        return {"pictures": [_picture(s) for s in chosen(solution, event)], "pictures_error": None}
+        scenes = chosen(solution, event, letters)
+        return {"pictures": [_picture(scene) for scene in scenes], "pictures_error": None}
     except RestitutionError as error:
         return {"pictures": [], "pictures_error": error.message}
 

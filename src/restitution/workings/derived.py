@@ -88,7 +88,8 @@ def explanation_of(
         asked = tuple(writer.ends.text(e) for e, part in derivation.asked.items() if part == label)
         answers = tuple(to_text(writer.naming.relation(end.answer)) for end in ends)
         parts.append(PartExplanation(label, asked, steps[label], answers, derivation))
-    return Explanation(problem.title, tuple(parts), problem.warnings, solution)
+    letters = writer.naming.letters
+    return Explanation(problem.title, tuple(parts), problem.warnings, solution, letters=letters)
 
 
 # Notes that stand where the data have a solution.

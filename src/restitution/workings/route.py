@@ -94,7 +94,8 @@ def _printed(
             str(say("amiss.complaint", complaint=str(complaint))) for complaint in complaints
         ]
         followed = not complaints
-    return Explanation(solution.problem.title, parts, tuple(warnings), solution, followed)
+    title = solution.problem.title
+    return Explanation(title, parts, tuple(warnings), solution, followed, whole.letters)
 
 
 def _proved_on_paper(solution: Solution, derivation: Derivation) -> set[str]:

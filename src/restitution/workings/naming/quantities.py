@@ -240,6 +240,15 @@ class Naming(Moments):
         pending, self._pending = tuple(self._pending), []
         return (*self.bold.introduced(), *pending)
 
+    @property
+    def letters(self) -> dict[Expression, str]:
+        """The letters that are in use by now, by the quantities for which they stand."""
+        return {
+            tree: f"{symbol.name}_{symbol.subscript}" if symbol.subscript else symbol.name
+            for tree, symbol in self._own.items()
+            if isinstance(symbol, lay.Letter)
+        }
+
     def knows(self, tree: Expression, letter: str) -> None:
         """A quantity has a letter from now on, and is called by it."""
         if not isinstance(tree, Quantity):

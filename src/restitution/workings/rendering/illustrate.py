@@ -27,7 +27,7 @@ def illustrated(explanation: Told) -> Told:
     if explanation.solution is None:
         return explanation
     try:
-        drawn = scenes(explanation.solution)
+        drawn = scenes(explanation.solution, letters=explanation.letters)
     except RestitutionError:
         return explanation  # unsolved: the working says why
     except (*UNFORESEEN, AssertionError):

@@ -16,7 +16,10 @@ from restitution.render.layout import Layout
 from restitution.render.text import NO_BREAK
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from restitution.drawing.scene import Scene
+    from restitution.expression.tree import Expression
     from restitution.solving.equations.solution import Solution
 
 StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading", "picture"]
@@ -138,7 +141,8 @@ class Working:
     """A whole worked solution as data, and what it explains.
 
     Pictures are not among its steps until ``illustrated`` puts them there. ``followed`` tells
-    whether its lines were followed exactly; None where that was not asked.
+    whether its lines were followed exactly; None where that was not asked. ``letters`` are those
+    that it introduces, by the quantities for which they stand.
     """
 
     title: str | None
@@ -146,6 +150,7 @@ class Working:
     warnings: tuple[str, ...] = ()
     solution: Solution | None = field(default=None, compare=False, repr=False)
     followed: bool | None = None
+    letters: Mapping[Expression, str] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def marks(self) -> int:
