@@ -175,13 +175,22 @@ def test_an_angle_of_a_wall_is_marked_where_it_is_given() -> None:
     assert "120°" in {to_text(each.content) for each in plan.labels}
 
 
-def test_there_is_no_triangle_without_a_word() -> None:
-    """Components of which neither has a short name are not drawn before an impact."""
+def test_a_component_with_a_long_exact_form_is_a_decimal() -> None:
     second = scenes(solved(STATEMENTS[13]))[2]
     assert second.event == 2 and len(second.panels) == 2
-    middle = (second.panels[0].box[2] + second.panels[1].box[0]) / 2
-    legs = [each for each in second.shapes if isinstance(each, Arrow) and each.role == "component"]
-    assert legs and all(each.start.x > middle for each in legs)
+    texts = [to_text(each.content) for each in second.labels]
+    x, y = math.cos(math.radians(45)), 0.5 * math.sin(math.radians(45))
+    half, high = 0.5, math.sqrt(3) / 2
+    along, across = abs(y * high - x * half), x * high + y * half
+    for size in (along, across, across / 2):
+        assert f"{float(f'{size:.3g}'):g}u" in texts
+
+
+def test_there_is_no_triangle_without_a_word() -> None:
+    """Components of which neither has a short name are not drawn."""
+    second = scenes(solved(STATEMENTS[13].replace("45°", "alpha")))[2]
+    assert second.event == 2 and len(second.panels) == 2
+    assert not [x for x in second.shapes if isinstance(x, Arrow) and x.role == "component"]
 
 
 # --- what is short --------------------------------------------------------------------------------

@@ -250,12 +250,15 @@ def test_what_is_there_before_the_working_comes_first(monkeypatch, tmp_path):
         again = client.post("/api/explain", json={**body, "early": True})
         assert again.json() == last
         assert again.headers["content-type"] == "application/json"
-    late = {"working", "motion", "latex", "warnings"}
+    # The pictures have the letters of the working as soon as that is there.
+    late = {"working", "motion", "latex", "warnings", "pictures"}
     assert {name for name in last if last[name] != early[name]} <= late
     assert [part["answers"] for part in early["working"]] == [p["answers"] for p in last["working"]]
     assert not any(part["steps"] for part in early["working"])
     assert any(part["steps"] for part in last["working"])
     assert early["pictures"]
+    events = [[picture["event"] for picture in each["pictures"]] for each in (early, last)]
+    assert events[0] == events[1]
 
 
 def test_rejected_roots_come_with_their_reasons(client):

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+import sympy as sp
+
 from restitution.drawing.angles import put_angle, put_deflection
 from restitution.drawing.event import (
     LONGEST_LABEL,
@@ -148,7 +150,7 @@ def _triangle(
     ends = (tail, corner), (corner, tip)
     seen = [math.hypot(*(end - start)) >= _SEEN for start, end in ends]
     unlabelled = [part is None or _layout(part) is None for _, _, part in legs]
-    if when == "before" and all(unlabelled):  # lines without a word
+    if all(unlabelled):  # lines without a word
         _own_label(view, body, when, (tail, tip), corner, drawing)
         return
     drawing.shapes += [Arrow("component", *leg) for leg in ends]
@@ -336,12 +338,21 @@ def _is_hidden(view: View, x: Any) -> bool:
 
 def _layout(x: Any) -> Layout | None:
     if not is_short(x):
-        return None
+        return _decimal_size(x)
     layout = lay.from_sympy(x)
     if len(to_text(layout)) > LONGEST_LABEL:
         return None
     left, _, right, _ = outline(layout).box
     return layout if right - left <= _WIDEST else None
+
+
+def _decimal_size(x: Any) -> Layout | None:
+    """The size of a multiple of a positive letter of which the exact form is long: ``0.634u``."""
+    number, rest = sp.sympify(x, strict=True).as_independent(*x.free_symbols)
+    if not number.is_number or not (rest == 1 or (rest.is_Symbol and rest.is_positive)):
+        return None
+    size = lay.decimal_number(abs(number))
+    return size if rest == 1 else lay.product(size, lay.from_sympy(rest))
 
 
 def _directed(
@@ -351,6 +362,8 @@ def _directed(
 
     A letter counted positive the other way gets a small arrow for its sense instead.
     """
+    if not is_short(part):
+        return _layout(part)
     sign, size = lay.split_sign(lay.from_sympy(part))
     sense = axis if sign == "+" else -axis
     if sense.dot(axis * value) >= 0:
