@@ -6,8 +6,6 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-import sympy as sp
-
 from restitution.drawing.angles import put_angle, put_deflection
 from restitution.drawing.event import (
     LONGEST_LABEL,
@@ -348,7 +346,7 @@ def _layout(x: Any) -> Layout | None:
 
 def _decimal_size(x: Any) -> Layout | None:
     """The size of a multiple of a positive letter of which the exact form is long: ``0.634u``."""
-    number, rest = sp.sympify(x, strict=True).as_independent(*x.free_symbols)
+    number, rest = x.as_independent(*x.free_symbols)
     if not number.is_number or not (rest == 1 or (rest.is_Symbol and rest.is_positive)):
         return None
     size = lay.decimal_number(abs(number))
