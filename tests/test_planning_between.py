@@ -119,7 +119,7 @@ P hits W: e = 1/2
 given velocity(P) parallel to j
 find theta
 """,
-        ("2 cos²θ − sin²θ = 0",),
+        ("tan θ = 2/tan θ\n",),
     ),
     "degrees by their tangent": (
         """

@@ -22,7 +22,7 @@ Q hits W: e = 1/2
 given velocity(Q) perpendicular to i
 find tan(phi)
 """,
-        ("𝐧 = sin φ 𝐢 − cos φ 𝐣", "𝐯_Q · 𝐧 = −(3/2)w sin φ"),
+        ("V cos φ = ½ × 3w sin φ", "tan φ = 2/tan φ", "as φ is acute"),
         ("away from W",),
     ),
     "a wall of which the side is open": (
@@ -83,7 +83,7 @@ A hits B: along phi, e = 1/2
 given speed(A) = 3u
 find tan(phi)
 """,
-        ("−sin φ 𝐢 + cos φ 𝐣:", "−4u sin φ"),
+        ("𝐭 = −sin φ 𝐢 + cos φ 𝐣", "in the direction of 𝐭 stays −4u sin φ"),
         (),
     ),
     "a line of centres on either side": (
@@ -94,7 +94,7 @@ A hits B: e = 1/5
 given speed(A) = 4u
 find speed(B)
 """,
-        ("−sin θ 𝐢 + cos θ 𝐣:",),
+        ("𝐭 = −sin θ 𝐢 + cos θ 𝐣",),
         (),
     ),
     "to the left of j": (
@@ -135,7 +135,7 @@ sphere B: mass m, at rest
 A hits B: along 60°, e = 1/2
 find deflection(A), angle(velocity(A), velocity(B))
 """,
-        ("− 30°", "B moves along the line of centres:\n    θ = arctan(2√3/3)"),
+        ("− 30°", "B moves along the line of centres:\n    θ = β = arctan(2√3/3)"),
         ("tan θ",),
     ),
     "a velocity from i at a slanting wall": (
@@ -199,7 +199,7 @@ A hits B: along 30°, e = 1/2
 A hits C: along -60°, e = 1/2
 find speed(C)
 """,
-        ("at right angles to the\nlast one:", "𝐯_A · 𝐧₂ = 4u"),
+        ("at right angles to the\nlast one:", "𝐯_A · 𝐧₂ = −𝐯_A · 𝐭₁ = 4u"),
         (),
     ),
     "the speed after a blow": (
