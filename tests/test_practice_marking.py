@@ -516,3 +516,56 @@ def test_a_wrong_percentage_earns_nothing(name: str, typed: str) -> None:
     marking = restitution.mark(restitution.parse(LOST), f"{name} = {typed}")
     (line,) = marking.json()["lines"]
     assert (line["verdict"], line["mistake"]["id"], marking.marks.earned) == ("false", None, 0)
+
+
+TWO_PARTS = """
+sphere A: mass 5, velocity 5 at alpha
+sphere B: mass 1, velocity -3i
+given tan(alpha) = 4/3
+A hits B: along i, e = 1/3
+part a
+find speed(A)
+part b
+find speed(B)
+"""
+IN_PART_A = "15 {sign} 3 = 5v + w\nw - v = 2\nv = {v}\nspeed of A = {speed}"
+
+
+@pytest.mark.parametrize(
+    "typed",
+    ["w = 4.67\nspeed of B = 4.67", "w = v + 2 = 14/3", "w = 14/3", "speed of B = 14/3"],
+)
+def test_what_is_wrong_in_one_part_follows_through_to_the_next(typed: str) -> None:
+    before = IN_PART_A.format(sign="+", v="8/3", speed="4.81")
+    marking = restitution.mark(
+        restitution.parse(TWO_PARTS), f"(a)\n{before}\n(b)\n{typed}", part="b"
+    )
+    verdicts = {each["verdict"] for each in marking.json()["lines"]}
+    assert verdicts <= {"follows", "remark"}
+    assert marking.marks.earned == 1
+
+
+def test_right_lines_of_two_parts_are_right() -> None:
+    before = IN_PART_A.format(sign="-", v="5/3", speed="13/3")
+    for part, earned in (("a", 8), ("b", 1)):
+        text = f"(a)\n{before}\n(b)\nw = v + 2 = 11/3\nspeed of B = 11/3"
+        marking = restitution.mark(restitution.parse(TWO_PARTS), text, part=part)
+        assert {each["verdict"] for each in marking.json()["lines"]} <= {"true", "remark"}
+        assert marking.marks.earned == earned
+
+
+def test_lines_of_a_part_with_data_of_its_own_are_none_of_the_next() -> None:
+    question = """
+    wall W: along i
+    sphere P: mass 1, velocity 4i - 3j
+    P hits W: e = k
+    part a
+    given k = 1/2
+    find speed(P)
+    part b
+    given k = 1/3
+    find speed(P)
+    """
+    text = "(a)\nv = 1/2*3 = 1.5\nspeed = 4.27\n(b)\nv = 1/3*3 = 1\nspeed = sqrt(17)"
+    marking = restitution.mark(restitution.parse(question), text, part="b")
+    assert {each["verdict"] for each in marking.json()["lines"]} <= {"true", "remark"}

@@ -11,7 +11,8 @@ from restitution.explaining.mistakes.misconceptions import alteration
 from restitution.expression.tree import Expression
 from restitution.expression.writing import write_expression
 from restitution.practice.judgement import Judgement
-from restitution.practice.judging.judging import bench_of, judge
+from restitution.practice.judging.earlier_parts import judge_part
+from restitution.practice.judging.judging import bench_of
 from restitution.practice.letters.declaring import letters_from_mapping
 from restitution.practice.letters.letters_box import letters_box
 from restitution.practice.marking.answers import answers_of
@@ -119,7 +120,8 @@ def _marked(
     error = solved.error or (without[0] if len(without) == len(solved.items) > 0 else None)
     if error is not None:
         raise error
-    judgement = judge(bench.solution, script, part, _meanings(letters or {}, solution.problem))
+    meanings = _meanings(letters or {}, solution.problem)
+    judgement = judge_part(bench.solution, script, part, meanings)
     judgement = _with_consequence(judgement, solution, part)
     unknown = bench.question.unknown - bench.question.given
     values = Values(bench.worlds, unknown, judgement.letters)

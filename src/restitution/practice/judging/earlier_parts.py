@@ -1,0 +1,72 @@
+"""Lines of a part that rest on lines of earlier parts, the student's own mistakes included."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from restitution.expression.tree import Expression
+from restitution.practice.judgement import JudgedLine, Judgement
+from restitution.practice.judging.judging import judge
+from restitution.practice.script import Script, ScriptLine
+from restitution.problem import Given, Unknown
+from restitution.solving.equations.solution import Solution
+
+_TROUBLED = frozenset({"false", "follows", "asks", "unsupported"})
+
+
+def judge_part(
+    solution: Solution,
+    script: Script,
+    part: str | None = None,
+    letters: Mapping[str, Expression | Sequence[Expression]] | None = None,
+) -> Judgement:
+    """The verdicts on the lines of a part, which may rest on the lines of earlier parts.
+
+    Earlier lines are looked at where one of them, or of the part's own, is not plainly true; they
+    are left out again where more lines would be false with them. Raises KeyError for a part that
+    is not there, and the error of a question that has no answer.
+    """
+    alone = judge(solution, script, part, letters)
+    labels = [label for label in _earlier(solution, part) if script.of(label).lines]
+    if not labels or script.of(part) is script:
+        return alone
+    judged = (judge(solution, script, label, letters) for label in labels)
+    if not (_is_troubled(alone.lines) or any(_is_troubled(each.lines) for each in judged)):
+        return alone
+    whole = judge(solution, _joined(script, [*labels, part], part), part, letters)
+    numbers = {each.line.number for each in alone.lines}
+    own = tuple(each for each in whole.lines if each.line.number in numbers)
+    if _falses(own) > _falses(alone.lines):
+        return alone
+    return replace(whole, lines=own)
+
+
+def _earlier(solution: Solution, part: str | None) -> list[str]:
+    """The parts before one of which nothing given is out of force in it."""
+    labels = list(solution.parts)
+    return [
+        label
+        for label in labels[: labels.index(part)]
+        if label is not None
+        and not any(isinstance(step, Given | Unknown) for step in solution.parts[label].part.steps)
+    ]
+
+
+def _joined(script: Script, labels: Sequence[str | None], part: str | None) -> Script:
+    """The lines of several parts as lines of one."""
+    literal = None if script.literal is None else _joined(script.literal, labels, part)
+    lines = (replace(each, part=part) for each in _of(script.lines, labels))
+    return Script(tuple(lines), literal)
+
+
+def _of(lines: Iterable[ScriptLine], labels: Sequence[str | None]) -> list[ScriptLine]:
+    return [each for label in labels for each in lines if each.part == label]
+
+
+def _is_troubled(lines: Iterable[JudgedLine]) -> bool:
+    return any(each.verdict in _TROUBLED for each in lines)
+
+
+def _falses(lines: Iterable[JudgedLine]) -> int:
+    return sum(each.verdict == "false" for each in lines)
