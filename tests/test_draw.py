@@ -15,7 +15,7 @@ from strategies import Tale
 from test_properties import Told, can_happen, examples
 
 import restitution as r
-from restitution.drawing import draw, figure
+from restitution.drawing import figure
 from restitution.drawing import scenes as pictures
 from restitution.drawing.labels import place
 from restitution.drawing.scene import (
@@ -138,6 +138,7 @@ def test_letters_are_those_of_the_working() -> None:
     assert "Let θ be the angle between 𝐯₁ and BC." in str(working)
     first, second = (each for each in pictures(solution, letters=working.letters) if each.event)
     assert sorted(shown(first)[1].labels()) == sorted(["P", "2m", "AB", "u/3", "√3 u/2", "δ"])
+    assert r.draw(solution).scenes[1:] == (first, second)
     before, after = map(Shown.labels, shown(second))
     assert "θ" in before and "β" not in before
     assert {"11u/24", "√3 u/12"} <= set(after)
@@ -391,11 +392,11 @@ def test_each_event_is_drawn_once_and_a_part_by_its_own_values() -> None:
 def test_a_contradiction_cannot_be_drawn() -> None:
     question = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W\ngiven speed(P) = 6\nfind e"
     with pytest.raises(r.RestitutionError):
-        draw(solved(question.replace("6", "6, e = 1/2")))
+        r.draw(solved(question.replace("6", "6, e = 1/2")))
 
 
 def test_drawings_show_themselves() -> None:
-    drawings = draw(solved(WALL))
+    drawings = r.draw(solved(WALL))
     assert len(drawings.svgs) == 1
     ((kind, shown_as),) = drawings._repr_mimebundle_().items()
     if kind == "image/png":

@@ -21,7 +21,6 @@ from restitution import first_names as _first_names
 if TYPE_CHECKING:
     from restitution.batch.ensemble import ensemble
     from restitution.batch.impacts import impacts
-    from restitution.drawing import draw
     from restitution.errors import (
         CollapseError,
         ContradictionError,
@@ -46,6 +45,7 @@ if TYPE_CHECKING:
     from restitution.vector import Vector
     from restitution.wording import question
     from restitution.workings import explain
+    from restitution.workings.pictures import draw
 
     __version__: str
 
@@ -97,7 +97,7 @@ _NAMES_OF_MODULES = {
         "TimeLimitError",
         "UnsupportedError",
     ),
-    "drawing": ("draw",),
+    "workings.pictures": ("draw",),
     "workings": ("explain",),
     "export.player": ("play",),
     "impact": ("impact",),

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from restitution.staging.values import When
     from restitution.vector import Vector
 
-__all__ = ["Drawings", "draw", "figure", "scenes", "thumbnail"]
+__all__ = ["Drawings", "figure", "scenes", "thumbnail"]
 
 
 @dataclass(frozen=True)
@@ -43,11 +43,6 @@ class Drawings:
             return {"image/png": converted(svg, "png", 160)}
         except UnsupportedError:
             return {"image/svg+xml": svg}
-
-
-def draw(solution: Solution, part: str | None = None) -> Drawings:
-    """The pictures of a solved problem, or of the part with that label: see ``scenes``."""
-    return Drawings(scenes(solution, part))
 
 
 def scenes(

@@ -319,8 +319,8 @@ def serve(job: Job) -> Reply:
             warnings = reply["warnings"]
             return Reply(one, answered, errors, tuple(warnings), tired=tired, notes=unvaried)
         case Picturing(event):
-            from restitution.export.pictures import letters_of_working
             from restitution.export.working import pictured
+            from restitution.workings.pictures import letters_of_working
 
             letters = letters_of_working(solution, _left(job.limit, began, _LETTERS))
             drawn: DrawnObject = {**reply, **pictured(solution, event, letters)}

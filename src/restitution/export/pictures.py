@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from restitution.errors import RestitutionError, StatementError
-from restitution.work import limited
+from restitution.errors import StatementError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -24,25 +23,9 @@ def picture(solution: Solution, event: int | None = None, seconds: float | None 
     solved.
     """
     from restitution.drawing.svg import stacked
+    from restitution.workings.pictures import letters_of_working
 
     return stacked(chosen(solution, event, letters_of_working(solution, seconds)))
-
-
-def letters_of_working(
-    solution: Solution, seconds: float | None = None
-) -> Mapping[Expression, str] | None:
-    """The letters that the working introduces, by the quantities for which they stand.
-
-    None where there is no working, or none within so many ``seconds``.
-    """
-    from restitution.solving.worker import UNFORESEEN
-    from restitution.workings import explain
-
-    try:
-        with limited(seconds):
-            return explain(solution, marks="none").letters
-    except (RestitutionError, *UNFORESEEN):
-        return None
 
 
 def chosen(
