@@ -156,6 +156,19 @@ def test_a_wall_changes_a_component_that_has_no_letter() -> None:
     assert to_text(scene.note) == "Speeds are in m s⁻¹."
 
 
+def test_a_blow_after_an_impact_with_a_wall_has_its_components_by_value() -> None:
+    question = """
+    wall W: along i
+    sphere P: mass 2, velocity 3i - 4j
+    P hits W: e = 1/2
+    P receives -8i - 12j
+    find velocity(P)
+    """
+    blow = scenes(solved(question))[-1]
+    assert blow.event == 2
+    assert {"3", "2"} <= set(shown(blow)[0].labels())
+
+
 def test_all_masses_of_a_picture_stand_within_their_circles_or_none_does() -> None:
     question = """
     sphere A: mass {}, velocity 5i + 2j

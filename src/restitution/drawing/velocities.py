@@ -254,7 +254,9 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
     given = _given(view, body, when)
     if view.kind == "blow":
         v = model.happening(number).before[name] if given is None else given
-        return (None, None) if given is None and when == "after" else (v.x, v.y)
+        if given is None and when == "after":
+            return None, None
+        return _in_letters(view, _by_now(view, v.x)), _in_letters(view, _by_now(view, v.y))
     frame = model.frames[number]
     along, across = model.before(number, name)
     if when == "after" and model.problem.altered_at(number) is not None:
