@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from commands import run
 
 import restitution as r
 from restitution.export import mark_scheme as tables
+from restitution.practice.marking import mark_scheme as schemes
 from restitution.practice.marking.mark_scheme import mark_scheme
 from restitution.practice.questions.varying import variant
 from restitution.workings import explain
@@ -20,6 +23,14 @@ find velocity(P)
 part b
 find energy_lost
 """
+
+AT_AN_ANGLE = """sphere A: mass 5, velocity 5 at alpha
+sphere B: mass 1, velocity -3i
+given tan(alpha) = 4/3
+A hits B: along i, e = 1/3
+find speed(A), speed(B)
+"""  # 13/3 and 7
+TANGENTS = {"3/4": 5, "4/3": 5, "5/12": 13, "12/5": 13}
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +49,35 @@ def test_a_scheme_names_usual_wrong_answers(rows):
     notes = " ".join(note for row in rows for note in row.notes)
     assert "5𝐢 + 9𝐣 (restitution upside down)" in notes  # 3 ÷ ⅓ = 9
     assert "M0: " in notes
+
+
+@pytest.fixture
+def notes(monkeypatch):
+    """The notes of a scheme, whatever time it takes."""
+    monkeypatch.setattr(schemes, "_SECONDS", 120)
+
+    def of(text):
+        return [note for row in mark_scheme(r.solve(r.parse(text))) for note in row.notes]
+
+    return of
+
+
+def test_usual_wrong_answers_can_happen(notes):
+    text = STATEMENT.replace("energy_lost", "energy_lost/energy(0)")
+    *_, lost = (note for note in notes(text) if "wrong answers" in note)
+    assert "(restitution without e)" in lost
+    assert "upside down" not in lost and "−" not in lost  # e = 3: kinetic energy would be gained
+
+
+def test_usual_wrong_answers_are_short(notes):
+    text = " ".join(notes(AT_AN_ANGLE))
+    assert "4.24 (restitution with whole speeds)" in text  # (5√1153 − 17)/36
+    assert "√1513/9 = 4.32 (restitution in the wrong direction)" in text
+
+
+def test_a_mistake_that_keeps_its_method_is_not_condoned(notes):
+    text = " ".join(notes(AT_AN_ANGLE))
+    assert "Allow M1 (A0) for: a sign in momentum" in text and "Condone" not in text
 
 
 def test_tables_are_escaped(rows):
@@ -59,6 +99,9 @@ def test_the_command_sets_versions_with_their_schemes(tmp_path):
     assert one.read_text(encoding="utf-8") != other.read_text(encoding="utf-8")
     assert "Mark scheme" in (tmp_path / "test-1-scheme.html").read_text(encoding="utf-8")
     assert "Mark scheme" not in one.read_text(encoding="utf-8")
+    room = re.compile(r'<div style="height: [^0]')
+    assert room.search(one.read_text(encoding="utf-8"))
+    assert not room.search((tmp_path / "test-1-scheme.html").read_text(encoding="utf-8"))
 
 
 def test_versions_need_a_file_each(tmp_path):
@@ -66,15 +109,6 @@ def test_versions_need_a_file_each(tmp_path):
     path.write_text(STATEMENT, encoding="utf-8")
     status, _, _ = run("sheet", path, "-o", "-", "--format", "html", "--variants", "2")
     assert status == 2
-
-
-AT_AN_ANGLE = """sphere A: mass 5, velocity 5 at alpha
-sphere B: mass 1, velocity -3i
-given tan(alpha) = 4/3
-A hits B: along i, e = 1/3
-find speed(A), speed(B)
-"""  # 13/3 and 7
-TANGENTS = {"3/4": 5, "4/3": 5, "5/12": 13, "12/5": 13}
 
 
 @pytest.mark.parametrize("seed", [7, 8, 9])

@@ -32,9 +32,9 @@ class Options:
     """What a sheet holds beside its questions.
 
     ``space`` is the room for working after each part, in centimetres; None gives a centimetre for
-    each mark, and nothing where the solutions stand behind. ``marks`` is the style of marks; in
-    the style ``"none"`` there are none to be seen, and as much room as in ``"fm1"``. ``scheme``
-    sets the mark scheme behind.
+    each mark, and nothing where the solutions or the mark scheme stand behind. ``marks`` is the
+    style of marks; in the style ``"none"`` there are none to be seen, and as much room as in
+    ``"fm1"``. ``scheme`` sets the mark scheme behind.
     """
 
     solutions: bool = False
@@ -48,7 +48,8 @@ class Options:
 class Entry:
     """One question of a sheet as markup of its form; ``working`` is empty where not wanted.
 
-    So is ``scheme``, its mark scheme.
+    So is ``scheme``, its mark scheme, and ``close``, the question without room for working, which
+    stands before it unless room is asked for.
 
     ``room`` is that for the working of its last part, in centimetres.
     """
@@ -58,6 +59,13 @@ class Entry:
     working: str = ""
     room: float = 0.0
     scheme: str = ""
+    close: str = ""
+
+    def asked(self, options: Options) -> tuple[str, float]:
+        """The question, and the room behind it, as they stand on a sheet."""
+        if options.scheme and options.space is None:
+            return self.close, 0.0
+        return self.question, self.room
 
 
 def entry(solution: Solution, form: Form, options: Options) -> Entry:
@@ -84,13 +92,15 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
         from restitution.workings.rendering import typst
 
         working = typst.to_markup(explained) if options.solutions else ""
-        text = _typst_question(asked, figure, rooms)
-        return Entry(solution.problem.title, text, working, room, _scheme(solution, form, options))
-    from restitution.workings.rendering import html
+        written = _typst_question
+    else:
+        from restitution.workings.rendering import html
 
-    working = html.to_body(explained) if options.solutions else ""
-    text = _html_question(asked, figure, rooms)
-    return Entry(solution.problem.title, text, working, room, _scheme(solution, form, options))
+        working = html.to_body(explained) if options.solutions else ""
+        written = _html_question
+    close = written(asked, figure, [0.0] * len(rooms)) if options.scheme else ""
+    text, scheme = written(asked, figure, rooms), _scheme(solution, form, options)
+    return Entry(solution.problem.title, text, working, room, scheme, close)
 
 
 def _scheme(solution: Solution, form: Form, options: Options) -> str:
@@ -152,9 +162,10 @@ def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> s
     blocks = [setup, PREAMBLE]
     alone = len(entries) == 1
     for number, each in enumerate(entries, 1):
-        blocks.append(_typst_numbered(number, each.title, each.question, alone, title))
+        question, room = each.asked(options)
+        blocks.append(_typst_numbered(number, each.title, question, alone, title))
         # What is left of the last page is room enough, whatever it is.
-        blocks.append(f"#room({each.room:g}cm)" if number < len(entries) else "")
+        blocks.append(f"#room({room:g}cm)" if number < len(entries) else "")
     if options.solutions:
         blocks.append("#pagebreak(weak: true)\n#heading(numbering: none)[Solutions]")
         for number, each in enumerate(entries, 1):
@@ -220,8 +231,9 @@ def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> st
     alone = len(entries) == 1
     body = [f"<h1>{escape(named)}</h1>"]
     for number, each in enumerate(entries, 1):
-        body.append(_html_numbered(number, each.title, each.question, alone, named))
-        body.append(_html_room(each.room))
+        question, room = each.asked(options)
+        body.append(_html_numbered(number, each.title, question, alone, named))
+        body.append(_html_room(room))
     if options.solutions:
         body.append("<h2>Solutions</h2>")
         body += [

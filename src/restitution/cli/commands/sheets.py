@@ -78,7 +78,7 @@ def sheet(
             min=0,
             max=100,
             help="Room for working after each part; else a centimetre for each mark, and none"
-            " with --solutions.",
+            " with --solutions or the mark scheme.",
         ),
     ] = None,
     marks: MarkStyle = Marks.fm1,

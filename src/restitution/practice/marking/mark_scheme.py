@@ -8,19 +8,24 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+import sympy as sp
+
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.marks import Style
 from restitution.explaining.mistakes.consequences import altered_world, applying
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
+from restitution.expression.tree import Binary, Letter, Quantity
 from restitution.practice.marking.scheme import MarkPoint, schemes
+from restitution.problem import Value
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
-from restitution.solving.equations.solution import Solution
+from restitution.solving.equations.solution import Answer, ItemResult, Solution
 from restitution.work import limited
 from restitution.workings import explain
 from restitution.workings.rendering.steps import PartExplanation, Row, Words
 
 _MOST_WRONG = 4
+_LONGEST = 10  # signs of an exact form beside which three figures stand, and not instead
 _SECONDS = 2.5
 
 
@@ -116,7 +121,7 @@ def _notes(
     elif point.kind.startswith("DM"):
         yield "Depends on the methods before it."
     if point.letter == "M":
-        yield from _condoned(point, solution)
+        yield from _allowed(point, solution)
     if point.letter == "B" and point.principle == "unchanged":
         yield "May be implied by a later line, or stand on the diagram."
     if point.item is not None:
@@ -125,8 +130,8 @@ def _notes(
             yield f"Usual wrong answers: {'; '.join(usual)}."
 
 
-def _condoned(point: MarkPoint, solution: Solution) -> Iterator[str]:
-    """Mistakes that keep the method, and mistakes that lose it."""
+def _allowed(point: MarkPoint, solution: Solution) -> Iterator[str]:
+    """Mistakes for which the method is allowed, and mistakes that lose it."""
     here = [
         MISCONCEPTIONS[name]
         for name in applying(solution.problem)
@@ -135,7 +140,7 @@ def _condoned(point: MarkPoint, solution: Solution) -> Iterator[str]:
     keeps = [each.title for each in here if (each.mark_of(point.principle) or "").startswith("M1")]
     loses = [each.title for each in here if (each.mark_of(point.principle) or "") == "M0"]
     if keeps:
-        yield f"Condone, M1 A0: {_listed(keeps)}."
+        yield f"Allow M1 (A0) for: {_listed(keeps)}."
     if loses:
         yield f"M0: {_listed(loses)}."
 
@@ -178,8 +183,43 @@ def _add(usual: dict[tuple[str | None, int], list[str]], solution: Solution, nam
                 ):
                     continue
                 seen.add((part, place))
-                shown = changed.altered.display.split(" = ")
-                display = shown[-1] if changed.altered.answers[0].angle else shown[0]
+                answer = changed.altered.answers[0]
+                display = _shown(answer)
+                if not _possible(item, answer):
+                    continue
                 if all(not each.startswith(f"{display} (") for each in wrong_answers):
                     title = MISCONCEPTIONS[name].title
                     wrong_answers.append(f"{display} ({title[:1].lower() + title[1:]})")
+
+
+def _shown(answer: Answer) -> str:
+    """An answer as a marker looks for it: three figures, beside an exact form that is short."""
+    exact, _, rounded = answer.display.partition(" = ")
+    if rounded:
+        return rounded if answer.angle or len(exact) > _LONGEST else answer.display
+    if len(exact) > 2 * _LONGEST and isinstance(answer.decimal, tuple):
+        x, y = (f"{abs(each):.3g}" for each in answer.decimal)
+        first, second = (each < 0 for each in answer.decimal)
+        return f"{'−' if first else ''}{x}𝐢 {'−' if second else '+'} {y}𝐣"
+    return exact
+
+
+def _possible(item: ItemResult, answer: Answer) -> bool:
+    """Whether a value can be meant: no energy lost, mass or coefficient is negative, none of it
+    and no fraction of energy more than 1.
+    """
+    if not isinstance(item.item, Value) or item.kind != "value" or answer.angle:
+        return True
+    at_most_1 = False
+    match item.item.expression:
+        case Quantity("energy_lost" | "total_energy_lost" | "mass" | "energy" | "speed"):
+            pass
+        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+            at_most_1 = True
+        case Letter(name):
+            at_most_1 = name.startswith("e")
+        case _:
+            return True
+    value = sp.sympify(answer.value, strict=True)
+    too_large = at_most_1 and (value - 1).is_positive
+    return not (value.is_negative or too_large)
