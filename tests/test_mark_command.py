@@ -89,3 +89,47 @@ def test_what_cannot_be_marked(folder, arguments, stdin, status, said):
     found, _, err = run("mark", *arguments, stdin=stdin, cwd=folder)
     assert found == status
     assert said in err
+
+
+def test_a_page_of_markings_has_the_question_and_the_scripts(folder):
+    (folder / "pair.impact").write_text(f"title A & B\n{QUESTION}")
+    arguments = ("mark", "pair.impact", "scripts", "--letters", "letters.txt", "--format", "html")
+    status, out, _ = run(*arguments, cwd=folder)
+    assert status == 0
+    assert "<h1>A &amp; B</h1>" in out and "Immediately before the collision" in out
+    assert out.index("<h2>ann.txt</h2>") < out.index("<h2>bob.txt</h2>")
+    assert "<h3>Part (a)</h3>" in out
+
+
+MOVING = """sphere A: mass 5, velocity 5 at alpha
+sphere B: mass 1, velocity -3i
+given tan(alpha) = 4/3
+A hits B: along i, e = 1/3
+find speed(A), speed(B)
+"""  # 13/3 and 7
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"),
+    [
+        ("speed of A = 4.33", "speed(A) = 4.33: right"),
+        ("the speed of A is 13/3 m/s", "speed(A) = 13/3 m/s: right"),
+        ("vA = 4.33", "speed(A) = 4.33: right"),
+        ("vA = 4.81", "speed(A) = 4.81: not right; it is what comes of: A sign in momentum"),
+        ("v_B = 3", "speed(B) = 3: not right"),
+    ],
+)
+def test_an_answer_may_be_told_as_in_a_working(tmp_path, typed, said):
+    (tmp_path / "q.impact").write_text(MOVING)
+    status, out, err = run("mark", "q.impact", "--answer", typed, cwd=tmp_path)
+    assert (status, out.startswith(said)) == (0, True), out + err
+
+
+def test_a_value_alone_is_of_the_one_thing_that_is_asked(tmp_path):
+    (tmp_path / "q.impact").write_text(MOVING.replace(", speed(B)", ""))
+    _, out, _ = run("mark", "q.impact", "--answer", "13/3", cwd=tmp_path)
+    assert out == "speed(A) = 13/3: right\n"
+    (tmp_path / "q.impact").write_text(MOVING)
+    for typed in ("13/3", "v = 13/3"):  # of which of the two?
+        status, _, err = run("mark", "q.impact", "--answer", typed, cwd=tmp_path)
+        assert status != 0 and "asked: speed(A), speed(B)" in err

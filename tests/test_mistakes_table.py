@@ -7,13 +7,16 @@ from pathlib import Path
 
 import pytest
 
+from restitution.errors import StatementError
 from restitution.explaining.lines.derivation import Event
 from restitution.explaining.lines.sentences import SENTENCES
 from restitution.explaining.lines.usual_mistakes import PHRASES, USUAL_MISTAKES
+from restitution.explaining.mistakes.listing import about_mistake
 from restitution.explaining.mistakes.misconceptions import (
     MISCONCEPTIONS,
     SLIPS,
     alteration,
+    misconception,
     variants_at,
 )
 from restitution.expression.tree import Quantity, walk
@@ -146,3 +149,15 @@ def test_the_page_for_teachers_tells_each_mistake_in_the_words_of_the_table(name
     shown = row.world != "none"
     assert (f"(images/mistakes/{name}.svg)" in text) == shown
     assert (f', "{name}/' in text) == shown
+
+
+@pytest.mark.parametrize("name", MISCONCEPTIONS)
+def test_no_two_rows_of_a_list_have_the_same_words(name):
+    rows = about_mistake(name, 1000).splitlines()
+    words = [row.partition("  ")[2].strip() for row in rows if row.startswith(f"{name}/")]
+    assert len(words) == len(set(words))
+
+
+def test_a_slip_is_no_unknown_mistake():
+    with pytest.raises(StatementError, match="'sign' is a slip, which has no world of its own"):
+        misconception("sign")

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-from restitution.errors import StatementError
+from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
     from restitution.practice.marking.answers import AnswerMark
@@ -69,12 +69,25 @@ def written(solution: Solution, task: Workings) -> str:
     from restitution.practice.marking.showing import document, to_text
 
     if task.form == "html":
-        return document([marking for _, marking in marked])
+        return document(marked, solution.problem.title, _question(solution))
     blocks = [
         (f"{name}\n" if len(task.workings) > 1 else "") + to_text(marking, task.width)
         for name, marking in marked
     ]
     return "\n\n".join(blocks) + "\n"
+
+
+def _question(solution: Solution) -> str:
+    """The question in words, as HTML; nothing where it cannot be worded."""
+    from dataclasses import replace
+
+    from restitution.wording import question
+    from restitution.wording.html import to_body
+
+    try:
+        return to_body(replace(question(solution.problem), title=None))
+    except RestitutionError:
+        return ""
 
 
 def marking_of(

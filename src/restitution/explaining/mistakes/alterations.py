@@ -262,6 +262,16 @@ _SOME: tuple[tuple[str, ...], ...] = (("F",), ("S",), ("F", "S"))
 _NAMES = {("F",): "of the first body", ("S",): "of the second body", ("F", "S"): "of both bodies"}
 
 
+def _turned_round(signs: Mapping[str, int]) -> str:
+    """Of which bodies a component stands with its sign changed: `` turned round``."""
+    turned = tuple(body for body, sign in signs.items() if sign < 0)
+    if not turned:
+        return ""
+    return (
+        ", turned round" if len(turned) == len(signs) else f", that {_NAMES[turned]} turned round"
+    )
+
+
 def _sine_cosine() -> Iterator[_Plain]:
     for sign in _SIGNS:
         senses: tuple[str, ...] = (f"{_signed(sign, _s('F'))} {_p('F')}",)
@@ -341,7 +351,7 @@ def _across_changed() -> Iterator[_Plain]:
                     where,
                     *(_across(body, _signed(sign, _p(body))) for body, sign in terms.items()),
                     senses=_exchanged(terms)[1],
-                    words=f"the other component in its place{of}",
+                    words=f"the other component in its place{of}{_turned_round(terms)}",
                 )
 
 

@@ -446,6 +446,8 @@ def misconception(name: str) -> Misconception:
     Raises StatementError for an id that is not there, with the nearest one, or with all.
     """
     base = name.partition("/")[0]
+    if base in SLIPS:
+        raise StatementError(f"'{base}' is a slip, which has no world of its own")
     if base not in MISCONCEPTIONS:
         near = get_close_matches(base, MISCONCEPTIONS, 1)
         hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(MISCONCEPTIONS)}"

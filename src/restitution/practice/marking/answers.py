@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from restitution.errors import StatementError
-from restitution.expression.tree import Expression, Letter
+from restitution.expression.tree import Expression, Letter, Name, Quantity, Stage, walk
 from restitution.practice.judgement import Accuracy, JudgedLine, Judgement
-from restitution.practice.judging.judging import Bench, bench_of
+from restitution.practice.judging.judging import Bench, bench_of, judge
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.lines import text_of
 from restitution.practice.reading.working import read_working
@@ -79,7 +79,8 @@ def answers_of(
 def mark_answers(
     question: Problem | Solution, answers: Sequence[str], part: str | None = None
 ) -> tuple[AnswerMark, ...]:
-    """Answers typed as ``speed(P) = 4.51``, one for each item that is answered.
+    """Answers such as ``speed(P) = 4.51`` or ``speed of P is 4.51``, each of an item that is asked;
+    a value alone where one thing is asked.
 
     Raises StatementError for what is no answer to an item that is asked, and the error of a
     question that has no answer.
@@ -90,17 +91,79 @@ def mark_answers(
 
 
 def _marked(answer: str, benches: Sequence[Bench]) -> AnswerMark:
-    asked, sign, value = answer.partition("=")
-    if not sign or not value.strip() or len(answer) > _LONGEST:
+    asked, value = _sides(answer)
+    items = [
+        (item, item.item.expression, bench)
+        for bench in reversed(benches)
+        for item in bench.solved.items
+        if isinstance(item.item, Value)
+    ]
+    known = ", ".join(each.text for bench in benches for each in bench.solved.items)
+    if not value or len(answer) > _LONGEST or (not asked and len(items) != 1):
+        which = f"; asked: {known}" if known else ""
         raise StatementError(
-            f"the answer {answer[:60]!r} is no equation: an answer is such as speed(P) = 4.51"
+            f"the answer {answer[:60]!r} does not tell what it is: an answer is such as "
+            f"speed(P) = 4.51{which}"
         )
-    for bench in reversed(benches):
-        for item in bench.solved.items:
-            if isinstance(item.item, Value) and _plain(item.text) == _plain(asked):
-                return _judged(item, item.item.expression, value.strip(), bench)
-    known = [each.text for bench in benches for each in bench.solved.items]
-    raise StatementError(f"{asked.strip()!r} is not asked; asked: {', '.join(known) or 'nothing'}")
+    for item, expression, bench in items:
+        if not asked or _plain(item.text) == _plain(asked):
+            return _judged(item, expression, value, bench)
+    for item, expression, bench in items:
+        if item is _meant(asked, value, bench):
+            return _judged(item, expression, value, bench)
+    raise StatementError(f"{asked!r} is not asked; asked: {known or 'nothing'}")
+
+
+def _sides(answer: str) -> tuple[str, str]:
+    """What an answer is of, and its value: ``speed of A is 4.5``; a value alone is of nothing."""
+    for sign in ("=", " is "):
+        asked, between, value = answer.partition(sign)
+        if between:
+            return asked.strip(), value.strip()
+    return "", answer.strip()
+
+
+def _meant(asked: str, value: str, bench: Bench) -> ItemResult | None:
+    """The item that a phrase or a letter means, as a working would; None where none or several.
+
+    A letter v with the name of a body is its speed or velocity, whichever is asked.
+    """
+    script = read_working([f"{asked} = {value}"], bench.problem)
+    meanings = judge(bench.solution, script, bench.solved.part.label).letters
+    for quantity in (meaning.quantity for meaning in meanings):
+        if not isinstance(quantity, Quantity):
+            continue
+        bodies = {node.name for node in walk(quantity) if isinstance(node, Name)}
+        if not all(name.casefold() in asked.casefold() for name in bodies):
+            continue  # of which body it is was only guessed
+        alike = [item for item in bench.solved.items if _is_alike(item, quantity)]
+        exact = [item for item in alike if _stage(item) == quantity.stage]
+        for chosen in (exact, alike):
+            if len(chosen) == 1:
+                return chosen[0]
+    motions = [
+        item
+        for item in bench.solved.items
+        if isinstance(item.item, Value)
+        and isinstance(item.item.expression, Quantity)
+        and item.item.expression.kind in ("speed", "velocity")
+        and isinstance(body := item.item.expression.arguments[0], Name)
+        and _plain(asked).replace("_", "") == f"v{body.name}".casefold()
+    ]
+    return motions[0] if len(motions) == 1 else None
+
+
+def _is_alike(item: ItemResult, quantity: Quantity) -> bool:
+    """Whether an item is of the kind and the bodies of a quantity, whenever that is."""
+    if not isinstance(item.item, Value) or not isinstance(item.item.expression, Quantity):
+        return False
+    asked = item.item.expression
+    return (asked.kind, asked.arguments) == (quantity.kind, quantity.arguments)
+
+
+def _stage(item: ItemResult) -> Stage:
+    expression = item.item.expression if isinstance(item.item, Value) else None
+    return expression.stage if isinstance(expression, Quantity) else None
 
 
 def _plain(text: str) -> str:

@@ -87,25 +87,34 @@ def to_html(marking: MarkingContent) -> str:
         f"<td>{'' if each.line is None else f'line {each.line}'}</td></tr>"
         for each in marking.marks.points
     )
-    heading = "" if marking.part is None else f"<h3>({escape(marking.part)})</h3>"
+    heading = "" if marking.part is None else f"<h3>Part ({escape(marking.part)})</h3>"
     return (
         f'<section class="marking">{heading}<table class="lines">{lines}</table>{rest}{asks}'
         f'<h4>{_total(marking.marks)}</h4><table class="points">{points}</table></section>'
     )
 
 
-def document(markings: Sequence[MarkingContent]) -> str:
-    """Markings as a page of HTML."""
+def document(
+    marked: Sequence[tuple[str, MarkingContent]], title: str | None = None, question: str = ""
+) -> str:
+    """Markings, each with the name of its script, as a page of HTML beneath the question."""
+    body: list[str] = [f"<h1>{escape(title or 'Marking')}</h1>", question]
+    names = [None, *(name for name, _ in marked)]
+    for before, (name, marking) in zip(names, marked, strict=False):
+        if name != before:
+            body.append(f"<h2>{escape(name)}</h2>")
+        body.append(to_html(marking))
     return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Marking</title>'
-        f"<style>{_STYLE}</style></head><body>{''.join(map(to_html, markings))}</body></html>\n"
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f"<title>{escape(title or 'Marking')}</title><style>{_STYLE}</style></head>"
+        f"<body>{''.join(body)}</body></html>\n"
     )
 
 
 _STYLE = (
     "body{font:1rem/1.5 Georgia,serif;max-width:48rem;margin:2rem auto;padding:0 1rem}"
     "table{border-collapse:collapse;width:100%}td{padding:.2rem .6rem;vertical-align:baseline;"
-    "border-bottom:1px solid #ddd}code{font-size:1rem}"
+    "border-bottom:1px solid #ddd}code{font-size:1rem}.row{display:flex;gap:.8rem}.row p{margin:0}"
 )
 
 
