@@ -169,6 +169,18 @@ def test_a_blow_after_an_impact_with_a_wall_has_its_components_by_value() -> Non
     assert {"3", "2"} <= set(shown(blow)[0].labels())
 
 
+def test_what_is_not_given_and_has_no_letter_is_in_no_label() -> None:
+    question = """
+    sphere A: velocity i, mass 1
+    sphere B: at rest, mass 1
+    A hits B: e = 1, offset 1
+    find velocity(B)
+    """
+    (scene,) = scenes(solved(question))
+    written = {to_text(label.content) for label in scene.labels}
+    assert written <= {"A", "B", "1", "𝐢", "𝐣", "at rest", "v", "w"}
+
+
 def test_all_masses_of_a_picture_stand_within_their_circles_or_none_does() -> None:
     question = """
     sphere A: mass {}, velocity 5i + 2j

@@ -337,6 +337,8 @@ def _is_hidden(view: View, x: Any) -> bool:
 
 
 def _layout(x: Any) -> Layout | None:
+    if any(not symbol.name[:1].isalpha() for symbol in x.free_symbols):
+        return None  # what has no letter, such as a radius that is not given
     if not is_short(x):
         return _decimal_size(x)
     layout = lay.from_sympy(x)
