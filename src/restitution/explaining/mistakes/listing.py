@@ -67,22 +67,17 @@ def _about(about: Misconception, name: str, columns: int) -> Iterator[str]:
     groups: dict[tuple[str, str, bool], list[Alteration]] = {}
     for each in variants:
         groups.setdefault((each.where, each.words, each.solvable), []).append(each)
-    names = [_names(group) for group in groups.values()]
-    room = max(map(len, names))
-    for name, ((where, words, solvable), group) in zip(names, groups.items(), strict=True):
-        place = {"wall": "wall", "spheres": "spheres", "impact": ""}[where]
-        known = "" if solvable else " (lines only)"
-        differ = f" ({_difference(group)})" if len(group) > 1 else ""
-        yield from _beside(name, f"{place}: {words}{known}{differ}", room, columns)
-
-
-def _names(variants: Sequence[Alteration]) -> str:
-    """The ids of variants, the mistake once: ``sine-cosine/1, /3``."""
-    first, *others = (each.id for each in variants)
-    return ", ".join((first, *(f"/{each.partition('/')[2]}" for each in others)))
+    room = max(len(each.id) for each in variants)
+    for each in variants:
+        place = {"wall": "wall", "spheres": "spheres", "impact": ""}[each.where]
+        known = "" if each.solvable else " (lines only)"
+        group = groups[each.where, each.words, each.solvable]
+        which = f"{group.index(each) + 1} of {len(group)}, which {_difference(group)}"
+        differ = f" ({which})" if len(group) > 1 else ""
+        yield from _beside(each.id, f"{place}: {each.words}{known}{differ}", room, columns)
 
 
 def _difference(variants: Sequence[Alteration]) -> str:
     """In what variants differ that have the same words."""
     plain = {re.sub(r"[-+() ]", "", f"{each.laws}{each.results}") for each in variants}
-    return "they differ in signs" if len(plain) == 1 else "they differ in the terms altered"
+    return "differ in signs" if len(plain) == 1 else "differ in the terms altered"
