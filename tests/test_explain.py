@@ -138,7 +138,7 @@ def test_later_parts_use_earlier_results() -> None:
     assert "Conservation of momentum" in first
     assert "From part (a):" in second
     assert "Conservation of momentum" not in second
-    assert "e = ⅓" in second  # the value of part (a), before it is put in
+    assert "w = ⅓u cos θ" in second  # the value of part (a), before it is put in
     assert "cos²θ = ¼" in second
 
 
