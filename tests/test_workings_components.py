@@ -67,6 +67,14 @@ A hits B: along 30°, e = 1
 A hits C: along -30°, e = 1/2
 find velocity(A)
 """
+TWO_VECTORS_LEFT_AT_REST = """
+sphere A, B, C: mass m
+sphere A: velocity u i
+sphere B, C: at rest
+A hits B: along 3i + 4j, e = 1
+A hits C: along 12i - 5j, e = 1/2
+find velocity(A)
+"""
 
 
 @cache
@@ -111,6 +119,13 @@ def test_a_velocity_is_put_together_before_it_is_resolved_along_another_slant() 
 
 
 def test_a_velocity_along_one_slant_is_resolved_by_the_product_of_two_unit_vectors() -> None:
+    text = working(TWO_VECTORS_LEFT_AT_REST)
+    assert "as 𝐯_A1 = −(4u/5)𝐭₁" in text
+    assert "𝐯_A1 · 𝐧₂ = (4u/5)((4 × 12 + 3 × 5)/65) = 252u/325" in text
+
+
+def test_a_velocity_along_one_slant_is_resolved_by_the_angle_between_slants_at_angles() -> None:
     text = working(TWO_SLANTS_LEFT_AT_REST)
-    assert "as 𝐯_A1 = −(u/2)𝐭₁" in text
-    assert "𝐯_A1 · 𝐧₂ = (u/2)(½(√3/2) + ½(√3/2)) = √3 u/4" in text
+    assert "A moves perpendicular to the line of centres of its last impact, at 30° to" in text
+    assert "𝐯_A1 · 𝐧₂ = (u/2) cos 30° = √3 u/4" in text
+    assert "𝐯_A1 · 𝐭₂ = −(u/2) sin 30° = −u/4" in text

@@ -245,10 +245,13 @@ def test_an_angle_that_is_known_by_another_name_is_that() -> None:
     assert "W is along 𝐢, so it is the same angle: β = θ" in text
     assert text.count("4/6") == 1
     text = working(SAME_TO_THE_AXIS)
-    assert "along 𝐣 is not negative, so it is the same angle: β = θ" in text
+    assert "the angles that its velocities make with 𝐢: δ = θ − α" in text
+    assert "β" not in text
     assert text.count("u sin α/(") == 1
     text = working(SAME_TO_THE_LINE)
-    assert "B moves along the line of centres: θ = β" in text
+    assert "B moves along the line of centres: tan β = " in text
+    assert "so it turns through the difference of its angles to that line: δ = β − α" in text
+    assert "θ" not in text
     assert text.count("u sin α/(") == 1
 
 
@@ -323,10 +326,14 @@ def test_walls_that_are_hit_in_the_whole_range_are_named() -> None:
 
 def test_a_velocity_of_one_component_is_told_before_it_is_resolved() -> None:
     text = working(BALL_TO_BALL)
-    assert "Components before the impact, as 𝐯_B = ((1 + e)u/2)𝐢:" in text
-    assert "Components before the impact, as 𝐯_B = ((1 + e)u/2)𝐣:" in working(UPWARDS)
-    text = working(CANNON)
-    assert "Components before the impact, as 𝐯_A1 = −(u/2)𝐭₁:" in text
+    told = "B was at rest, so it moved off along the line of centres of that impact, at {} to this"
+    resolved = "one. Components before the impact: 𝐯_B · 𝐧 = ((1 + e)u/2) cos {} ="
+    both = f"{told} {resolved}"
+    assert both.format("60°", "60°") in text
+    assert both.format("30°", "30°") in working(UPWARDS)
+    told = "A moves perpendicular to the line of centres of its last impact, at 30° to this"
+    resolved = "one. Components before the impact: 𝐯_A1 · 𝐧₂ = (u/2) cos 30° ="
+    assert f"{told} {resolved}" in working(CANNON)
 
 
 def test_a_sum_with_roots_is_below_a_line_before_it_is_gone() -> None:

@@ -50,7 +50,12 @@ SAYS = {
     # cos²α + e² sin²α = 1/2, so tan²α = 1/(1 − 2e²).
     "what stands below a line is positive": (
         WALL.format(e="") + "given speed(P) = u/sqrt(2)\nfind range of e",
-        ["1 − 2e² > 0, as tan²α > 0", "e² < ½", "0 ≤ e < √2/2"],
+        [
+            "tan²α = 1/(1 − 2e²)",
+            "1/(1 − 2e²) > 0, as tan²α > 0",
+            "e² < ½",
+            "0 ≤ e < √2/2, as e ≥ 0",
+        ],
     ),
     # (u cos α)² = e (u sin α)².
     "a root is taken for a printed form": (
@@ -81,7 +86,10 @@ SAYS = {
     # v = −(4e − 1)u cos α/5: A is sent back.
     "a deflection in letters that may be obtuse": (
         REST.format(m="4m", e="") + "given e > 1/4\nfind deflection(A) in terms of alpha, e",
-        ["δ = 180° − α − arctan(5 tan α/(4e − 1))"],
+        [
+            "A is sent back",
+            "δ = 180° − α − β = 180° − α − arctan(5 tan α/(4e − 1))",
+        ],
     ),
     # tan β = tan α/3 and tan α tan β = 1.
     "two angles with the sum 90°": (
@@ -111,16 +119,30 @@ SAYS = {
     # f²cos²α + e²sin²α is e².
     "an angle of the data that goes": (
         CORNER.format(f="f") + "given total_energy_lost = 1/2 energy(0), f = e, e > 0\nfind e",
-        ["As sin² + cos² = 1:\n    2(1 − e²) = 1", "e² = ½", "e = √2/2"],
+        [
+            "½m((eu cos α)² + (eu sin α)²) = ½e²mu², as sin² + cos² = 1",
+            "½mu²(1 − e²) = ½ × ½mu²",
+            "e² = ½",
+            "e = √2/2",
+        ],
     ),
     # e = q/p, and (1 − e²)p² = (p² + q²)/4.
     "a root that the signs of letters exclude": (
         (
             "sphere A: mass m, velocity p i + q j\nsphere B: mass m, velocity -p i + q j\n"
             "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B), p > 0, q > 0\n"
+            "given energy_lost = 1/4 energy(0)\nfind e\nfind p in terms of q"
+        ),
+        ["e = √15/5", "p = ±√15 q/3", "p = √15 q/3 ≈ 1.29q, as p > 0 and q > 0"],
+    ),
+    # q² = e²p², and 4(1 − e²)p² = p² + q².
+    "two letters of which only the ratio is known both go": (
+        (
+            "sphere A: mass m, velocity p i + q j\nsphere B: mass m, velocity -p i + q j\n"
+            "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B), p > 0, q > 0\n"
             "given energy_lost = 1/4 energy(0)\nfind e"
         ),
-        ["p = √15 q/3, as p > 0 and q > 0", "e = √15/5"],
+        ["p² = q²/e²", "which is not zero as q > 0", "e² = ⅗", "e = √15/5 ≈ 0.775, as e ≥ 0"],
     ),
     # w = 2 + 4e is 4, and 8m − 2m = 2mv + 4m.
     "what a letter is by now stands before it is put in": (
@@ -168,7 +190,12 @@ SAYS = {
         + "given deflection(P) = 90°\npart a\nshow tan^2(alpha) = 1/e\n"
         + "part b\nfind energy_lost in terms of m, u, e\n"
         + "part c\nfind speed(P) in terms of u, e",
-        ["sin α = 1/√(1 + e)", "= ½(1 − e)mu²", "(c)", "= u√e"],
+        [
+            "(b)\n\nFrom (1):\n    sin²α = 1/(1 + e)\n    cos²α = e/(1 + e)",
+            "= ½(1 − e)mu²",
+            "(c)",
+            "= u√e",
+        ],
     ),
     # tan β = e tan 50°.
     "sines and cosines of degrees": (
@@ -176,7 +203,11 @@ SAYS = {
             "wall W: along i\nsphere P: velocity 12 at 50° to W\nP hits W: e = 0.6\n"
             "find speed(P), deflection(P)"
         ),
-        ["√((7.2 sin 50°)² + (12 cos 50°)²) ≈ 9.48", "= 0.6 tan 50°", "β = arctan(0.6 tan 50°)"],
+        [
+            "√((7.2 sin 50°)² + (12 cos 50°)²) ≈ 9.48",
+            "tan β = (7.2 sin 50°)/(12 cos 50°) = 0.6 tan 50°",
+            "δ = 50° + β = 50° + arctan(0.6 tan 50°)",
+        ],
     ),
     # v = u is needed for the third impact only, and stands with w.
     "both components after an impact are solved in one place": (
@@ -218,7 +249,7 @@ find e, direction(A)
     "a bound of cos 2α names the formula": (
         WALL.format(e=": e = 2/3")
         + "given energy_lost/energy(0) >= 20%\nfind range of sin(alpha), range of cos(2alpha)",
-        ["0.6 ≤ sin α < 1", "cos 2α ≤ 0.28, as cos 2α = 1 − 2 sin²α and α is acute"],
+        ["⅗ ≤ sin α < 1", "−1 < cos 2α ≤ 7/25, as cos 2α = 1 − 2 sin²α and α is acute"],
     ),
     "a root that has to be real says why it is": (
         REST.format(m="k m", e="") + "given e k < 1\nfind maximum of tan(deflection(A)) over alpha",
@@ -243,7 +274,7 @@ A hits B: along i
 given velocity(A) opposite to i, speed(A) = 11/5 u
 find e
 """,
-        ["v = ±11u/5", "v = −11u/5, as A moves in the direction of −𝐢", "e = ½"],
+        ["(11/5)u = −v, as A moves in the direction of −𝐢", "v = −11u/5", "e = ½"],
     ),
     "an inequality divided by a coefficient says that it is positive": (
         REST.format(m="k m", e="") + "given along(velocity(A), i) < 0\nfind range of k",
