@@ -142,7 +142,17 @@ def test_a_sense_that_is_given_excludes_a_root() -> None:
         "sphere A: mass 2m, velocity 3u i\nsphere B: mass 3m, velocity -2u i\nA hits B: along i\n"
         "given velocity(A) opposite to i, speed(A) = 2u\nfind e"
     )
-    assert "sense 1" in lines(derivation, "reject")[0].premises
+    # A speed along a line whose sense is known has one component, and no root is left to exclude.
+    assert not lines(derivation, "reject")
+    (speed,) = (each for each in derivation.lines if "sense 1" in each.premises)
+    assert write_relation(speed.relation) == "2u = -v"
+    _, derivation = planned(
+        "sphere A: mass m, velocity 4u i\nsphere B: mass 3m, velocity -2u i\nA hits B: along i\n"
+        "given velocity(A) opposite to i, energy_lost = 12 m u^2\nfind velocity(A), e"
+    )
+    (reject,) = lines(derivation, "reject")
+    assert "sense 1" in reject.premises
+    assert write_relation(reject.relation) == "v = -2u"
 
 
 def test_the_laws_exclude_that_a_sphere_at_rest_moves_towards_the_other() -> None:

@@ -313,9 +313,9 @@ def test_no_line_is_a_tangle() -> None:
     statement = """
 wall W: along i
 sphere P: mass m, velocity u at alpha to W
-P hits W: e = 1/3
+P hits W: e = 1/7
 find tan(deflection(P)) in terms of alpha
-given deflection(P) = 60°
+given deflection(P) = 75°
 find alpha
 """
     solution = solve(parse(statement))

@@ -216,7 +216,10 @@ def test_a_side_is_open_where_nothing_tells_it(body: str, given: str, open_: boo
 
 def test_the_side_of_a_deflection_is_told_or_taken() -> None:
     text = printed("the line by a speed and a deflection")
-    assert "𝐯_A = 2 cos 60° 𝐢 + 2 sin 60° 𝐣 = (𝐢 + √3 𝐣) m s⁻¹" in text
+    assert (
+        "𝐯_A = 2 cos 60° 𝐢 + 2 sin 60° 𝐣 = (𝐢 + √3 𝐣) m s⁻¹,"
+        " as the angle from 𝐢 to 𝐯_A is positive" in " ".join(text.split())
+    )
     text = printed("a speed and a deflection to either side")
     assert "the line of centres is parallel to 4𝐢 + 𝐣 or 4𝐢 − 𝐣" in text
     assert "W may slope to either side of 𝐢, and the other figure" in printed(

@@ -397,13 +397,17 @@ sphere A: mass m, velocity u i, radius r
 sphere B: mass m, at rest, radius r
 A hits B: offset d
 given direction(B) = 30°
-find d, speed(B)
+find d, {asked}
 """
-    own = said(text)
-    assert own.index("d = r") < own.index("m (sqrt(3) u/2) = m v + m w")
-    assert "Substituting for d: unit vector along the line of centres = (√3/2)𝐢 + ½𝐣" in printed(
-        text
-    )
+    for asked in ("speed(B)", "velocity(B)"):
+        own = said(text.format(asked=asked))
+        assert own.index("d = r") < own.index("m (sqrt(3) u/2) = m v + m w")
+    whole = printed(text.format(asked="speed(B)"))
+    assert "component of 𝐮_A along the line of centres = u cos 30° = √3 u/2" in whole
+    assert "unit vector" not in whole
+    whole = printed(text.format(asked="velocity(B)"))
+    assert "𝐮_A · 𝐧 = u cos 30° = √3 u/2" in whole
+    assert "𝐯_B = (√3(1 + e)u/4)((√3/2)𝐢 + ½𝐣)" in whole
 
 
 def test_a_coefficient_that_divides_is_positive() -> None:

@@ -54,7 +54,8 @@ def test_what_is_at_rest_is_not_resolved_in_a_direction_in_letters() -> None:
         + "A hits B: along phi, e = 1/2\ngiven speed(A) = 2u\nfind tan(phi)"
     )
     assert "𝐮_B" not in text
-    assert "component of 𝐮_A perpendicular to the line of centres = −4u sin φ" in text
+    assert "and 𝐭 = −sin φ 𝐢 + cos φ 𝐣 the one perpendicular to it" in text
+    assert "𝐮_A · 𝐭 = −4u sin φ" in text
 
 
 def test_angles_in_degrees_stand_in_the_laws_as_they_are_given() -> None:

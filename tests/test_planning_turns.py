@@ -60,7 +60,7 @@ sphere B: mass m, at rest
 A hits B: along i, e = 1/3
 find deflection(A)
 """,
-        ("difference\nof its angles", "δ = arctan(3√3/2) − 60°"),
+        ("difference\nof its angles", "δ = β − 60° = arctan(3√3/2) − 60°"),
     ),
     "a given turn in numbers, before the laws": (
         """
@@ -118,7 +118,7 @@ given tan(theta) = 3/4
 A hits B: along i, e = 1/2
 find deflection(A)
 """,
-        ("θ = arctan(3/4)", "− arctan(3/4)"),
+        ("Since tan θ = ¾", "δ = β − θ = arctan 4 − arctan(3/4)"),
     ),
     "straight back": (
         """
