@@ -35,15 +35,16 @@ CASES: dict[str, tuple[str, tuple[str, ...]]] = {
         SPHERES.format(a="m", b="m", u="u at alpha", w="velocity u at 90° - alpha from -i", e="")
         + "find energy_lost",
         (
-            "½m((1 + e)u(cos α + sin α)/2)(u((3 − e) cos α − (1 + e) sin α)/2)",
-            "((3 − e) cos α − (1 + e) sin α + (3 − e) sin α − (1 + e) cos α)/8",
+            "= ½m(u cos α − v)(u cos α + v) − ½m(w + u sin α)(w − u sin α) (3)",
+            "= ½(1 − e)m((1 + e)u(cos α + sin α)/2)u(cos α + sin α)",
+            "= mu²(1 − e²)(cos α + sin α)²/4",
         ),
     ),
     "many terms before they are a product": (
         "wall W: along j"
         + SPHERES.format(a="m", b="m", u="u i", w="at rest", e="")
         + "B hits W\nfind total_energy_lost",
-        ("= ⅛mu²(3 + 2e − 2e² − 2e³ − e⁴) = mu²(1 − e²)(3 + 2e + e²)/8",),
+        ("= mu²(3 + 2e − 2e² − 2e³ − e⁴)/8 = mu²(1 − e²)(3 + 2e + e²)/8",),
     ),
     "squares of numbers with roots": (
         SPHERES.format(

@@ -183,17 +183,20 @@ find d
 """
 
 
-def test_an_offset_by_a_deflection_has_its_root_alone_and_squared() -> None:
-    # With s = d/2a: tan 30° = 3s√(1 - s²)/(1 + 3s²), so 9s⁴·4 - 21s² + 1 = 0.
+def test_an_offset_by_a_deflection_is_by_the_tangent_and_squares_nothing() -> None:
+    # With s = d/2a: tan 30° = 3s√(1 - s²)/(1 + 3s²), so 9s⁴·4 - 21s² + 1 = 0 has the same roots.
     lines = said(working(DISCS.format(mass="m", e="1/2", angle="30°")))
-    assert "9d^4 - 21a^2 d^2 + 4a^4 = 0" in lines
+    assert "4sqrt(3) tan^2(phi) - 9tan(phi) + sqrt(3) = 0" in lines
+    assert not any("d^2" in each or "d^4" in each for each in lines)
+    assert "d = (sqrt(33) - 3) a/6" in lines
     assert lines[-1] == "d = (3 + sqrt(33)) a/6"
 
 
-def test_what_was_squared_excludes_a_square() -> None:
+def test_an_offset_by_a_deflection_has_the_root_of_an_acute_angle() -> None:
     # A comes back along the line of centres: its turn through 45° has but one offset.
     lines = said(working(DISCS.format(mass="2m", e="3/4", angle="45°")))
-    assert "d^2 = (9 + sqrt(73)) a^2/7" in lines
+    assert "tan(phi) = (7 + sqrt(73))/12 or tan(phi) = (7 - sqrt(73))/12" in lines
+    assert "tan(phi) = (7 + sqrt(73))/12" in lines
     assert lines[-1] == "d = a sqrt((9 + sqrt(73))/7)"
 
 
