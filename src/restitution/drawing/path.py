@@ -198,11 +198,11 @@ class _Drawing:
         corner, same = min(ends, key=lambda each: length(each[0] - each[1]))
         if length(corner - same) > _NEAR:
             return
-        ways = [
+        directions = [
             direction(each.end - corner if each.start in (corner, same) else each.start - corner)
             for each in (wall, other)
         ]
-        turn = math.acos(max(-1.0, min(1.0, ways[0].dot(ways[1]))))
+        turn = math.acos(max(-1.0, min(1.0, directions[0].dot(directions[1]))))
         if abs(turn - math.pi / 2) < _NEAR or turn < 0.1 or turn > math.pi - 0.1:
             return
         try:
@@ -213,7 +213,7 @@ class _Drawing:
         label = angle_label(tree, value, turn, lay.from_tree(tree))
         if label is None:
             return
-        low, high = sorted(map(_bearing, ways))
+        low, high = sorted(map(_bearing, directions))
         if high - low > math.pi:
             low, high = high, low + 2 * math.pi
         radius = min(_ARC, self._room(corner))

@@ -230,11 +230,11 @@ def _offset(wall: Wall, sample: Sample, turned: Fit | None) -> Pattern | Unteste
     angle = math.degrees(turned.parameters[1])
     error = math.degrees(sample.error_of(turned, 1))
     size = with_error(abs(angle), error, "°")
-    ways = ("large", "small") if angle > 0 else ("small", "large")
+    sizes = ("large", "small") if angle > 0 else ("small", "large")
     seen = (
         f"The line misses the origin. The readings fit if the line from which the angles were "
         f"measured is turned by {size} against the wall ({probability(p)}), so that α is read "
-        f"too {ways[0]} and β too {ways[1]}. With that put right e is "
+        f"too {sizes[0]} and β too {sizes[1]}. With that put right e is "
         f"{with_error(turned.parameters[0], sample.error_of(turned, 0))}."
     )
     not_seen = (

@@ -510,8 +510,8 @@ def _inside_circle(out: Vector, course: Vector, radius: float) -> float | None:
 
 def _in_lanes(plan: Plan) -> Plan:
     """Draws pieces that lie upon one another side by side."""
-    ways = [leg.direction for leg in plan.legs]
-    plan = replace(plan, in_line=all(abs(ways[0].cross(course)) < 1e-6 for course in ways))
+    courses = [leg.direction for leg in plan.legs]
+    plan = replace(plan, in_line=all(abs(courses[0].cross(course)) < 1e-6 for course in courses))
     lanes: dict[int, int] = {}
     group: dict[int, int] = {}
     legs = plan.legs

@@ -192,8 +192,10 @@ class Rows:
         for ref in line.premises:
             above = self._derivation.line(ref) if isinstance(ref, int) else None
             match above.relation if above is not None else None:
-                case Relation(((Link(Quantity("along" | "across") as whole, "="), *_),)) as found:
-                    value = found.only[-1].right
+                case Relation(
+                    ((Link(Quantity("along" | "across") as whole, "="), *_),)
+                ) as component:
+                    value = component.only[-1].right
                 case _:
                     continue
             same = own.left.arguments[0] == whole.arguments[0]
@@ -547,8 +549,8 @@ class Rows:
         words = _WORDS.get(first[0].sign)
         if words is not None and all(len(option) == 1 for option in options):
             left = self._naming.side(first[0].left)
-            ways = tuple(self._naming.side(option[0].right) for option in options)
-            either = say("derived.either", values=ways)
+            values = tuple(self._naming.side(option[0].right) for option in options)
+            either = say("derived.either", values=values)
             return Row((operand(say(words, left=left, right=either)),), (), alternatives=True)
         if isinstance(first[0].left, Quantity) and first[0].left.kind in _VECTORS:
             asked = False  # the line above has the value

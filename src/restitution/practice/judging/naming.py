@@ -399,8 +399,8 @@ class Names:
         if world.solution not in self._varying:
             kinds = ("along", "across", "speed")
             trees = (each.quantity for each in candidates(self.problem, world.part))
-            found = [_spread(x, world) for x in trees if getattr(x, "kind", "") in kinds]
-            self._varying[world.solution] = tuple(x for x in found if x is not None)
+            spreads = [_spread(x, world) for x in trees if getattr(x, "kind", "") in kinds]
+            self._varying[world.solution] = tuple(x for x in spreads if x is not None)
         return self._varying[world.solution]
 
     def _values(self, judge: JudgedSoFar) -> tuple[float, ...]:

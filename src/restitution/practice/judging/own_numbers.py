@@ -81,10 +81,10 @@ class OwnNumbers:
             return
         own = [size for size in self._known if size in sizes][-_MOST:]
         yield from self._put(claim, {size: (self._known[size][0], (size,)) for size in own})
-        made = {each: trees for each in sizes if (trees := self._made_of(each))}
-        if made:
+        sums = {each: trees for each in sizes if (trees := self._made_of(each))}
+        if sums:
             known = {size: (self._known[size][0], (size,)) for size in own}
-            yield from self._put(claim, dict(islice({**made, **known}.items(), _MOST)))
+            yield from self._put(claim, dict(islice({**sums, **known}.items(), _MOST)))
 
     def _with_terms(self, claim: Claim) -> Iterator[Put]:
         """A claim with what its wrong terms with letters stand for."""

@@ -177,10 +177,10 @@ def _swaps(
     before = _contribution(state, own, items, slots, tester, broken)
     rest = state.satisfied - set(own)
     for places, _ in slots[place].values.values():
-        ways = [_with_option(state.options, place, option) for option in places]
+        choices = [_with_option(state.options, place, option) for option in places]
         swaps = [
             State(options, 0.0, rest, {n: x for n, x in state.broken.items() if n not in own})
-            for options in ways
+            for options in choices
             if options != state.options and _allowed(options, slots, [place])
         ]
         for number in own if swaps else ():
@@ -231,8 +231,8 @@ def _with_item(
     judged = list(_judged(states, number, item, slots, tester))
     if broken is None or not item.fresh:
         return judged
-    ways = broken(item, slots)
-    return [_broken_or_not(state, number, item, slots, ways) for state in judged]
+    broken_by = broken(item, slots)
+    return [_broken_or_not(state, number, item, slots, broken_by) for state in judged]
 
 
 def _broken_or_not(
@@ -505,9 +505,9 @@ def _tried(
         held = np.broadcast_to(0.0 if held is None else held, (1,) * axes)
     truth = np.broadcast_to(held, (len(states), *sizes))
     for row, state in enumerate(states):
-        ways = list(_ways(state, number, item, slots, chosen, truth[row]))
-        ways.sort(key=lambda interpretation: -interpretation.score)
-        yield from ways[:_WAYS]
+        choices = list(_ways(state, number, item, slots, chosen, truth[row]))
+        choices.sort(key=lambda interpretation: -interpretation.score)
+        yield from choices[:_WAYS]
 
 
 def _sizes(sizes: list[int], states: int, tester: Tester) -> list[int]:

@@ -69,8 +69,8 @@ class Instances:
             shares.update(dict.fromkeys(self._of_law(item, slots, chosen), _SHARE))
             shares.update(dict.fromkeys(self._of_given(item, slots, chosen), _SHARE))
             for result in (s for s in used if _stands_alone(item, s)):
-                ways = self._of_result(item, slots, chosen, result)
-                shares.update(dict.fromkeys(ways, _SHARE))
+                meant = self._of_result(item, slots, chosen, result)
+                shares.update(dict.fromkeys(meant, _SHARE))
         return shares
 
     # --- laws ---------------------------------------------------------------------------------

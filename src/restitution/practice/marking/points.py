@@ -633,8 +633,8 @@ class _Examiner:
                 continue
             for name in point.above:
                 state = self.states[name]
-                found = state.point.letter == "M" and state.point.principle in _OF_STEPS
-                if found and state.state == "lost" and state.line is None:
+                is_step = state.point.letter == "M" and state.point.principle in _OF_STEPS
+                if is_step and state.state == "lost" and state.line is None:
                     why = f"line {own.line} cannot be had without it"
                     self.states[name] = replace(
                         state, state="earned", line=own.line, why=why, implied=True

@@ -84,10 +84,10 @@ def _names(scope: Scope, problem: Problem) -> Iterator[Letter]:
     """The phrases for an energy of which a label says only when, the most natural first."""
     spheres = [each.name for each in problem.spheres]
     owners = [scope.body] if scope.body else [None, *(spheres if len(spheres) > 1 else ())]
-    for way in ("", " along line of centres"):
+    for direction in ("", " along line of centres"):
         for owner in owners:
             of = f" of {owner}" if owner else ""
-            yield Letter(f"KE{of}{way} {scope.stage}")
+            yield Letter(f"KE{of}{direction} {scope.stage}")
 
 
 def _is_energy(tree: Expression) -> bool:

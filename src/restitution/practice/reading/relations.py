@@ -104,8 +104,8 @@ def has_head(label: Token) -> bool:
 def is_heading(label: Token) -> bool:
     """Whether a label names a direction and no component: ``opposite direction:``."""
     words = set(label.name.split())
-    ways = words & DIRECTIONS.keys() - {"opposite"}
-    return not has_head(label) and bool(words & {"direction", "opposite"}) and not ways
+    named = words & DIRECTIONS.keys() - {"opposite"}
+    return not has_head(label) and bool(words & {"direction", "opposite"}) and not named
 
 
 def is_function(tree: Expression) -> bool:

@@ -44,9 +44,9 @@ def vector_resolved(
     if unit is None:
         return None
     sign, size = lay.split_sign(naming.layout(value))
-    way, unit_vector = lay.split_sign(unit)
+    in_front, unit_vector = lay.split_sign(unit)
     term = lay.product(size, unit_vector)
-    vector = term if sign == way else lay.negative(term)
+    vector = term if sign == in_front else lay.negative(term)
     return lay.Relation((naming.layout(velocity), vector), ("=",))
 
 
@@ -187,9 +187,9 @@ def _unit(
     direction = None if fact is None else vector_worth(fact.relation.options[0][-1].right)
     if direction is None or (direction.x and direction.y):
         return naming.bold.unit(number, kind)
-    way = direction if kind == "along" else direction.turned_left()
-    unit = lay.Bold("i" if way.x else "j")
-    return lay.negative(unit) if (way.x + way.y).is_negative else unit
+    along = direction if kind == "along" else direction.turned_left()
+    unit = lay.Bold("i" if along.x else "j")
+    return lay.negative(unit) if (along.x + along.y).is_negative else unit
 
 
 __all__ = ["vector_resolved"]

@@ -167,8 +167,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             spheres = line.move.record == "energy-lost" and event is not None and not event.wall
             name = "given.by-those-that-change" if spheres else "given.by-what-changes"
             return (say("given.and", fact=sentence), say(name))
-        if line.move.record == "scalar-angle" and (told := self._cosine_told(line, facts[0])):
-            return told
+        if line.move.record == "scalar-angle" and (lead := self._cosine_told(line, facts[0])):
+            return lead
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 

@@ -527,8 +527,8 @@ class Naming(Moments):
         radius = next(sphere.radius for sphere in self.problem.spheres if sphere.name == body)
         if not isinstance(shape, Circle) or not isinstance(radius, Expression) or not worth(radius):
             return None
-        ways = Binary("-", shape.radius, radius), Binary("+", shape.radius, radius)
-        return next((radii for radii in ways if worth(radii) == worth(distance)), None)
+        sums = Binary("-", shape.radius, radius), Binary("+", shape.radius, radius)
+        return next((radii for radii in sums if worth(radii) == worth(distance)), None)
 
     def _line_of(self, contact: Link) -> lay.Layout | None:
         """The equation of the line of a straight wall; None where x or y stands for something."""

@@ -175,8 +175,8 @@ def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Letter, Expres
         for sign, (other, far) in _OTHER.items():
             near = "1" if sign == "<=" else "0"
             cites = f"{name} {other} {far.value}" in cited
-            told = named[0] == f"{name} {sign} {near}" and not cites
-            if told and _has_difference(value) and not has_quantity(value):
+            stated = named[0] == f"{name} {sign} {near}" and not cites
+            if stated and _has_difference(value) and not has_quantity(value):
                 yield letter, value, sign
 
 

@@ -176,8 +176,8 @@ class Reasons:
             return None
         dropped, bound = broken
         value = self._laid(Relation((dropped,)))
-        made = made_by_a_root(self._derivation, line, dropped, bound)
-        results = tuple(map(self._laid, made or (Relation(((bound,),)),)))
+        by_a_root = made_by_a_root(self._derivation, line, dropped, bound)
+        results = tuple(map(self._laid, by_a_root or (Relation(((bound,),)),)))
         source = self._sources.of(line)
         numbers = sorted(self._sources.numbers[e] for e in (source.reasons if source else ()))
         equations = tuple(say("derived.number", number=str(number)) for number in numbers)

@@ -43,10 +43,10 @@ def made_by_a_root(
     if len(put) != len(unknowns) or last not in names:
         return ()
     try:
-        (found,) = sp.linsolve(put, list(signed.values()))
+        (solution,) = sp.linsolve(put, list(signed.values()))
     except (ValueError, sp.polys.polyerrors.PolynomialError):
         return ()
-    values = [tidy(each) for each in found]
+    values = [tidy(each) for each in solution]
     if any(each.free_symbols & set(signed.values()) for each in values):
         return ()
     if _BEYOND[bound.sign](values[-1], limit) != sp.true:
