@@ -120,7 +120,7 @@ P hits W: e = 1/2
 given velocity(P) parallel to j
 find theta
 """,
-        ("tan θ = 2/tan θ\n",),
+        ("tan θ = 2/tan θ",),
     ),
     "degrees by their tangent": (
         """

@@ -18,7 +18,7 @@ from restitution.language import parse, read
 from restitution.oracle import Oracle
 from restitution.planning import planner
 from restitution.planning.planner import plan
-from restitution.planning.routes import order
+from restitution.planning.routes import by_closing, by_laws, course
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.scene import Scene
 from restitution.solving import Solution, solve
@@ -72,8 +72,9 @@ def _no_shape(monkeypatch: pytest.MonkeyPatch) -> None:
     def close_two(*_: object) -> None:
         raise NotPlannedError("no way from two lines")
 
-    monkeypatch.setattr(order, "close", close)
-    monkeypatch.setattr(order, "close_two", close_two)
+    for module in (course, by_laws):
+        monkeypatch.setattr(module, "close", close)
+    monkeypatch.setattr(by_closing, "close_two", close_two)
 
 
 @cache
@@ -347,7 +348,7 @@ def test_of_several_solutions_the_principles_stand(monkeypatch: pytest.MonkeyPat
     def solve_together(*_: object) -> None:
         raise NotPlannedError("not together")
 
-    monkeypatch.setattr(order, "solve_together", solve_together)
+    monkeypatch.setattr(by_closing, "solve_together", solve_together)
     derivation = written(OFFSET)
     assert derivation.items == ()
     (note,) = derivation.notes

@@ -202,12 +202,14 @@ def test_nothing_is_said_before_it_is_asked_for():
     assert last == "The line is 2 × 3 + 4(−1) = 2v + 4w."
 
 
-def test_the_next_step_first_names_the_principle():
+def test_the_next_step_is_asked_for_before_its_principle_is_named():
     for level in (1, 2, 3):
         (message,) = marked(PAIR, "vel A", hints=level).messages or (None,)
         assert message is None or "=" not in message.text
     (message,) = marked(PAIR, "6 - 4 = 2v + 4w", hints=1).messages
-    assert "not used" in message.text
+    assert message.text.startswith("What happens to the component perpendicular to")
+    (message,) = marked(PAIR, "6 - 4 = 2v + 4w", hints=2).messages
+    assert message.text.startswith("You have not used the component")
 
 
 def test_a_part_that_is_not_there_and_a_level_that_is_not_there():
