@@ -473,7 +473,7 @@ def _require_short(lines: Iterable[Line]) -> None:
     """Refuses a line that is a tangle: none of those that people write comes near to that."""
     for line in lines:
         trees_ = () if isinstance(line.relation, Meaning) else trees_of(line.relation)
-        if any(sum(1 for _ in walk(tree)) > _MOST_IN_A_LINE for tree in trees_):
+        if any(len(walk(tree)) > _MOST_IN_A_LINE for tree in trees_):
             raise NotPlannedError(f"line {line.number} is too long")
 
 
@@ -602,14 +602,10 @@ def _require_form(scene: Scene, result: ItemResult) -> None:
     kinds = {node.function for node in walk(end.answer.only[0].right) if isinstance(node, Apply)}
     ratios = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
     if "tan" in kinds and ratios == {"sin", "cos"}:
-        if _nodes(end.answer.only[0].right) > _nodes(tree_of(value)):
+        if len(walk(end.answer.only[0].right)) > len(walk(tree_of(value))):
             _end_in(scene, end, value)
     elif kinds & _NAMES != ratios:
         raise NotPlannedError("an answer in another form")
-
-
-def _nodes(tree: Expression) -> int:
-    return sum(1 for _ in walk(tree))
 
 
 def _end_in(scene: Scene, end: ItemEnd, value: Any) -> None:

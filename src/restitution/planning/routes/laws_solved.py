@@ -47,7 +47,7 @@ def tidied_law(scene: Scene, number: int, symbols: Sequence[sp.Symbol]) -> int:
         terms.reverse()
     open_, known = total(terms), tree_of(worth)
     relation = chain(*((known, (open_, None)) if sign < 0 else (open_, (known, None))))
-    if _size(known) >= _size(sides[0]):
+    if len(walk(known)) >= len(walk(sides[0])):
         return number
     return in_another_form(scene, number, relation) or number
 
@@ -68,10 +68,6 @@ def _is_sum(tree: Expression) -> bool:
         and tree.op in ("+", "-")
         and (bool(letters(tree)) or any(isinstance(each, Apply) for each in walk(tree)))
     )
-
-
-def _size(tree: Expression) -> int:
-    return sum(1 for _ in walk(tree))
 
 
 def put_into_restitution(

@@ -73,7 +73,7 @@ def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[E
         return ()
     kept: list[Expression] = []
     for tree in lines:
-        if tree in (right, final, *kept) or sum(1 for _ in walk(tree)) > _LONGEST:
+        if tree in (right, final, *kept) or len(walk(tree)) > _LONGEST:
             continue
         kept.append(tree)
     return tuple(kept)

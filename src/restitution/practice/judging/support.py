@@ -135,7 +135,7 @@ class Support:
 
         A speed is its only component too, where bodies are smooth.
         """
-        if sum(1 for _ in walk(own)) > sum(1 for _ in walk(other)) + _LONGER:
+        if len(walk(own)) > len(walk(other)) + _LONGER:
             return False
         return any(
             self._equal_in(world, entry, own, other, now) for world in (self.scattered, self.smooth)

@@ -30,6 +30,7 @@ from restitution.practice.reading.cursor import Cursor, UnreadableError
 from restitution.practice.reading.phrases import UNNAMED_ANGLE
 from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import INVERSES
+from restitution.practice.script import column_of
 
 MAX_DEPTH = 30
 
@@ -353,11 +354,7 @@ class Parser(Cursor):
 
     def angle(self, argument: Expression) -> Expression:
         """The argument of a sine: bare numbers in it are degrees, but behind ``rad``."""
-        columns = {
-            each.place.column
-            for each in walk(argument)
-            if isinstance(each, Number) and each.place is not None
-        }
+        columns = {column_of(each) for each in walk(argument) if isinstance(each, Number)}
         if columns & self.radians:
             return argument
         turned = angular(argument, self.usage.angles)

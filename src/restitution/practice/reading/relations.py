@@ -23,7 +23,7 @@ from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.reading.readings import Side
 from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS
-from restitution.practice.script import Claim, Decimal, Link, Sign
+from restitution.practice.script import Claim, Decimal, Link, Sign, column_of
 
 
 def sides_of(tokens: Sequence[Token]) -> tuple[list[list[Token]], list[Sign]]:
@@ -131,10 +131,10 @@ def turned(tree: Expression, angles: frozenset[str]) -> Expression:
 def decimals(tokens: Sequence[Token], readings: Sequence[Claim]) -> Iterator[Decimal]:
     """The decimals of a link, and whole degrees that are a side by themselves."""
     alone = {
-        side.place.column
+        column_of(side)
         for claim in readings
         for side in (claim.left, claim.right, *claim.others)
-        if isinstance(side, Degrees) and side.place is not None
+        if isinstance(side, Degrees)
     }
     for place, token in enumerate(tokens):
         if token.kind != "number":

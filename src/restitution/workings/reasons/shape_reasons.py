@@ -315,4 +315,4 @@ class ShapeReasons:
 
 def is_short(tree: Expression) -> bool:
     """Whether an expression fits behind a line as what grows or falls."""
-    return sum(1 for _ in walk(tree)) <= _LONGEST
+    return len(walk(tree)) <= _LONGEST
