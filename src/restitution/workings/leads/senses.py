@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Expression, Quantity
-from restitution.vector import Vector
+from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
 
 
@@ -26,7 +24,7 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     if event is None or before is None or not above.move.bodies:
         return None
     (body,) = above.move.bodies
-    one, other = _vector(own), _vector(before)
+    one, other = vector_worth(own), vector_worth(before)
     if one is None or other is None or sp.expand(one.cross(other)) != 0:
         return None
     towards = sp.expand(one.dot(other)).is_negative
@@ -72,15 +70,6 @@ def _change(derivation: Derivation, line: Line) -> Line | None:
             return above
         line = above
     return None
-
-
-def _vector(tree: Expression) -> Vector | None:
-    """A vector of numbers; None of one with letters."""
-    try:
-        value = in_letters(tree, positive=True)
-    except RestitutionError:
-        return None
-    return value if isinstance(value, Vector) else None
 
 
 __all__ = ["sense_of_a_change", "sense_of_a_normal"]
