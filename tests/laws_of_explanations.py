@@ -13,6 +13,7 @@ from statements import EXAMPLES, QUESTIONS, explained, law, solved
 
 from restitution.export.sheet import Options, entry, to_pdf
 from restitution.render.text import width
+from restitution.wording import question
 from restitution.workings import PartExplanation, to_html, to_latex, to_markdown, to_text
 from restitution.workings.rendering.principles import about
 
@@ -103,6 +104,13 @@ def marks_of(part: PartExplanation) -> list[str]:
         for each in (step.mark, *(row.mark for row in step.rows))
         for mark in each.split()
     ]
+
+
+@law([*EXAMPLES, *QUESTIONS])
+def directions_are_those_of_the_question(path: Path) -> None:
+    in_words = str(question(solved(path).problem))
+    if not re.search("[𝐢𝐣]", in_words):
+        assert not re.search("[𝐢𝐣]", to_text(explained(path)))
 
 
 @law(SOME)

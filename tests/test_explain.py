@@ -61,7 +61,7 @@ find impulse, energy_lost
 WALL_TOLD = """\
 Let 𝐯_P be the velocity of P after the impact.
 Newton's experimental law:
-    component of 𝐯_P along 𝐣 = eu sin α                                       B1
+    component of 𝐯_P away from W = eu sin α                                   B1
 Impulse = change of momentum of P perpendicular to W:
     magnitude of the impulse = m(eu sin α + u sin α) = (1 + e)mu sin α     M1 A1
 Kinetic energy lost, by the component that changes:

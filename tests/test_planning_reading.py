@@ -302,7 +302,7 @@ READINGS = [
     (WHOLE_COMPONENT_BELOW, "Substituting for v sin θ in (1):"),
     (AT_REST, "= ⅓, for f ≠ 0"),
     (UPRIGHT_WITH_A_TANGENT, "= (1 + e)/(3 − 2e), also if e = 1, where δ = 90° − α"),
-    (UPRIGHT_WHEN_INELASTIC, "is arctan(4/3), of which the\ncosine is ⅗. By the scalar product:"),
+    (UPRIGHT_WHEN_INELASTIC, "is arctan(4/3), of which the cosine is ⅗. By the scalar product:"),
     (LATER_THAN, "= (d + e(d − Tu))𝐢 for T ≥ d/u"),
     (AWAY, "tan δ = (√3 u/8)/(7u/8) = √3/7"),
     (AGAIN, "v₂ = 3u/4 < 9u/4 = w₂"),

@@ -186,7 +186,7 @@ SAYS = {
             "wall W: along i\nsphere P: mass 1, velocity v_P at 45° to W\nP hits W: e = 1/2\n"
             "find speed(P)"
         ),
-        ["component of 𝐯₁ along 𝐣 = ½v_P sin 45°"],
+        ["component of 𝐯₁ away from W = ½v_P sin 45°"],
     ),
     # cos(arctan 4√3) = 1/7, and v = 7/2.
     "a component has the ratio by which it comes of its speed": (

@@ -82,6 +82,12 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
     return Question(problem.title, opening, parts)
 
 
+def has_axes(problem: Problem) -> bool:
+    """Whether the question in words explains **i** and **j**. Raises StatementError as it does."""
+    sentences = question(problem).intro
+    return _contains(sentences, lambda part: part in (lay.Bold("i"), lay.Bold("j")))
+
+
 def asked(problem: Problem) -> dict[str | None, tuple[Words, ...]]:
     """What each part asks, item by item, in words. Raises StatementError as `question` does."""
     check(problem)

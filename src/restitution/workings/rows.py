@@ -423,26 +423,34 @@ class Rows:
         return tuple(shown)
 
     def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
-        """Whether a row gives a rebound as a negative component towards a wall."""
+        """Whether a row gives a rebound as a negative component towards a wall, or the reverse."""
         if self._ends.of(line) is not None:
             return False
         match links[0].left:
             case Quantity("along", (Quantity("velocity", _), axis)):
+                if any(lay.split_sign(side)[0] != "-" for side in sides[1:]):
+                    return False
+                sense = self._naming.at_the_wall(axis)
+                if sense is not None:
+                    return sense != self._naming.at_the_wall(Negate(axis))
                 event = self._naming.event_of_axis(axis)
                 return (
                     event is not None
                     and event.wall
                     and not self._naming.bold.has_unit(event.number)
-                    and all(lay.split_sign(side)[0] == "-" for side in sides[1:])
                 )
         return False
 
     def _away(self, tree: Expression) -> lay.Layout:
         assert isinstance(tree, Quantity)
         vector, axis = tree.arguments
+        of = self._naming.layout(vector)
+        sense = self._naming.at_the_wall(Negate(axis))
+        if sense is not None:
+            name, wall = sense
+            return operand(say(name, of=of, wall=wall))
         event = self._naming.event_of_axis(axis)
         assert event is not None
-        of = self._naming.layout(vector)
         return operand(say("derived.component-away", of=of, wall=event.bodies[1]))
 
     def _ended(

@@ -396,6 +396,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Let {letters:and} be the components of the velocities of {bodies:and} in the direction "
         "of {axis} after the impact."
     ),
+    "let.component-parallel": (
+        "Let {letter} be the component of the velocity of {body} parallel to {wall} after the "
+        "impact."
+    ),
     "let.component-centres": (
         "Let {letter} be the component of the velocity of {body} along the line of centres, in "
         "the sense from {first} to {second}, after the impact."

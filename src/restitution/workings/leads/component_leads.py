@@ -62,6 +62,9 @@ class ComponentLeads(LinesAround):
                 event = self._naming.event_of_axis(axis)
                 if event is None and stage < (line.move.event or 0):
                     event = self._naming.events.get(line.move.event or 0)
+                sense = self._naming.at_the_wall(axis)
+                if event is None and sense is not None:
+                    return say("resolved-axes.wall", wall=sense[1])
                 if event is None and isinstance(axis, Unit):
                     return say("resolved-axes.title")
                 if event is None and isinstance(axis, Name):

@@ -25,6 +25,11 @@ from restitution.workings.naming.quantities import Naming
 
 # Letters along a line of centres that is given as a direction, and one that is given by its angle.
 _TOWARDS = ("let.component-centres-towards", "let.components-centres-towards")
+_AT_A_WALL = {
+    "derived.component-parallel": "let.component-parallel",
+    "derived.component-towards": "derived.towards",
+    "derived.component-away": "derived.away",
+}
 _AT = ("let.component-centres-at", "let.components-centres-at")
 
 
@@ -121,8 +126,12 @@ class Introductions:
         letters = tuple(self._letter(meaning) for meaning in meanings)
         bodies = tuple(meaning.quantity.arguments[0].arguments[0].name for meaning in meanings)  # type: ignore[union-attr]
         if kind[0] == "axis":
+            sense = self._naming.at_the_wall(kind[1])
             axis = self._naming.layout(kind[1])
-            if len(letters) > 1:
+            if sense is not None:
+                for letter, body in zip(letters, bodies, strict=True):
+                    yield say(_AT_A_WALL[sense[0]], letter=letter, body=body, wall=sense[1])
+            elif len(letters) > 1:
                 yield say("let.components", letters=letters, bodies=bodies, axis=axis)
             else:
                 yield say("let.component", letter=letters[0], body=bodies[0], axis=axis)

@@ -99,7 +99,7 @@ class Staying:
         assert isinstance(line.relation, Relation)
         match line.relation.only[0].left:
             case Quantity("along", (_, Unit() as own)):
-                return self._naming.layout(own)
+                return None if self._naming.at_the_wall(own) else self._naming.layout(own)
             case Quantity("across", (_, Quantity())):
                 unit: lay.Layout | None = self._naming.bold.unit(event.number, "across")
                 unit = unit or self._naming.bold.direction(event.number, "across")

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
+from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Derivation, Event, Fact, Link, Meaning, Relation
 from restitution.explaining.lines.layouts import AsTyped, Forms, of_relation, of_tree, shares_in
 from restitution.explaining.lines.saying import Sentence, operand, say
@@ -40,10 +41,14 @@ from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.solving.story.letters import roles
+from restitution.wording.telling import has_axes
 from restitution.workings.naming.bold_letters import BoldLetters, Used
 from restitution.workings.naming.measured import is_plain, vector_worth, with_unit, worth
 from restitution.workings.naming.moments import Moments
 
+# Components at a wall, by their sense.
+_PARALLEL = "derived.component-parallel"
+_TOWARDS, _AWAY = "derived.component-towards", "derived.component-away"
 # Letters for angles between two directions.
 _ANGLES = ("beta", "theta", "phi", "psi", "gamma")
 
@@ -570,6 +575,10 @@ class Naming(Moments):
                 of = say("derived.the", quantity=self.layout(vector))
             case _:
                 of = self.layout(vector)
+        sense = self.at_the_wall(axis) if kind == "along" else None
+        if sense is not None:
+            name, wall = sense
+            return say(name, of=of, wall=wall)
         event = self.event_of_axis(axis)
         unit = None if isinstance(axis, Negate) else self.unit_of(event, kind)
         if unit is not None and event is not None and not event.wall:
@@ -596,6 +605,35 @@ class Naming(Moments):
         if kind == "along":
             return say("derived.component-along", of=of)
         return say("derived.component-across", of=of)
+
+    @cached_property
+    def has_axes(self) -> bool:
+        """Whether the question in words has **i** and **j**, so that a working may have them."""
+        try:
+            return has_axes(self.problem)
+        except RestitutionError:
+            return True
+
+    def at_the_wall(self, axis: Expression) -> tuple[str, str] | None:
+        """What a component along **i** or **j** is at the only wall, and the name of that.
+
+        The phrase is that of a component parallel to it, towards it or away from it. None where the
+        question has **i** and **j**, and of any other axis.
+        """
+        back = isinstance(axis, Negate)
+        own = axis.operand if isinstance(axis, Negate) else axis
+        if not isinstance(own, Unit) or self.has_axes:
+            return None
+        walls = [event for event in self.impacts if event.wall]
+        if not walls or len({event.bodies[1] for event in walls}) > 1:
+            return None
+        normal, wall = self.unit_of(walls[0], "along"), walls[0].bodies[1]
+        if normal is None:
+            return None
+        into = normal.operand if isinstance(normal, Negate) else normal
+        if own != into:
+            return _PARALLEL, wall
+        return (_AWAY if back != isinstance(normal, Negate) else _TOWARDS), wall
 
     def event_of_axis(self, axis: Expression) -> Event | None:
         """The event along whose axis a component is taken."""
