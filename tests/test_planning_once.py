@@ -99,3 +99,35 @@ def test_a_distance_from_a_wall_is_the_way_from_it() -> None:
     assert said(derivation)[-1].endswith("= u/3 (3d/(4u)) = d/4 [rearrange]")
     assert not any(each.startswith("position(A, 3)") for each in said(derivation))
     assert "Distance = speed × time, for B:" in to_text(explain(solution))
+
+
+def test_a_change_of_velocity_stands_in_the_impulse_that_is_asked_alone() -> None:
+    _, derivation = planned(
+        "wall W\nsphere P: mass 3, velocity 2i + 7j\nP hits W\ngiven velocity(P) = -4i - j\n"
+        "find direction(W), e, impulse(P)"
+    )
+    lines = said(derivation)
+    assert sum("-4i - j - (2i + 7j)" in each for each in lines) == 1
+    assert "line_of_centres(1) parallel to -18i - 24j" in lines
+
+
+def test_the_unit_vector_of_an_offset_is_printed_once() -> None:
+    solution, _ = planned(
+        "sphere A: mass 2, velocity 5i, radius r\nsphere B: mass 1, at rest, radius r\n"
+        "A hits B: offset 6/5 r, e = 1/2\nfind velocity(A), velocity(B)"
+    )
+    text = " ".join(to_text(explain(solution)).split())
+    assert "that unit vector along the line of centres" in text
+    assert text.count("unit vector along the line of centres = (4𝐢 + 3𝐣)/5") == 1
+    assert "𝐧 = (4𝐢 + 3𝐣)/5" not in text
+
+
+def test_a_component_that_stays_goes_over_the_whole_time_that_is_told_by_another() -> None:
+    _, derivation = planned(
+        "wall W: along i, through (0, 0)\npoint Q: (14, 3)\n"
+        "sphere P: at (0, 6), velocity V at alpha to W\nP hits W\nP reaches Q\n"
+        "given time(2) = 2 time(1)\nfind e, tan(alpha)"
+    )
+    lines = said(derivation)
+    assert "14 = V cos(alpha) (2(6/(V sin(alpha)))) = 12/tan(alpha) [rearrange]" in lines
+    assert not any(each.startswith("along(position(P, 1), i)") for each in lines)

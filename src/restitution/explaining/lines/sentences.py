@@ -176,6 +176,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "units.along-from": (
         "Let {along} be the unit vector along the line of centres, from {first} to {second}."
     ),
+    "units.both-above": (
+        "Let {along} be that unit vector along the line of centres, and {across} the one "
+        "perpendicular to it."
+    ),
+    "units.along-above": "Let {along} be that unit vector along the line of centres.",
     "units.both-circle": (
         "Let {along} be the unit vector along the radius, towards {wall}, and {across} the one "
         "along the tangent."
@@ -225,9 +230,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "subtend 360°, so their three angles make 90°"
     ),
     "round.title-same": (
-        "The impacts change the size of neither component, so all three chords make the same angle "
-        "with the radii at their ends. Each subtends 180° less twice that angle at the centre, and "
-        "the three subtend 360°, so the three angles make 90°"
+        "As each impact is perfectly elastic, it leaves the angle with the radius as it was. So "
+        "all three chords make the same angle with the radii at their ends. Each subtends 180° "
+        "less twice that angle at the centre, and the three subtend 360°, so the three angles make "
+        "90°"
     ),
     "round.why": (
         "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "

@@ -22,6 +22,8 @@ from restitution.expression.tree import (
 )
 from restitution.planning.axes.offsets import frame_by_offset
 from restitution.planning.axes.radii import frame_by_places, is_by_places
+from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.impulse_formulas import impulse_formula
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.either_side import frame_on_one_side, write_sides
 from restitution.planning.writing.forms import product, total, tree_of, vector
@@ -96,7 +98,7 @@ def _by_impulse(scene: Scene, number: int) -> int | None:
 
 
 def _by_change(scene: Scene, number: int) -> int | None:
-    """A velocity that is known before and after."""
+    """A velocity that is known before and after; where its impulse is asked too, by that."""
     for body in scene.spheres(number):
         late = velocity_given(scene, body, number)
         if late is None:
@@ -108,6 +110,9 @@ def _by_change(scene: Scene, number: int) -> int | None:
         source = scene.initial(body)
         if any(scene.unknown(each) for each in (*source.value, *late[1])):
             continue
+        line = _by_its_impulse(scene, number, body)
+        if line is not None:
+            return line
         value = scene.model.story.evaluator(scene.events).vector(early)
         change: Expression = late[0]
         if any(value):
@@ -116,6 +121,20 @@ def _by_change(scene: Scene, number: int) -> int | None:
         line = _write(scene, "along-the-change", number, body, refs, change)
         return _worked_out(scene, number, line, late[1] - value) if any(value) else line
     return None
+
+
+def _by_its_impulse(scene: Scene, number: int, body: str) -> int | None:
+    """The impulse on a body that is asked, and the line along it: its change is found once.
+
+    None where the impulse is not asked, or the mass is open.
+    """
+    impulse = Quantity("impulse", (Name(body),), number)
+    if impulse not in scene.asked_alone or scene.unknown(scene.mass(body).value):
+        return None
+    own = impulse_formula(scene, impulse)
+    line = write_formula(scene, own)
+    right = scene.desk.last_link(line).right
+    return _write(scene, "across-the-impulse", number, body, (line,), right)
 
 
 def _worked_out(scene: Scene, number: int, line: int, change: Vector) -> int:

@@ -15,7 +15,8 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref
-from restitution.expression.tree import Expression, Negate, Quantity, has_quantity
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, walk
 from restitution.planning.formulas.whereabouts import (
     axis_for,
     contact_of,
@@ -39,6 +40,7 @@ from restitution.planning.journeys.places import (
     flight_time,
     leg,
     leg_along,
+    time_of,
     write_touch,
 )
 from restitution.planning.journeys.steady import steady_axis
@@ -46,7 +48,14 @@ from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.flights import gradient, slope, swept_product
-from restitution.planning.writing.forms import difference, in_tangents, product, swept, tree_of
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    in_tangents,
+    product,
+    swept,
+    tree_of,
+)
 from restitution.planning.writing.place_trees import AXES, Axis, place_tree, time_tree
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
@@ -150,12 +159,17 @@ def _steady(scene: Scene, body: str, number: int) -> Steady | None:
         each
         for each in scene.given
         if each.link == Link(time_tree(number), "=", each.link.right)
-        and not has_quantity(each.link.right)
+        and not has_quantity(_without_times(each.link.right, number))
     ]
     if not times or _by_a_circle(scene, body, number):
         return None
     axis = steady_axis(scene, body, number)
     return None if axis is None else Steady(axis, times[0])
+
+
+def _without_times(tree: Expression, number: int) -> Expression:
+    """An expression without the times of the events before one."""
+    return exchanged(tree, {time_tree(each): ZERO for each in range(1, number)})
 
 
 def _over_the_whole_time(scene: Scene, body: str, number: int, steady: Steady) -> sp.Expr:
@@ -176,9 +190,24 @@ def _write_steady(scene: Scene, path: Path, steady: Steady) -> int:
         stage = last_move(scene, body, stage)
         refs += velocity(scene, body, stage, steady.axis).refs
     distance = swept(difference(tree_of(last.value), tree_of(first.value)))
-    flight = swept(product(tree_of(pace.value), steady.time.link.right))
+    time = steady.time.link.right
+    parts = set(walk(time))
+    times = {
+        time_tree(each): time_of(scene, each)
+        for each in range(1, number)
+        if time_tree(each) in parts
+    }
+    refs += [ref for each in times.values() for ref in each.refs]
+    time = exchanged(time, {each: tree_of(own.value) for each, own in times.items()})
+    flight = swept(product(tree_of(pace.value), time))
     whole = together(steady.time.refs, start(scene)[1], first.refs, last.refs, refs)
-    return scene.desk.write(move_of(path), whole, chain(distance, (flight, None)))
+    if not times:
+        return scene.desk.write(move_of(path), whole, chain(distance, (flight, None)))
+    value = tidy(pace.value * scene.scalar(time))
+    relation = chain(distance, (flight, None), (tree_of(in_tangents(value)), "rearrange"))
+    return scene.judge.write((move_of(path),), whole, relation) or scene.desk.write(
+        move_of(path), whole, chain(distance, (flight, None))
+    )
 
 
 def _who_goes(scene: Scene, number: int) -> str | None:

@@ -9,12 +9,22 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Polar, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+)
 from restitution.planning.formulas.impacts import after, in_direction
 from restitution.planning.writing.circles import chord_from, circle_of, from_centre
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.writing.flights import added
 from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.place_trees import place_tree, time_tree
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
@@ -102,11 +112,17 @@ def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> S
         towards, used = scene.put(-source.value)
         refs += [f"contact {since}", *source.whole, *used]
     else:
-        source = in_direction(scene, "along", body, 0, scene.frame(number))
+        frame = scene.frame(number)
+        source = _by_its_angle(scene, body, frame, speed.value) or in_direction(
+            scene, "along", body, 0, frame
+        )
         towards, used = scene.put(source.value)
         refs += [*source.whole, *used]
     tree = product(tree_of(sp.Integer(2)), tree_of(radius))
-    if towards != speed.value:
+    angle = _cosine_in_degrees(scene, source.value, speed.value)
+    if angle is not None:
+        tree = product(tree, angle)
+    elif towards != speed.value:
         tree = product(tree, Binary("/", tree_of(towards), tree_of(speed.value)))
     value = tidy(2 * radius * towards / speed.value)
     line = scene.desk.write(
@@ -115,6 +131,25 @@ def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> S
         chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
     )
     return scene.desk.know(quantity, value, (line,))
+
+
+def _by_its_angle(scene: Scene, body: str, frame: Frame, speed: sp.Expr) -> Source | None:
+    """A component at the start by the letter of an angle that is found by now, as it stands."""
+    known = scene.desk.known(frame.component("along", body, 0))
+    if known is None or _cosine_in_degrees(scene, known.value, speed) is None:
+        return None
+    return known
+
+
+def _cosine_in_degrees(scene: Scene, component: sp.Expr, speed: sp.Expr) -> Expression | None:
+    """The cosine of the angle with a radius, where the component has a letter for that: cos 30°."""
+    ratio = tidy(component / speed)
+    if not isinstance(ratio, sp.cos) or not ratio.args[0].is_Symbol:
+        return None
+    known = scene.desk.known(Letter(ratio.args[0].name))
+    if known is None or not (sp.sympify(known.value, strict=True) / sp.pi).is_Rational:
+        return None
+    return Apply("cos", tree_of(known.value, angle=True))
 
 
 def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:

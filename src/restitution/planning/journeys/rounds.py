@@ -14,7 +14,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -109,6 +109,8 @@ def write_round(scene: Scene, own: Round) -> int:
     total = chain(Binary("+", a, b), (Binary("-", _RIGHT, c), None))
     move = move_of(own)
     closing = scene.desk.write(move, together(premises), total)
+    if all(scene.coefficient(n).value == 1 for n in own.hits):
+        _hide_components(scene, closing)
     if len({*angles}) == 1:
         return closing
     x, y, z = (Apply("tan", each) for each in angles)
@@ -130,6 +132,18 @@ def write_round(scene: Scene, own: Round) -> int:
     if kept is None:
         raise NotPlannedError("the tangents of angles round a circle")
     return scene.desk.write(Move("put"), kept, put)
+
+
+def _hide_components(scene: Scene, closing: int) -> None:
+    """Where nothing is lost the angle with the radius stays, and no reader needs its components."""
+    lines = scene.desk.lines
+    for ref in scene.desk.under(closing):
+        if (
+            isinstance(ref, int)
+            and ref != closing
+            and isinstance(lines[ref - 1].relation, Relation)
+        ):
+            lines[ref - 1] = replace(lines[ref - 1], shown="silent")
 
 
 def _same_angle(

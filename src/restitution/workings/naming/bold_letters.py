@@ -62,6 +62,8 @@ _UNITS = {
 # The letters of unit vectors, along a line and across it.
 _LETTERS = {"along": ("n", "p", "q"), "across": ("t", "s", "r")}
 _FROM_THE_FIRST = {"both": "units.both-from", "along": "units.along-from"}
+# Where a line says already what the unit vector along a line of centres is.
+_OF_A_LINE = {"both": "units.both-above", "along": "units.along-above"}
 _RADIAL = {
     "both": "units.both-circle",
     "along": "units.along-circle",
@@ -315,7 +317,21 @@ class BoldLetters:
             impact = say("event.impact", order=say(f"ordinal.{order}"))
             self._pending.append(say("units.along-earlier", impact=impact, **slots))
             return
+        if not event.wall and "along" in kinds and self._is_a_line(number, direction):
+            name = _OF_A_LINE[which]
+            slots["along"] = self._units[number, "along"]
         self._pending.append(say(name, **slots))
+
+    def _is_a_line(self, number: int, direction: Vector) -> bool:
+        """Whether a line above the components at an event says what a unit vector is."""
+        axis = Quantity("line_of_centres", (), number)
+        for line in self.derivation.lines:
+            if line.move.record == "component" and line.move.event == number:
+                return False
+            match line.relation:
+                case Relation(((Link(left, "="), *_),)) if left == axis:
+                    return _in_numbers(line.relation.only[-1].right) == direction
+        return False
 
     def _ratios(self, number: int) -> dict[sp.Expr, sp.Expr]:
         """The sines and cosines that have a number above the components at an event."""
