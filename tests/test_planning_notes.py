@@ -8,10 +8,10 @@ from functools import cache
 import pytest
 
 from restitution.explaining.following.follower import Complaint, follow
-from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.derivation import Derivation, Meaning, Relation
 from restitution.explaining.lines.notation import write_relation
 from restitution.explaining.lines.storing import from_json, to_json
-from restitution.expression.tree import letters
+from restitution.expression.tree import Binary, letters
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning import planner
@@ -98,6 +98,50 @@ def test_a_coefficient_of_the_data() -> None:
         "impact cannot be found, as a coefficient of restitution is at most 1, and not 5/4."
         in printed(solution)
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        (
+            (
+                "sphere A: mass m, velocity u at theta\nsphere B: mass 2m, at rest\n"
+                "A hits B: along i, e = e\n"
+                "given energy_lost = 1/3 m u^2 (1 - e^2) cos^2(theta)\nfind e, theta"
+            ),
+            "= ⅓mu²(1 − e²) cos²θ",
+            "That is so for all values of e and θ, so e and θ cannot be found.",
+        ),
+        (
+            (
+                "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
+                "given tan(angle(velocity(P), W)) = 1/2 tan(alpha)\nfind alpha"
+            ),
+            "tan β = ½u sin α/(u cos α) = ½ tan α",
+            "It is given that tan β = ½ tan α. That is so for all values of α, so α cannot be",
+        ),
+    ],
+)
+def test_a_fact_that_holds_whatever_a_letter_is(text: str, line: str, words: str) -> None:
+    solution, derivation = planned(text)
+    assert line in printed(solution)
+    assert words in printed(solution)
+    note = derivation.notes[0]
+    assert note.lines
+    # A follower asks that the fact says no more than the lines.
+    lines = tuple(
+        replace(each, relation=changed(each.relation)) if each.number in note.lines else each
+        for each in derivation.lines
+    )
+    complaints = follow(replace(derivation, lines=lines), Oracle(roles(solution.problem)))
+    assert "not-idle" in {each.reason for each in complaints}
+
+
+def changed(relation: Relation | Meaning) -> Relation:
+    """A line that says twice as much as it should."""
+    assert isinstance(relation, Relation)
+    (*links, last) = relation.only
+    return Relation(((*links, replace(last, right=Binary("+", last.right, last.right))),))
 
 
 @pytest.mark.parametrize(

@@ -49,12 +49,19 @@ OPEN = {
     ],
     WALL + "given deflection(P) = 90°\nfind alpha": [
         (
-            "alpha is not fixed by what is given, as the direction of the wall W is open too "
+            "alpha is not fixed by what is given while the direction of the wall W is open too "
             "(write 'wall W: along …')"
         ),
     ],
     WALL + "find tan(deflection(P))": [
         "tan(deflection(P)) needs the direction of the wall W (write 'wall W: along …')",
+    ],
+    "wall W\nsphere P: velocity 3i - 4j\nP hits W\ngiven speed(P) = 4\nfind e, direction(W)": [
+        "e needs the direction of the wall W (write 'wall W: along …')",
+        (
+            "the direction of the wall W is not fixed by what is given while e is open too "
+            "(write 'wall W: along …')"
+        ),
     ],
     WALL + "find direction(W)": [
         ("the direction of the wall W is not fixed by what is given (write 'wall W: along …')"),

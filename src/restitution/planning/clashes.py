@@ -129,7 +129,7 @@ def _refuted(
     note = desk.new_note(name, "contradiction", clause_of(problem, given, relation))
     late = tuple(sorted(desk.withheld))
     solver = Solver(scene)
-    for write in (_across, _worths) if worked_out else ():
+    for write in (_across, write_worths) if worked_out else ():
         standing, start = solver.mark(), len(desk.lines)
         try:
             refs = together(write(scene, solver, claim))
@@ -310,7 +310,7 @@ def _velocities(claim: Relation) -> Iterator[tuple[str, int]]:
                         yield body, stage
 
 
-def _worths(scene: Scene, solver: Solver, claim: Relation) -> Iterator[Ref]:
+def write_worths(scene: Scene, solver: Solver, claim: Relation) -> Iterator[Ref]:
     """What the quantities of a fact are worth."""
     with Claims(scene, solver) as claims:
         for link in claim.only:

@@ -50,6 +50,7 @@ from restitution.planning.cases import joined, without_idle
 from restitution.planning.clashes import write_clash
 from restitution.planning.closing.wanted_letters import with_wanted_letters
 from restitution.planning.early import Early, early_items, terms
+from restitution.planning.idle_facts import write_idle_facts
 from restitution.planning.inequalities.extrema import only_answer, write_extremum
 from restitution.planning.inequalities.forms_of_ranges import is_in_a_form, write_form
 from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
@@ -224,7 +225,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     if not part.items:
         return desk
     desk.part, desk.apart = part.part.label, len(part.branches) > 1
-    for write in (write_clash, write_out_of_range, write_unreached):
+    for write in (write_clash, write_out_of_range, write_unreached, write_idle_facts):
         if (refuted := write(solution, part, desk, _names(part))) is not None:
             return refuted
     if not part.branches or all(isinstance(item.error, MissingError) for item in part.items):

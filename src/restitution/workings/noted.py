@@ -67,7 +67,8 @@ class Notes:
 
         def reason(note: Note) -> object:
             own = note.item if note.kind in _ALONE else None
-            return note.kind, note.reason, note.premises, self._ends_in(note), own
+            ends = note.kind != "missing" and self._ends_in(note)
+            return note.kind, note.reason, note.premises, ends, own
 
         for _, group in groupby(notes, reason):
             own = list(group)
@@ -98,6 +99,10 @@ class Notes:
             return self._against(first) if first.lines else say("note.clash", reason=first.reason)
         if first.kind == "impossible":
             return say("note.impossible", reason=first.reason)
+        if first.kind == "missing" and first.premises:
+            facts = (self._derivation.fact(e) for e in first.premises if isinstance(e, str))
+            fact = next(each for each in facts if each is not None and each.kind == "given")
+            return say("note.idle", fact=self._naming.fact(fact), items=items)
         return say("note.none", items=items, reason=first.reason)
 
     def _against(self, note: Note) -> Sentence:

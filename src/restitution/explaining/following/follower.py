@@ -31,7 +31,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.explaining.lines.trees import settled, statement_of, trees_of
-from restitution.explaining.steps.excluding import excludes
+from restitution.explaining.steps.excluding import excludes, holds_anyway
 from restitution.explaining.steps.signs import Signs
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
@@ -71,6 +71,7 @@ Reason = Literal[
     "answer-missing",
     "shown-by-itself",
     "not-excluded",
+    "not-idle",
 ]
 
 
@@ -619,6 +620,10 @@ class Reader:
                 bad = True
             elif not self._holds(ref, note.part):
                 yield Complaint("premise-of-another-part", None, ref)
+        if note.kind == "missing" and note.premises and not bad:
+            if not holds_anyway(self._trial(None).step(Move("put"), note.premises)):
+                yield Complaint("not-idle", None, note.item)
+            return
         if bad or not note.premises or note.kind not in _EXCLUDING:
             return
         if not self._excludes(note, note.premises):

@@ -679,6 +679,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     # --- answers ----------------------------------------------------------------------------------
     "note.none": "{items:capital} cannot be found, as {reason}.",
+    "note.idle": (
+        "It is given that {fact}. That is so for all values of {items}, so {items} cannot be found."
+    ),
     "note.impossible": "What is described cannot happen, as {reason}.",
     "note.out-of-range": "But {reasons:and}. So what is described cannot happen.",
     "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",

@@ -43,6 +43,23 @@ def excludes(note: Note, step: Step, unknown: bool = False, *, quickly: bool = F
         return unknown
 
 
+def holds_anyway(step: Step) -> bool:
+    """Whether a fact that a step cites says only what the lines beside it come to."""
+    for own in step.cited:
+        relation = own.relation
+        if isinstance(own.ref, int) or isinstance(relation, Meaning) or len(relation.options) != 1:
+            continue
+        others = step.under(cited=tuple(each for each in step.cited if each is not own))
+        try:
+            gaps = [others.residual(link, others.rules()) for link in relation.only]
+        except NotComparableError:
+            continue
+        plain = [gap for gap in gaps if not isinstance(gap, Plane) and gap.vanishes]
+        if len(plain) == len(gaps) and all(link.sign == "=" for link in relation.only):
+            return True
+    return False
+
+
 def _is_beyond(link: Link) -> bool:
     """Whether a claim is of what the oracle does not know."""
     return link.sign in _WORDS or any(

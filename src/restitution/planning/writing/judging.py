@@ -21,7 +21,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.quotients import NotComparableError
 from restitution.explaining.moves import MOST_COMPARED
-from restitution.explaining.steps.excluding import excludes
+from restitution.explaining.steps.excluding import excludes, holds_anyway
 from restitution.expression.tree import letters
 from restitution.oracle import BeyondError, Oracle
 from restitution.planning.writing.desk import Desk
@@ -94,6 +94,10 @@ class Judge:
         """Whether what a note rests on cannot hold; ``unknown`` where that is not compared."""
         step = self._trial().step(Move("reject"), note.premises)
         return excludes(note, step, unknown, quickly=quickly)
+
+    def holds_anyway(self, note: Note) -> bool:
+        """Whether a fact that a note cites says only what the lines beside it come to."""
+        return holds_anyway(self._trial().step(Move("put"), note.premises))
 
     def known(self, names: Iterable[str]) -> tuple[Ref, ...]:
         """What may be cited of the range of letters."""

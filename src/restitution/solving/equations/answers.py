@@ -20,6 +20,7 @@ from restitution.solving.story.unknowns import Letters
 
 def missing_for(item: Value, branch: Branch, names: Iterable[str]) -> MissingError:
     """The error for an item that rests on open quantities."""
+    names = list(names)
     phrases = dict.fromkeys(phrase_of(branch, name) for name in names)
     called = name_of(item)
     own = next((phrase for phrase in phrases if phrase.startswith(called)), None)
@@ -29,8 +30,18 @@ def missing_for(item: Value, branch: Branch, names: Iterable[str]) -> MissingErr
         case Quantity("direction", (Name(wall),), None):
             own = missing.direction_of(wall)
             if [*phrases] == [own]:
-                return missing.is_open(own)  # it is what is asked
+                return missing.is_open(own, _told_by(branch, names))  # it is what is asked
     return missing.needs(called, phrases)
+
+
+def _told_by(branch: Branch, names: Iterable[str]) -> list[str]:
+    """The letters of the statement that a branch has by open quantities: they are open too."""
+    open_ = set(names)
+    return sorted(
+        key
+        for key, value in branch.values.items()
+        if not key.startswith("_") and open_ & {symbol.name for symbol in value.free_symbols}
+    )
 
 
 def phrase_of(branch: Branch, name: str) -> str:

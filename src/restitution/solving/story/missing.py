@@ -39,7 +39,7 @@ def too_many(phrases: Iterable[str]) -> MissingError:
 def is_open(called: str, beside: Iterable[str] = ()) -> MissingError:
     """The error that the facts do not fix ``called``, nor what stands ``beside`` it."""
     named = list(dict.fromkeys(beside))
-    because = f", as {_listed(named)} {'are' if named[1:] else 'is'} open too" if named else ""
+    because = f" while {_listed(named)} {'are' if named[1:] else 'is'} open too" if named else ""
     error = MissingError(
         f"{called} is not fixed by what is given{because}{_written([called, *named])}"
     )

@@ -1,0 +1,80 @@
+"""Letters that no fact fixes: what a fact speaks of is worked out, and is so whatever they are."""
+
+from __future__ import annotations
+
+from restitution.components.letters import protected_letters
+from restitution.components.telling import model
+from restitution.errors import MissingError, RestitutionError
+from restitution.explaining.lines.derivation import Note, Ref
+from restitution.expression.tree import Letter, letters
+from restitution.planning.axes.by_changes import frame_at
+from restitution.planning.clashes import write_worths
+from restitution.planning.routes.order import Solver
+from restitution.planning.unfinished import require_followed
+from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.desk import UNPLANNED, Desk, together
+from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.problem import Value
+from restitution.solving.equations.solution import PartSolution, Solution
+
+
+def write_idle_facts(
+    solution: Solution, part: PartSolution, desk: Desk, names: list[str]
+) -> Desk | None:
+    """The desk with the lines by which a fact holds anyway, and a note of that for each item.
+
+    None where the items are no letters that are open, and where no fact of them holds anyway.
+    """
+    errors = [each.error for each in part.items]
+    if len(part.branches) != 1 or not all(isinstance(each, MissingError) for each in errors):
+        return None
+    open_ = _letters_asked(part) - part.branches[0].values.keys()
+    if not open_ or len(open_) < len(names):
+        return None
+    reason = next(each.because or each.message for each in errors if each is not None)
+    problem, own = solution.problem, part.part
+    story = model(
+        problem, own, part.branches[0], part.roles, protected_letters(own), question=problem
+    )
+    for given in Scene(problem, own, part, story, desk, find_frame=frame_at).given:
+        sides = (given.link.left, given.link.right)
+        if given.link.sign != "=" or not open_ & letters(sides[1]) | letters(sides[0]):
+            continue
+        draft = desk.fork()
+        scene = Scene(problem, own, part, story, draft, find_frame=frame_at)
+        try:
+            note = _holding_anyway(scene, given, names[0], reason)
+        except (*UNPLANNED, RestitutionError):
+            continue
+        if note is not None:
+            for name in names:
+                draft.note(name, note.kind, note.reason, premises=note.premises)
+            return draft
+    return None
+
+
+def _letters_asked(part: PartSolution) -> set[str]:
+    """The letters that the items of a part ask for by themselves."""
+    return {
+        each.item.expression.name
+        for each in part.items
+        if isinstance(each.item, Value) and isinstance(each.item.expression, Letter)
+    }
+
+
+def _holding_anyway(scene: Scene, given: GivenEquation, name: str, reason: str) -> Note | None:
+    """The lines of what a fact speaks of, which is what the fact says; None where it is not."""
+    desk = scene.desk
+    desk.item, desk.withheld = name, frozenset({given.fact.id})
+    start = len(desk.lines)
+    refs: tuple[Ref, ...] = together(write_worths(scene, Solver(scene), given.fact.relation))
+    desk.withheld = frozenset()
+    if not any(isinstance(ref, int) for ref in refs):
+        return None
+    require_true(scene.model, desk.lines[start:], desk.lines, desk.facts)
+    require_followed(scene, desk.lines[start:])
+    note = desk.new_note(name, "missing", reason, premises=(*refs, given.fact.id))
+    return note if scene.judge.holds_anyway(note) else None
+
+
+__all__ = ["write_idle_facts"]
