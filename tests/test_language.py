@@ -438,7 +438,7 @@ MISTAKES = {
     # facts
     "given": (6, "expected a relation after 'given'"),
     "given e": (8, "expected a relation"),
-    "given A hits B": (15, "'again'"),
+    "given A hits B": (15, "'A hits B again'"),
     "given A and A collide again": (7, "cannot hit itself"),
     "given e = 0.5 to 2 s.f.": (15, "to 2 s.f."),
     "given velocity(A) perpendicular velocity(B)": (19, "perpendicular to"),
@@ -588,6 +588,8 @@ def test_what_was_probably_meant(line) -> None:
         ("given direction(A) = 60", "line 5, column 22: 60 was read as 60 radians"),
         ("A hits W\ngiven sin(40) = e", "column 11: 40 was read as 40 radians"),
         ("sphere P: velocity u m/s at 30°", "column 22: 'm/s' was read as a product of letters"),
+        ("sphere P: mass 2, velocity 1e3 i", "column 28: 1e3 was read as 1 times e_3"),
+        ("sphere P: mass 2e-3", "column 16: 2e-3 was read as 2e - 3"),
         ("sphere P: mass m kg", "column 18: 'kg' was read as a product of letters"),
         (
             "sphere P: velocity u at alpha\ngiven tan(theta) = 3/4",
@@ -607,6 +609,8 @@ def test_what_reads_but_is_doubtful(lines, said) -> None:
         "sphere P: velocity u at 1.2",
         "sphere P: velocity 2m u i, mass 3m",
         "sphere P: velocity 2i*m/s",
+        "A hits W: e = e1\nfind speed(A)\nshow speed(A) = 3e1",
+        "A hits W\nshow 3e-1 < 2",
         "sphere P: velocity u at alpha\ngiven tan(alpha) = k, k = 2",
         "sphere P: velocity u at alpha\ngiven tan(theta) = 2, alpha = 2theta",
         "A hits W\ngiven e = 1/2",

@@ -71,6 +71,14 @@ BROKEN = {
     "sphere C - mass 2 - velocity 3i": "sphere C: mass 2, velocity 3i",
     "sphere C: m=2, v=3i": "sphere C: mass 2, velocity 3i",
     "sphere C: velocity at rest": "sphere C: at rest",
+    "sphere C: velocity 3i 4u j": "sphere C: velocity 3i + 4u j",
+    "sphere C: speed 5 at 30 to W": "sphere C: velocity 5 at 30° to W",
+    "sphere C: velocity u at alpha to W, tan alpha = 3/4": (
+        "sphere C: velocity u at alpha to W\ngiven tan alpha = 3/4"
+    ),
+    "sphere C: velocity u at alpha where sin(alpha) = 3/5": (
+        "sphere C: velocity u at alpha\ngiven sin(alpha) = 3/5"
+    ),
     "sphere C: at rest initially": "sphere C: at rest",
     "sphere C: velocity 3 along i": "sphere C: velocity 3i",
     "sphere C: velocity 3 m/s in the direction of j": "sphere C: velocity 3j m/s",
@@ -106,6 +114,9 @@ BROKEN = {
     "A receives an impulse of 3i": "A receives 3i",
     "A hits B (e = 1/2)": "A hits B: e = 1/2",
     "A hits B, e 1/2": "A hits B: e = 1/2",
+    "A hits B: along j e 1/2": "A hits B: along j, e = 1/2",
+    "A hits B: along 3i + 4j 0.5": "A hits B: along 3i + 4j, e = 0.5",
+    "A hits B: e = 1, perpendicular distance 1/2": "A hits B: e = 1, offset 1/2",
     "collision between A and B": "A hits B",
     "impulse of 3i on A": "A receives 3i",
     # facts
@@ -114,6 +125,7 @@ BROKEN = {
     "A is at rest after the impact": "given A is at rest",
     "A comes to rest": "given A at rest",
     "given A at rest after": "given A at rest",
+    "given A hits W": "given A will hit W",
     "given A at rest after the collision": "given A at rest",
     "given A comes to rest": "given A at rest",
     "given A is at rest afterwards": "given A is at rest",
@@ -197,6 +209,7 @@ BROKEN = {
     "work out e": "find e",
     "part (b) find e": "part (b)\nfind e",
     "(a) find the velocity of A immediately after the collision": "part a\nfind velocity(A)",
+    "find e range": "find range of e",
     "find velocity of A": "find velocity(A)",
     "find the velocity of A": "find velocity(A)",
     "find the speeds of A and B": "find speed(A), speed(B)",
@@ -332,7 +345,15 @@ find velocity(A), distance(A, B), a, speed of B
 
 @pytest.mark.parametrize(
     "line",
-    ["find e for A hits B", "sphere C: 2", "sphere C: mass 2 3", "given", "find ((", "A B C"],
+    [
+        "find e for A hits B",
+        "sphere C: 2",
+        "sphere C: mass 2 3",
+        "sphere C: velocity 3i 4",
+        "given",
+        "find ((",
+        "A B C",
+    ],
 )
 def test_where_no_cure_is_certain_none_is_offered(line) -> None:
     (mistake,) = mistakes(HEAD + line)

@@ -680,14 +680,24 @@ def _function(source: Source, function: str, start: int, end: int) -> Token:
 def _with_products(source: Source, tokens: list[Token]) -> Iterator[Token]:
     """The tokens with IMPLICIT wherever multiplication was left out."""
     previous: Token | None = None
+    vector = ""  # the unit vector among the factors that stand side by side
     for index, token in enumerate(tokens):
         if previous is not None and _joins(previous, token):
             if token.type in _NUMERIC and previous.type in _NUMERIC:
                 raise source.error(
                     "two numbers stand side by side: an operator is missing", _start(token)
                 )
+            if token.type in _NUMERIC and vector:
+                # ``along i 1/2`` is no vector of half the length.
+                raise source.error(
+                    f"a number stands behind {vector}: a sign or a comma is missing", _start(token)
+                )
             gap = source.plain[_end(previous) : _start(token)]
             yield _token(source, "IMPLICIT", gap, _end(previous), _start(token))
+        else:
+            vector = ""
+        if token.type == "UNIT":
+            vector = str(token)
         if (
             previous is not None
             and previous.type == "FUNCTION"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
@@ -49,7 +50,8 @@ def doubts(problem: Problem, text: str) -> Iterator[Note]:
 
     ``text`` is what the problem was read from.
     """
-    yield from _radians(problem, text)
+    yield from degrees_without_sign(problem, text)
+    yield from _powers_of_ten(problem, text)
     yield from _idle_facts(problem)
     yield from _idle_questions(problem)
     yield from _axes(problem)
@@ -62,7 +64,11 @@ def _note(place: Place | None, message: str, *fixes: Fix) -> Note:
 # --- degrees without a sign -------------------------------------------------------------------
 
 
-def _radians(problem: Problem, text: str) -> Iterator[Note]:
+def degrees_without_sign(problem: Problem, text: str) -> Iterator[Note]:
+    """Numbers that stand for angles and are greater than a full turn in radians.
+
+    ``text`` is what the problem was read from.
+    """
     noted: set[Place | None] = set()
     for angle in _angles(problem):
         for term in _terms(angle):
@@ -139,6 +145,47 @@ def _terms(tree: Expression) -> Iterator[Expression]:
             pending.extend(reversed(children(node)))
         else:
             yield node
+
+
+# --- scientific notation ----------------------------------------------------------------------
+
+_SCIENTIFIC = re.compile(
+    r"(?<![\w.])(?P<digits>\d+(?:\.\d+)?)e(?P<power>(?P<sign>[-+]?)\d{1,2})(?![\w.])"
+)
+_OF_A_BODY = re.compile(r"\s*(?:sphere|wall|point)\b")
+
+
+def _powers_of_ten(problem: Problem, text: str) -> Iterator[Note]:
+    """``1e3``, which is e₃, and ``2e-3`` among the data of a body, which is 2e - 3."""
+    if "e" not in text:
+        return
+    numbered: Counter[str] = Counter()
+    for tree in trees(problem):
+        numbered.update(node.name for node in walk(tree) if isinstance(node, Letter))
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.lstrip().startswith("title"):
+            continue
+        for match in _SCIENTIFIC.finditer(line.partition("#")[0]):
+            power = match["power"]
+            if match["sign"]:
+                if not _OF_A_BODY.match(line):
+                    continue
+                product = f"{match['digits']}e {power[0]} {power[1:]}"
+            else:
+                letter = f"e_{power}"
+                if numbered[letter] != len(re.findall(rf"[\d.]e{power}(?![\w.])", text)):
+                    continue  # a coefficient of its own
+                product = f"{match['digits']} times {letter}"
+            value = Fraction(match["digits"]) * Fraction(10) ** int(power)
+            plain = write_expression(Number(value))
+            start, end = match.start() + 1, match.end() + 1
+            yield Note(
+                f"{match[0]} was read as {product}: there is no scientific notation; "
+                f"if you mean {plain}, write so",
+                number,
+                start,
+                (Fix(f"Write {plain}", (Edit(number, start, number, end, plain),)),),
+            )
 
 
 # --- facts that say nothing of the motion -----------------------------------------------------

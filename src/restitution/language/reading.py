@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cache, partial
-from itertools import islice, pairwise
+from itertools import chain, islice, pairwise
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -37,7 +37,7 @@ from restitution.expression.units import NAMES
 from restitution.expression.writing import write_expression
 from restitution.language.checking import mistakes as mistakes_of
 from restitution.language.cures import MistakeWithin, cured
-from restitution.language.doubts import doubts
+from restitution.language.doubts import degrees_without_sign, doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import Line, declared_names, decode, logical_lines
 from restitution.language.measuring import in_si
@@ -248,11 +248,13 @@ def _mistake_within(shelf: _Shelf, text: str, first: int, last: int) -> Statemen
             broken += 1
     for name, kind in story.names.items():
         story.bodies.setdefault(name, _BODIES[kind](name))
-    for met in _checked(story, broken)[1]:
+    problem, mistakes = _checked(story, broken)
+    for met in mistakes:
         if met.line is not None and first <= met.line <= last:
             return _with_a_guess(met, _line_of(lines, met.line), story)
-    for note in story.doubts:
-        # What is probably a slip has no answer, or another one.
+    # What is probably a slip has no answer, or another one.
+    without_a_sign = (note for note in degrees_without_sign(problem, text) if note.fixes)
+    for note in chain(story.doubts, without_a_sign):
         if note.line is not None and first <= note.line <= last:
             doubt = StatementError(note.message, note.line, note.column)
             doubt.fixes = note.fixes

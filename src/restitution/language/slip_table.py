@@ -303,6 +303,16 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
     ("given let show", r"(?:\d|%)\s+(?P<x>of)\b", _CUT),
     (
         "given show",
+        rf"(?P<x>\b(?P<a>{NAME})\s+hits\s+(?P<b>{NAME}))\s*(?:,|$)",
+        _either("{a} will hit {b}", "{a} hits {b} again"),
+    ),
+    (
+        "find",
+        r"(?P<x>\b(?:the\s+)?(?P<q>[a-zα-ω](?:_?\w)?)\s+range)\s*(?:,|$)",
+        _meant("range of {q}"),
+    ),
+    (
+        "given show",
         rf"(?P<x>\b(?P<body>{NAME})\s+is\s+(?:deflected|turned)\s+(?:through|by)\b)",
         _meant("deflection({body}) ="),
     ),
@@ -450,7 +460,22 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
         Cure("expected ':' before '{x}'", ": {x}", tight=True),
     ),
     ("event", r"[:,]\s*(?P<x>e)\s+(?=[\d½¼¾⅓⅔])", _meant("e =")),
+    (
+        "event",
+        r"\balong\b[^,:=]*?(?P<x>\s+(?:e\s*)?(?P<v>\d[\d./]*%?))\s*(?:,|$)",
+        Cure("did you mean ', e = {v}'?", ", e = {v}", tight=True),
+    ),
+    (
+        "",
+        r"(?<![a-z])(?:[a-z]\s*)?i\s+(?P<x>\d[\d./]*\s*(?:[a-z]\s*)?j)(?!\w)",
+        _meant("+ {x}"),
+    ),
     ("event", r"[:,]\s*(?P<x>restitution\s*(?:=|is|of)?)\s*(?=[\d½¼¾⅓⅔])", _meant("e =")),
+    (
+        "event",
+        r"[:,]\s*(?P<x>(?:perpendicular\s+)?distance(?:\s+(?:of|is)|\s*=)?)\s*(?=[-+\d(√.a-z])",
+        _meant("offset"),
+    ),
     (
         "other",
         (
@@ -575,6 +600,14 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
     ),
     ("sphere", r"[:,]\s*(?P<x>weight)\b", _meant("mass")),
     ("sphere", r"[:,]\s*(?P<x>position|centre|initially\s+at|starts\s+at)\b", _meant("at")),
+    (
+        "sphere wall event",
+        (
+            r"(?P<x>,?\s*(?:(?:where|given(?:\s+that)?|with)\s+)?"
+            r"(?P<fact>\b(?:sin|cos|tan)\s*\(?\s*\w+\s*\)?\s*=\s*[^\s,=][^,=]*?))\s*$"
+        ),
+        Cure("a fact stands on a line of its own: 'given {fact}'", "\ngiven {fact}", tight=True),
+    ),
     (
         "sphere wall event",
         r"[,\s]\s*(?P<x>(?:where|given|when)\b|(?:sin|cos|tan)\s*\(?[^=,]*=)",
