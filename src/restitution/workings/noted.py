@@ -99,7 +99,7 @@ class Notes:
             return self._against(first) if first.lines else say("note.clash", reason=first.reason)
         if first.kind == "impossible":
             return say("note.impossible", reason=first.reason)
-        if first.kind == "missing" and first.premises:
+        if first.premises:
             facts = (self._derivation.fact(e) for e in first.premises if isinstance(e, str))
             fact = next(each for each in facts if each is not None and each.kind == "given")
             return say("note.idle", fact=self._naming.fact(fact), items=items)
