@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import math
-import operator
 import signal
 import threading
 import zipfile
@@ -23,8 +22,8 @@ from restitution.errors import (
     StatementError,
     UnsupportedError,
 )
+from restitution.gas import arguments, record
 from restitution.gas import kernel as k
-from restitution.gas import record
 from restitution.gas.start import lattice, random_velocities
 from restitution.gas.state import (
     SMALLEST,
@@ -104,13 +103,13 @@ class Gas:
         e_walls: float | None = None,
         contact_time: float = 0.0,
     ) -> None:
-        width = _number(width, "width")
-        height = width if height is None else _number(height, "height")
-        e = _number(e, "e")
-        e_walls = e if e_walls is None else _number(e_walls, "e_walls")
-        contact_time = _number(contact_time, "contact_time")
+        width = arguments.number(width, "width")
+        height = width if height is None else arguments.number(height, "height")
+        e = arguments.number(e, "e")
+        e_walls = e if e_walls is None else arguments.number(e_walls, "e_walls")
+        contact_time = arguments.number(contact_time, "contact_time")
         positions, velocities = (
-            _numbers(values, name)
+            arguments.numbers(values, name)
             for values, name in ((positions, "positions"), (velocities, "velocities"))
         )
         n = len(positions) if positions.ndim else 0
@@ -118,7 +117,7 @@ class Gas:
             raise StatementError("a gas has at least one disc: positions have the shape (n, 2)")
         radii, masses = (
             np.array(np.broadcast_to(values, (n,))) if values.ndim == 0 else values
-            for values in (_numbers(radius, "radius"), _numbers(mass, "mass"))
+            for values in (arguments.numbers(radius, "radius"), arguments.numbers(mass, "mass"))
         )
         check(positions, velocities, radii, masses, width, height)
         for name, value in (("e", e), ("e_walls", e_walls)):
@@ -126,7 +125,7 @@ class Gas:
                 raise ImpossibleError(f"{name} is {value:g}; it has to be from 0 to 1")
         if not (math.isfinite(contact_time) and contact_time >= 0):
             raise ImpossibleError(f"contact_time is {contact_time:g}; it is a time from 0")
-        wraps = _both(periodic)
+        wraps = arguments.both(periodic)
         self.box = box_for(width, height, wraps, float(radii.max()), n)
         centred = self._centred(positions, radii)
         row, small, tally = fresh(centred, velocities, radii, masses, self.box)
@@ -171,7 +170,7 @@ class Gas:
 
         Raises as ``Gas`` does, and ImpossibleError where so many discs have no room on a lattice.
         """
-        n = _whole(n, "the number of discs")
+        n = arguments.whole(n, "the number of discs")
         values = {
             "packing": packing,
             "radius": radius,
@@ -179,7 +178,7 @@ class Gas:
             "aspect": aspect,
             "temperature": temperature,
         }
-        values = {name: _number(value, name) for name, value in values.items()}
+        values = {name: arguments.number(value, name) for name, value in values.items()}
         for name, value in values.items():
             if not (math.isfinite(value) and value > 0):
                 raise ImpossibleError(f"{name} is {value:g}; it has to be positive")
@@ -191,7 +190,7 @@ class Gas:
         packing, radius, mass, aspect, temperature = values.values()
         area = n * math.pi * radius**2 / packing
         width, height = math.sqrt(area * aspect), math.sqrt(area / aspect)
-        wraps = _both(periodic)
+        wraps = arguments.both(periodic)
         try:
             rng = np.random.default_rng(seed)
         except (TypeError, ValueError) as error:
@@ -324,9 +323,11 @@ class Gas:
             UnsupportedError: so long a run needs Numba, and it is not installed.
         """
         end = self._end(duration, until, impacts)
-        threads = _whole(threads, "the number of threads")
+        threads = arguments.whole(threads, "the number of threads")
         if tiles is not None:
-            tiles = min(_whole(tiles, "the number of tiles"), self.box.columns * self.box.lines)
+            tiles = min(
+                arguments.whole(tiles, "the number of tiles"), self.box.columns * self.box.lines
+            )
         with contextlib.ExitStack() as stack:
             pool = stack.enter_context(ThreadPoolExecutor(threads)) if threads > 1 else None
             engine = self._engine_for(end, impacts, threads, tiles, record_impacts)
@@ -426,12 +427,12 @@ class Gas:
         if sum(each is not None for each in (duration, until, impacts)) != 1:
             raise StatementError("say one of duration (s), until (s) and impacts (how many)")
         if impacts is not None:
-            _whole(impacts, "the number of impacts", least=0)
+            arguments.whole(impacts, "the number of impacts", least=0)
             return math.inf
         if duration is not None:
-            end = self.time + _number(duration, "duration")
+            end = self.time + arguments.number(duration, "duration")
         else:
-            end = _number(until, "until")
+            end = arguments.number(until, "until")
         if not (math.isfinite(end) and end >= self.time):
             raise StatementError(f"the end is at {end:g}, but it is {self.time:g} s already")
         return end
@@ -564,7 +565,9 @@ class Gas:
     def speeds(self, bins: int = 50) -> tuple[np.ndarray, np.ndarray]:
         """The distribution of speeds: edges of bins (m/s), and densities (s/m) between them."""
         density, edges = np.histogram(
-            np.hypot(*self.velocities.T), bins=_whole(bins, "the number of bins"), density=True
+            np.hypot(*self.velocities.T),
+            bins=arguments.whole(bins, "the number of bins"),
+            density=True,
         )
         return edges, density
 
@@ -681,42 +684,6 @@ class Gas:
                     )
             out[:, axis] = place
         return out
-
-
-def _numbers(values: Any, name: str) -> np.ndarray:
-    try:
-        return np.array(values, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise StatementError(f"{name} has to be numbers, not {values!r}") from error
-
-
-def _number(value: Any, name: str) -> float:
-    number = _numbers(value, name)
-    if number.ndim:
-        raise StatementError(f"{name} is one number, not {value!r}")
-    return float(number)
-
-
-def _both(periodic: Any) -> tuple[bool, bool]:
-    """The pair for x and y, from a pair or from one value for both."""
-    axes = [periodic] * 2 if isinstance(periodic, bool | np.bool_) else periodic
-    if (
-        not isinstance(axes, tuple | list)
-        or len(axes) != 2
-        or not all(isinstance(each, bool | np.bool_) for each in axes)
-    ):
-        raise StatementError(f"periodic is True, False or a pair of them, not {periodic!r}")
-    return bool(axes[0]), bool(axes[1])
-
-
-def _whole(number: Any, name: str, least: int = 1) -> int:
-    try:
-        whole = operator.index(number)
-    except TypeError as error:
-        raise StatementError(f"{name} is a whole number, not {number!r}") from error
-    if whole < least:
-        raise StatementError(f"{name} is {whole}; it has to be at least {least}")
-    return whole
 
 
 def _aligned_copy(values: np.ndarray) -> np.ndarray:

@@ -24,6 +24,7 @@ from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
 from restitution.exact.degrees import function_of
+from restitution.oracle.bases import bases_of, multiple_of
 from restitution.oracle.points import BeyondError, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
 
@@ -69,7 +70,7 @@ class Polynomials:
             _algebraic(sp.sympify(expression, strict=True)) for expression in expressions
         ]
         self._bases: list[sp.Rational] = []
-        self._bases = _bases({x for each in expressions for x in self._plain_angles(each)})
+        self._bases = bases_of({x for each in expressions for x in self._plain_angles(each)})
         for expression in expressions:
             self._divide(expression)
         ends = [end for each in list(self._divisors) for end in self._ends(each)]
@@ -144,7 +145,7 @@ class Polynomials:
         if sp.cos(rest).has(*_TRIGONOMETRIC):
             turns = sp.expand(rest / sp.pi)
             for base in self._bases if turns.is_Rational else ():
-                count = _count(turns, base)
+                count = multiple_of(turns, base)
                 if count is not None:
                     terms.append((sp.Integer(count), base * sp.pi))
                     return terms, (turns - count * base) * sp.pi
@@ -639,36 +640,6 @@ _TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 _INVERSE = (sp.atan, sp.acos, sp.asin, sp.atan2)
 
 
-def _bases(angles: set[sp.Rational]) -> list[sp.Rational]:
-    """Few angles of which the others are multiples, but for right angles: 25° for 25°, 50°, 65°.
-
-    All are given as multiples of π. So what holds between them is known to algebra.
-    """
-    bases: list[sp.Rational] = []
-    left = set(angles)
-    while left:
-        best: tuple[tuple[int, int, int], sp.Rational, set[sp.Rational]] | None = None
-        for base in sorted({x / n for x in left for n in (1, 2)}):
-            counts = {x: n for x in left if (n := _count(x, base)) is not None}
-            order = (-len(counts), sum(map(abs, counts.values())), int(base.q))
-            if best is None or order < best[0]:
-                best = order, base, set(counts)
-        assert best is not None
-        bases.append(best[1])
-        left -= best[2]
-    return bases
-
-
-def _count(angle: sp.Rational, base: sp.Rational) -> int | None:
-    """So many times a base, and some right angles, are an angle; all as multiples of π."""
-    for size in range(1, MOST_MULTIPLE_OF_BASE + 1):
-        for n in (size, -size):
-            if (2 * (angle - n * base)).is_Integer:
-                return n
-    return None
-
-
-MOST_MULTIPLE_OF_BASE = 6
 _TRIED = 10_000  # primes up to this are sought in what stands under a root
 
 
@@ -687,9 +658,6 @@ def _radicands(x: sp.Pow) -> list[sp.Expr]:
     if base.is_Integer and base > 1:
         factors = sp.factorint(int(base), limit=_TRIED)
         return [sp.Integer(p) for p, n in sorted(factors.items()) for _ in range(n)]
-    if base.is_Rational and not base.is_Integer:
-        # √(p/q) = √(pq)/q is how SymPy writes it; this is for other powers.
-        return [base]
     return [base]
 
 

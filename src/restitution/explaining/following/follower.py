@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
-from restitution.explaining.data.setting import Cited, Setting
+from restitution.explaining.data.setting import Cited
 from restitution.explaining.data.unused import lines_under, unused_facts
+from restitution.explaining.following.meanings import means_something
 from restitution.explaining.following.trials import Trial, known_of_letters, names_in, setting_of
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -35,9 +36,6 @@ from restitution.explaining.steps.excluding import excludes, holds_anyway
 from restitution.explaining.steps.signs import Signs
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
-    Apply,
-    Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
@@ -655,49 +653,6 @@ def _tells_an_axis(relation: Relation) -> bool:
         for link in links
         for each in (link.left, link.right)
     )
-
-
-def means_something(meaning: Meaning, setting: Setting) -> bool:
-    """Whether there is what a letter is to stand for, whatever the letters in it are.
-
-    It is not made of the letter itself, nothing in it is divided by what may be zero, and no root
-    is taken of what may be negative. A sense is that of a component, along its axis.
-    """
-    if meaning.letter in letters(meaning.quantity):
-        return False
-    if meaning.sense is not None and not _is_sense(meaning):
-        return False
-    step = Step(setting, _NO_MOVE, (), ())
-    step.world.printed = False
-    signs = Signs(step.world, lambda: Oracle(setting.roles))
-    try:
-        value = step.world.value(meaning.quantity)
-        if meaning.vector != isinstance(value, Plane):
-            return False
-        for node in walk(meaning.quantity):
-            match node:
-                case Binary("/", _, below) if signs.of(step.world.scalar(below)) is None:
-                    return False
-                case Binary("^", _, power) if not isinstance(power, Number):
-                    return False
-                case Apply("sqrt", inside) if signs.of(step.world.scalar(inside)) != 1:
-                    return False
-                case Apply("arcsin" | "arccos"):
-                    return False
-    except NotComparableError:
-        return False
-    return True
-
-
-def _is_sense(meaning: Meaning) -> bool:
-    match meaning.quantity:
-        case Quantity("along" | "across", (_, axis)):
-            return _is_direction(axis) and _is_direction(meaning.sense)
-    return False
-
-
-def _is_direction(tree: Expression | None) -> bool:
-    return tree is not None and not isinstance(tree, Number | Degrees)
 
 
 def _same(line: Relation, answer: Relation) -> bool:
