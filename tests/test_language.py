@@ -438,7 +438,7 @@ MISTAKES = {
     # facts
     "given": (6, "expected a relation after 'given'"),
     "given e": (8, "expected a relation"),
-    "given A hits B": (15, "'A hits B again'"),
+    "given A hits B": (7, "'A hits B again'"),
     "given A and A collide again": (7, "cannot hit itself"),
     "given e = 0.5 to 2 s.f.": (15, "to 2 s.f."),
     "given velocity(A) perpendicular velocity(B)": (19, "perpendicular to"),
