@@ -131,3 +131,14 @@ def test_a_component_that_stays_goes_over_the_whole_time_that_is_told_by_another
     lines = said(derivation)
     assert "14 = V cos(alpha) (2(6/(V sin(alpha)))) = 12/tan(alpha) [rearrange]" in lines
     assert not any(each.startswith("along(position(P, 1), i)") for each in lines)
+
+
+def test_vectors_that_are_compared_have_no_numbers() -> None:
+    solution, _ = planned(
+        "sphere A, B: mass m\nsphere A: velocity 6i + 2j\nsphere B: velocity -2i + 3j\n"
+        "A hits B: along i\ngiven velocity(A) parallel to velocity(B)\n"
+        "find e, velocity(A), velocity(B)\nshow velocity(A) in the direction of velocity(B)"
+    )
+    text = to_text(explain(solution))
+    assert "Comparing the two vectors" in text
+    assert "(2)" not in text

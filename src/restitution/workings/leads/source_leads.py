@@ -25,7 +25,7 @@ from restitution.expression.tree import (
 from restitution.render import layout as lay
 from restitution.workings.leads.lines_around import LinesAround
 from restitution.workings.leads.meetings import condition_of, passing_of
-from restitution.workings.naming.sources import Source
+from restitution.workings.naming.sources import Source, is_multiple
 from restitution.workings.reasons.grounds import compared_quantities, motion_of
 
 
@@ -71,7 +71,7 @@ class SourceLeads(LinesAround):
                 yield say("derived.divide", first=first, second=second)
             case "square-add":
                 yield say("derived.square-add", equations=equations)
-            case "put" if not source.facts and _is_multiple(line.relation):
+            case "put" if not source.facts and is_multiple(line.relation):
                 yield say("derived.multiple")
             case "put":
                 facts = tuple(self._fact(fact) for fact in source.facts)
@@ -224,17 +224,6 @@ class SourceLeads(LinesAround):
         fact = self._derivation.fact(name)
         assert fact is not None
         return self._naming.fact(fact)
-
-
-def _is_multiple(relation: Relation | Meaning) -> bool:
-    """Whether a velocity is a multiple of another."""
-    match relation:
-        case Relation(((Link(Quantity("velocity") as one, "=", right),),)):
-            return any(
-                isinstance(node, Quantity) and node.kind == "velocity" and node != one
-                for node in walk(right)
-            )
-    return False
 
 
 def _subject(relation: Relation) -> Expression | None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Literal
 
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Ref, Relation
 from restitution.explaining.lines.notation import read_relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
@@ -92,6 +92,17 @@ def is_vector(tree: Expression) -> bool:
         case Quantity() | Apply():
             return False
     return any(map(is_vector, children(tree)))
+
+
+def is_multiple(relation: Relation | Meaning) -> bool:
+    """Whether a velocity is a multiple of another."""
+    match relation:
+        case Relation(((Link(Quantity("velocity") as one, "=", right),),)):
+            return any(
+                isinstance(node, Quantity) and node.kind == "velocity" and node != one
+                for node in walk(right)
+            )
+    return False
 
 
 def _gives_value(relation: Relation) -> bool:
@@ -427,7 +438,9 @@ class Sources:
             return Source("add", tuple(ties))  # letters are put in by the way
         if not facts and self._are_equal(line, cited):
             return Source("add", tuple(cited))
-        numbered = () if target is None or target == above else (target,)
+        # Vectors that are compared are both seen.
+        compared = not facts and is_multiple(line.relation)
+        numbered = () if target is None or target == above or compared else (target,)
         last = bool(values) and values == [above]
         if not (numbered or letters or facts):
             return None
