@@ -86,3 +86,17 @@ def test_a_deflection_that_is_the_angle_of_approach_doubles_it() -> None:
     told = said(derivation)
     assert "beta = 2alpha" in told
     assert told[-1] == "k = (tan^2(alpha) + 1)/(1 - tan^2(alpha) + 2e)"
+
+
+def test_a_deflection_by_a_blow_is_the_angle_to_the_axis_along_which_the_body_came() -> None:
+    _, derivation = planned(
+        "sphere P: mass 2, velocity 5j\nP receives 4i - 6j\nfind velocity(P), deflection(P)"
+    )
+    assert "tan(delta) = 2/2 = 1 [rearrange]" in said(derivation)
+    assert not [each for each in derivation.lines if each.move.record == "scalar-angle"]
+    # Of roots the component over a speed that is known is plainer.
+    _, derivation = planned(
+        "sphere P: mass 2, velocity 5i\nP receives J at theta\ngiven J = 8, speed(P) = 7\n"
+        "find cos(theta), deflection(P)"
+    )
+    assert any(each.startswith("cos(delta) = ") for each in said(derivation))

@@ -30,6 +30,7 @@ from restitution.planning.angles.directions import (
     direction_ratio,
     in_degrees_of,
 )
+from restitution.planning.angles.from_axes import from_an_axis
 from restitution.planning.angles.lines_between import (
     angle_of_lines,
     cosine_of,
@@ -61,7 +62,6 @@ from restitution.planning.formulas.turned_directions import turn_of_directions
 from restitution.planning.formulas.turns import turns_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
-    in_the_plane,
     known_speed,
     known_vector,
     size_that_stands,
@@ -74,7 +74,6 @@ from restitution.planning.writing.forms import (
     TWO,
     difference,
     product,
-    swept,
     total,
     tree_of,
 )
@@ -439,7 +438,8 @@ def _deflection(
 ) -> Ratio | int:
     """The cosine or tangent of a deflection; the line of one that is made of two angles."""
     if event not in scene.model.frames:
-        return _turned_by_a_blow(scene, body, event, asked)
+        from_axis = None if wanted == "cos" else from_an_axis(scene, body, event, asked)
+        return from_axis or _turned_by_a_blow(scene, body, event, asked)
     square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
     if square is not None:
         return square
@@ -479,7 +479,7 @@ def _deflection(
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
     if wanted != "cos" and (frame.is_slanted or early[0].value == 0):
-        from_axis = _from_an_axis(scene, body, event, asked)
+        from_axis = from_an_axis(scene, body, event, asked)
         if from_axis is not None:
             return from_axis
     both = [(body, event - 1), (body, event)]
@@ -508,47 +508,6 @@ def _deflection(
     own = formula(scene, asked)
     line, letter = tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
-
-
-def _from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | None:
-    """The tangent of a deflection of a body that came along **i** or **j**, by its velocity after.
-
-    That is a vector, or has components along and across a line of centres at right angles to which
-    the body came. None of another, and where the tangent has letters.
-    """
-    early = in_the_plane(scene, body, event - 1)
-    axis = next((n for n in (0, 1) if early[1 - n].value == 0 != early[n].value), None)
-    if axis is None:
-        return None
-    known = scene.desk.known(Quantity("velocity", (Name(body),), event))
-    if scene.frame(event).is_slanted and known is not None and isinstance(known.value, Vector):
-        late, rest = known.value, known.refs
-    elif not scene.frame(event).is_slanted and scene.frame(event).n[axis] == 0:
-        components = in_the_plane(scene, body, event)
-        late = Vector(*(each.value for each in components))
-        rest = together(*(each.whole for each in components))
-    else:
-        return None
-    ahead, aside = late[axis], late[1 - axis]
-    if scene.model.sign(early[axis].value) < 0:
-        ahead = -ahead
-    if scene.model.sign(aside) < 0:
-        aside = -aside
-    value = tidy(aside / ahead)
-    if not value.is_number:
-        return None
-    letter, meaning = letter_of(scene, asked)
-    move = Move("define", "tan-from-axis", event, (body,))
-    subject, right = (
-        Apply("tan", Letter(letter)),
-        swept(Binary("/", tree_of(aside), tree_of(ahead))),
-    )
-    whole = together((meaning,), rest, *(each.whole for each in early))
-    refs = scene.judge.needed(move, whole, chain(subject, (right, None)))
-    if refs is None:
-        return None
-    line = ratio_line(scene, move, refs, subject, right, value)
-    return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
 
 
 def _turned_by_a_blow(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | int:
