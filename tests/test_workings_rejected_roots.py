@@ -34,3 +34,33 @@ find e
 )
 def test_the_values_stand_there(statement: str, reason: str) -> None:
     assert reason in to_text(explain(solve(parse(statement))), 100)
+
+
+NEGATIVE_COEFFICIENTS = """
+wall W: along i
+sphere P: mass 2, velocity u at 60° to W
+P hits W
+given speed(P) = 4, impulse = 6
+find u, e
+"""
+
+ABOVE_ONE = """
+wall W: along i
+sphere P: mass 2, velocity u at alpha to W
+P hits W
+given angle(velocity(P), W) = 30°, energy(P) = 11/10 energy(0)
+find alpha, e
+"""
+
+
+def test_what_excludes_all_roots_rejects_none_of_them() -> None:
+    working = to_text(explain(solve(parse(NEGATIVE_COEFFICIENTS))), 100)
+    assert "e = (√165 − 16)/7, as e = −(16 + √165)/7 would give u < 0 by (2)" in working
+    assert "e = (√165 − 16)/7 is impossible: a coefficient of restitution is not negative" in (
+        " ".join(working.split())
+    )
+
+
+def test_of_two_unknowns_the_coefficient_is_impossible() -> None:
+    working = " ".join(to_text(explain(solve(parse(ABOVE_ONE))), 100).split())
+    assert "e cannot be found, as e = √77/7 is impossible" in working

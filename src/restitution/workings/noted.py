@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import groupby
 
 from restitution.explaining.lines.derivation import Derivation, Note, Ref, Relation
@@ -151,13 +151,11 @@ class Notes:
                 return self._out_of_range(subject, bounds)
             return self._without_a_root(relation, bounds)
         (bound,) = bounds
-        link = relation.only[-1]
-        equation = lay.equation(
-            self._naming.layout(relation.only[0].left), self._naming.layout(link.right)
-        )
+        left, right = _bounded(relation, self._bounds_of(bound))
+        equation = lay.equation(self._naming.layout(left), self._naming.layout(right))
         over = "<=" in str(bound)
         if self._ends_in(note):
-            after = self._naming.layout(relation.only[0].left)
+            after = self._naming.layout(left)
             more: Sentence | str = ""
             if self._goes_on(note):
                 rests = self._rests(note)
@@ -169,7 +167,7 @@ class Notes:
             name = "note.none-above-one" if over else "note.none-below-zero"
             return say(name, items=items, value=equation)
         name = "note.none-data-above-one" if over else "note.none-data-below-zero"
-        return say(name, items=items, value=self._naming.layout(link.right))
+        return say(name, items=items, value=self._naming.layout(right))
 
     @staticmethod
     def _is_out_of_range(note: Note) -> bool:
@@ -220,6 +218,11 @@ class Notes:
             about[letter] = self._naming.relation(relation)
         return about
 
+    def _bounds_of(self, bound: Ref) -> set[Expression]:
+        """The letters of which a bound speaks."""
+        trees = trees_of(read_relation(str(bound), self._naming.bodies))
+        return {node for tree in trees for node in walk(tree) if isinstance(node, Letter)}
+
     def _ends_in(self, note: Note) -> bool:
         """Whether a note is of the item that its lines are about."""
         line = self._derivation.line(max(note.lines, default=0))
@@ -247,3 +250,13 @@ class Notes:
         assert own is not None
         assert isinstance(own.relation, Relation)
         return own.relation
+
+
+def _bounded(relation: Relation, bounded: Collection[Expression]) -> tuple[Expression, Expression]:
+    """What a bound is about, and its value: of several values that a line gives the own one."""
+    links = relation.only
+    own = [n for n, link in enumerate(links) if link.left in bounded]
+    first = last = own[0] if own else 0
+    while last + 1 < len(links) and (not own or links[last + 1].left == links[last].right):
+        last += 1
+    return links[first].left, links[last].right

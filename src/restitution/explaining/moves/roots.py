@@ -149,4 +149,10 @@ def is_rejection(step: Step, relation: Relation) -> bool:
         # Where two roots are one, what is dropped says what remains.
         if not oracle.proves(rest.formula(relation)):
             return False
-    return True
+    return bool(moving) or not _is_impossible(rest, relation)
+
+
+def _is_impossible(rest: Step, relation: Relation) -> bool:
+    """Whether what drops some options excludes all that are kept as well: it is no reason then."""
+    oracle = Oracle(rest.roles, (*rest.facts, rest.formula(relation)))
+    return oracle.possible.answer == "refuted"

@@ -501,11 +501,26 @@ def rejected(
         refs = scene.judge.enough(move, (line,), relation, (*bound, *own))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
+    for tied in _tied_letters(scene, line, symbol):
+        refs = scene.judge.enough(move, (line,), relation, tied)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
     pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
     refs = scene.judge.enough(move, (line,), relation, pool)
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")
     return scene.desk.write(move, refs, relation)
+
+
+def _tied_letters(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
+    """Each line above some roots that gives another letter by this one, with what that may be."""
+    for ref in sorted((e for e in scene.desk.under(line) if isinstance(e, int)), reverse=True):
+        own = scene.desk.line(ref).relation
+        if isinstance(own, Meaning) or len(own.options) != 1:
+            continue
+        match own.only:
+            case (Link(Letter(name), "="), *_) if symbol.name in letters(own.only[-1].right):
+                yield (ref, *background(scene, {name}))
 
 
 def _unsquared(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any, Literal
 
+import sympy as sp
+
+from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Ref, Relation
 from restitution.explaining.lines.notation import read_relation
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -132,6 +137,8 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
         if isinstance(ref, str) and ref.partition(" ")[2][:1] in ("<", ">")
         for links in read_relation(ref, bodies).options
     ]
+    if not bounds and len(dropped) == 1:
+        return _made_negative(derivation, line, dropped[0])
     if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in kinds:
         return None
     bound = bounds[0]
@@ -139,6 +146,30 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
         return None
     sign: Any = kinds[bound.sign]
     return dropped[0], Link(bound.left, sign, bound.right)
+
+
+def _made_negative(
+    derivation: Derivation, line: Line, dropped: tuple[Link, ...]
+) -> tuple[tuple[Link, ...], Link] | None:
+    """A root and the letter that it makes negative, by the one line that is cited beside it."""
+    match [each.relation for ref in line.premises[1:] if (each := _line(derivation, ref))]:
+        case [Relation(((Link(Letter() as other, "="), *_) as links,))]:
+            root = dropped[0].left
+            if len(line.premises) != 2 or not isinstance(root, Letter) or root == other:
+                return None
+            try:
+                value, made = (
+                    in_letters(each[-1].right, positive=True) for each in (dropped, links)
+                )
+            except (RestitutionError, TypeError):
+                return None
+            if made.subs(sp.Symbol(root.name, positive=True), value).is_negative:
+                return dropped, Link(other, "<", Number(Fraction(0)))
+    return None
+
+
+def _line(derivation: Derivation, ref: Ref) -> Line | None:
+    return derivation.line(ref) if isinstance(ref, int) else None
 
 
 def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], int] | None:
@@ -162,7 +193,11 @@ def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ..
     if len(dropped) != 1 or len(own) != 1 or any(each.sign != "=" for each in own[0]):
         return None
     nodes = (node for each in own[0] for node in walk(Binary("-", each.left, each.right)))
-    if not any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes):
+    unknown = letters(dropped[0][0].left)
+    if not any(
+        isinstance(node, Apply) and node.function == "sqrt" and letters(node) & unknown
+        for node in nodes
+    ):
         return None
     return dropped[0], cited[1]
 
@@ -308,10 +343,11 @@ class Sources:
             return (squared[1],)
         if bound_broken(self._derivation, line) is None:
             return ()
-        laws = [
+        cited = [
             equation for equation in self._equations(line.premises[1:]) if equation in self._lines
         ]
-        return tuple(law for law in laws if self._lines[law].move.id == "law")
+        laws = tuple(each for each in cited if self._lines[each].move.id == "law")
+        return laws or tuple(cited[:1])
 
     def _is_ratio_of(self, angle: Line, number: int) -> bool:
         """Whether a line says what the sine, the cosine or the tangent of an angle is."""

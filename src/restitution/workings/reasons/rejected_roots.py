@@ -60,7 +60,7 @@ def made_by_a_root(
         for each, tree in zip(unknowns, trees, strict=True)
         if Letter(each.name) not in {left for left, _ in equations}  # it stands there already
     ]
-    if values[-1].free_symbols:
+    if values[-1].free_symbols and relations:
         beyond = Link(trees[-1], bound.sign, bound.right)
         relations[-1] = Relation(((Link(bound.left, "=", trees[-1]), beyond),))
     return tuple(relations)
