@@ -249,6 +249,8 @@ class Rows:
             for n, tree in enumerate(trees)
             if n not in in_figures and n > min(in_figures, default=n) and of_plain_angles(tree)
         ]
+        # With figures put in, and still to be worked out.
+        worked = [sides[n] for n in in_figures if of_plain_angles(trees[n])]
         match trees:
             case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
                 # A quotient of two numbers stands as it is before its decimal.
@@ -298,7 +300,7 @@ class Rows:
             for n in range(len(sides) - 2, 0, -1):
                 if any(sides[n] is each for each in idle):
                     del sides[n], signs[n - 1]
-            if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]):
+            if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and sides[-2] not in worked:
                 del sides[-2], signs[-2]  # an answer has three figures at once
             rounded_next = self._measures.decimals and signs[-1] == "≈" and len(sides) > 3
             if rounded_next and _has_long_root(trees[-1]):

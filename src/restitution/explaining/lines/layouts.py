@@ -147,10 +147,7 @@ class Forms:
                 return Binary("*", _halved(half), squares)
             case Binary("*", Binary("*", Number(factor) as half, mass), squares) if (
                 factor == _HALF
-                and (
-                    isinstance(mass, Number)
-                    or (isinstance(mass, Letter) and _is_of_squares(squares))
-                )
+                and (isinstance(mass, Number) or (_is_a_mass(mass) and _is_of_squares(squares)))
                 and _has_a_square(squares)
             ):
                 return Binary("*", Binary("*", _halved(half), mass), squares)
@@ -215,6 +212,16 @@ def _halved(half: Number) -> Expression:
 def _has_a_square(tree: Expression) -> bool:
     """Whether there is a square in a tree."""
     return any(isinstance(e, Binary) and e.op == "^" and e.right == _TWO for e in walk(tree))
+
+
+def _is_a_mass(tree: Expression) -> bool:
+    """Whether a tree is a letter, or a multiple of one: 3m, km."""
+    match tree:
+        case Letter():
+            return True
+        case Binary("*", left, right):
+            return _is_a_mass(right) and (isinstance(left, Number) or _is_a_mass(left))
+    return False
 
 
 def _is_of_squares(tree: Expression) -> bool:
