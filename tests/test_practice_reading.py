@@ -385,7 +385,62 @@ def test_a_declared_letter_is_no_alias() -> None:
         ("j direction: 2v + 3w = 4", ["2v + 3w = 4"]),
         ("v = 2u would give w = -3u", ["w = −3u"]),
         ("mA : mB = 3:4", ["m_A/m_B = ¾"]),
+        ("v = 8/3: 1 = 4 - 6x", ["v = 8/3", "1 = 4 − 6x"]),
+        ("KE after = 0.36 of it", []),
     ],
 )
 def test_what_only_announces_is_no_part_of_a_claim(typed: str, claims: list[str]) -> None:
     assert [write_claim(link.readings[0]) for link in line(typed).links] == claims
+
+
+ENERGIES = """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/2
+find energy_lost/energy(0) as a percentage, velocity(A), velocity(B)
+"""
+
+
+@pytest.mark.parametrize(
+    ("typed", "claims"),
+    [
+        ("energy lost/initial energy = 50%", ["energy lost/(initial energy) = 0.5"]),
+        ("KE i = 1/2mu^2, KE f = 1/4mu^2", ["initial KE = ½mu²", "final KE = ¼mu²"]),
+        ("KEi = 1/2mu^2, KEf = 1/4mu^2", ["KE before = ½mu²", "KE after = ¼mu²"]),
+        ("KE1 - KE2 = 1/4mu^2", ["E₁ − E₂ = ¼mu²"]),
+        ("gain = -1/4mu^2", ["the gain = −¼mu²"]),
+        ("lost 1/4 out of 1/2 = 50%", ["the lost = (1/4)/(1/2)", "(1/4)/(1/2) = 0.5"]),
+        ("50%", ["the percentage = 0.5"]),
+        ("so 50% of the KE is lost", ["percentage lost = 0.5"]),
+    ],
+)
+def test_energies_and_their_shares_are_read(typed: str, claims: list[str]) -> None:
+    read = line(typed, ENERGIES)
+    assert [write_claim(link.readings[0]) for link in read.links] == claims
+
+
+def test_a_percentage_may_be_worked_out_in_hundredths() -> None:
+    (label, _) = line("lost = 100 - 38.5 = 61.5%", ENERGIES).links
+    assert "the lost = (100 − 38.5)/100" in [write_claim(each) for each in label.readings]
+
+
+def test_what_stands_in_the_chain_of_a_body_may_be_of_that_body() -> None:
+    *_, link = line("KE B = 1/4mu^2 > 0 = KE before", ENERGIES).links
+    assert [written(each.right) for each in link.readings] == ["ke before", "ke before of B"]
+
+
+def test_an_at_is_an_angle_where_it_stands_in_a_function() -> None:
+    script = read_working("vcosa = ucos@\nat 3 @ 2", problem(WALLS))
+    assert write_claim(script.lines[0].links[0].readings[0]) == "v cos α = u cos α"
+    script = read_working("vcosa = 3 @ 2", problem(WALLS))
+    assert "@" not in str(script.lines[0].links)
+
+
+def test_a_dash_behind_the_letter_of_a_sphere_belongs_to_it() -> None:
+    script = read_working("2va + 3vb = 1\n4vb' - va' = 2", problem())
+    assert write_claim(script.lines[1].links[0].readings[0]) == "4v_B' − v_A' = 2"
+
+
+def test_a_share_may_end_the_chain_of_what_is_lost() -> None:
+    *_, link = line("KE lost = 16 - 13 = 3J = 18.75%", ENERGIES).links
+    assert "percentage lost = 0.1875" in [write_claim(each) for each in link.readings]

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain
-from operator import add, mul, sub, truediv
 
 import numpy as np
 
@@ -54,6 +53,7 @@ from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.phrases import (
     is_phrase,
 )
+from restitution.practice.reading.relations import worked_out
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
@@ -68,12 +68,6 @@ NAMED = 10
 IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
 IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
 _HUNDRED = 100
-_OPERATIONS: Mapping[str, Callable[[Fraction, Fraction], Fraction]] = {
-    "+": add,
-    "-": sub,
-    "*": mul,
-    "/": truediv,
-}
 COEFFICIENT = re.compile(r"e(_\w+)?'*")
 
 
@@ -419,21 +413,8 @@ def _is_rounded_whole(claim: Claim) -> bool:
     broken = any(each.value.denominator > 1 for each in numbers)
     if not (plain and broken and right.value.denominator == 1 and right.value >= _HUNDRED):
         return False
-    value = _worked_out(claim.left)
+    value = worked_out(claim.left)
     return value is not None and abs(value - right.value) <= Fraction(1, 2)
-
-
-def _worked_out(tree: Expression) -> Fraction | None:
-    """The value of sums, products and quotients of numbers."""
-    match tree:
-        case Number(value) | Degrees(value):
-            return value
-        case Binary("+" | "-" | "*" | "/" as op, left, right):
-            one, other = _worked_out(left), _worked_out(right)
-            if one is None or other is None or (op == "/" and not other):
-                return None
-            return _OPERATIONS[op](one, other)
-    return None
 
 
 def _family(variant: str) -> str:

@@ -138,6 +138,8 @@ def _quotient_of_energies(tokens: Sequence[Token], place: int) -> Token | None:
     """The ``initial`` of ``loss/initial``: the energy before."""
     if place < 2 or tokens[place].kind != "word" or tokens[place - 1].kind != "/":
         return None
+    if place + 1 < len(tokens) and tokens[place + 1].word in HEADS:
+        return None  # energy lost/initial energy
     above = set(tokens[place - 2].word.split())
     if STAGES.get(tokens[place].word) != "before" or not above & _ENERGIES:
         return None
@@ -256,6 +258,8 @@ def _phrase_end(tokens: Sequence[Token], place: int, problem: Problem) -> int:
     stretch = tokens[place:end]
     if depth or not any(each.kind == "word" for each in stretch):
         return place
+    if _is_sum_of_energy(tokens, place):
+        return place + 1
     words = [each.text if each.kind == "name" else each.word for each in stretch]
     if end > place and names_quantity(words, problem):
         return end
@@ -270,9 +274,17 @@ def _begins_phrase(tokens: Sequence[Token], place: int) -> bool:
         return False
     low = token.word
     if low in ("change", "gain"):
-        return place + 1 < len(tokens) and tokens[place + 1].word in ("in", "of")
+        return _is_sum_of_energy(tokens, place) or (
+            place + 1 < len(tokens) and tokens[place + 1].word in ("in", "of")
+        )
     known = low in HEADS or low in DIRECTIONS or low in STAGES or low in _STARTS
     return known and low not in ("right", "left", "up", "down", "turned", "end", "normal")
+
+
+def _is_sum_of_energy(tokens: Sequence[Token], place: int) -> bool:
+    """Whether ``gain`` stands alone before its value: ``gain = 22.5``."""
+    behind = tokens[place + 1] if place + 1 < len(tokens) else None
+    return tokens[place].word == "gain" and behind is not None and behind.kind == "relation"
 
 
 def _has_axis_behind(tokens: Sequence[Token], place: int) -> bool:

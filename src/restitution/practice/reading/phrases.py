@@ -527,11 +527,11 @@ class _Reader:
                 yield Negate(lost) if gain else lost
                 yield lost if gain else Negate(lost)
             else:
-                value = Quantity("energy_lost", (), after)
-                yield Negate(value) if gain else value
-                if len(self.events) > 1:
-                    yield Quantity("total_energy_lost", (), after)
-                yield value if gain else Negate(value)
+                last = Quantity("energy_lost", (), after)
+                whole = Quantity("total_energy_lost", (), after)
+                for value in (last, whole) if len(self.events) > 1 else (last,):
+                    yield Negate(value) if gain else value
+                yield last if gain else Negate(last)
             return
         stage = before if self.features.stage == "before" else after
         if self.features.start and before:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from operator import add, mul, sub, truediv
 
 from restitution.expression.tree import (
     Apply,
@@ -24,6 +25,13 @@ from restitution.practice.reading.readings import Side
 from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS
 from restitution.practice.script import Claim, Decimal, Link, Sign, column_of
+
+_OPERATIONS: Mapping[str, Callable[[Fraction, Fraction], Fraction]] = {
+    "+": add,
+    "-": sub,
+    "*": mul,
+    "/": truediv,
+}
 
 
 def sides_of(tokens: Sequence[Token]) -> tuple[list[list[Token]], list[Sign]]:
@@ -47,6 +55,19 @@ def is_letter(tree: Expression) -> bool:
 def is_numeric(tree: Expression) -> bool:
     """Whether no letter stands in a side."""
     return not letters(tree)
+
+
+def worked_out(tree: Expression) -> Fraction | None:
+    """The value of sums, products and quotients of numbers."""
+    match tree:
+        case Number(value) | Degrees(value):
+            return value
+        case Binary("+" | "-" | "*" | "/" as op, left, right):
+            one, other = worked_out(left), worked_out(right)
+            if one is None or other is None or (op == "/" and not other):
+                return None
+            return _OPERATIONS[op](one, other)
+    return None
 
 
 def is_identity(tokens: Sequence[Token]) -> bool:

@@ -59,8 +59,9 @@ _INVERSE = re.compile(
 )
 _ENERGY = re.compile(
     r"(?:KE|ke|Ke|[Ss]peed|[Vv]el(?:ocity)?|[Mm]omentum|[Ii]mpulse|[Mm]ass|[Aa]ngle)"
-    r"_?\{?([A-Z]|(?<=[Ke])[a-z]{1,7}|(?<=_)[a-z]{1,7}|(?<=[EKek_])0)(?![A-Za-z0-9])\}?"
+    r"_?\{?([A-Z]|(?<=[KEe])[a-z]{1,7}|(?<=_)[a-z]{1,7}|(?<=[EKek_])0)(?![A-Za-z0-9])\}?"
 )
+_COUNTED_ENERGY = re.compile(r"K\.?E\.?_?\{?([1-9])\}?(?![\d.])")
 _OF_BODY = re.compile(
     r"\b(KE|ke|speed|velocity|vel|energy|momentum|impulse|angle|deflection|mass|direction)"
     r"\s?\(\s?([A-Z][A-Za-z0-9]?)\s?\)",
@@ -319,7 +320,11 @@ class _Scanner:
         return match is not None
 
     def _energy(self, gap: int) -> bool:
-        """Takes ``KEA``, ``KE_B``, ``KEf`` as words."""
+        """Takes ``KEA``, ``KE_B``, ``KEf`` as words, and ``KE1`` as a letter."""
+        counted = _COUNTED_ENERGY.match(self.text, self.offset)
+        if counted is not None:
+            self._add("letter", counted.end(), gap, f"E_{counted[1]}")
+            return True
         match = _ENERGY.match(self.text, self.offset)
         if match is None:
             return False
@@ -458,7 +463,9 @@ class _Scanner:
             return
         pair = letter + behind
         if stop < end and pair in usage.aliases:
-            self._add("letter", stop + 1, gap, usage.aliases[pair])
+            primes = _PRIMES.match(text, stop + 1)
+            dash = primes[0] if primes else ""
+            self._add("letter", stop + 1 + len(dash), gap, usage.aliases[pair] + dash)
             return
         if letter in "ij" and text[stop : stop + 1] != "_":
             self._add("unit", stop, gap, letter)

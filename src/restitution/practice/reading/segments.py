@@ -21,6 +21,8 @@ _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "
 _REJECTING = frozenset(
     ("impossible", "rejected", "reject", "invalid", "discard", "ignore", "would")
 )
+# What a fraction before them is of: ``KE after = 0.36 of it``.
+_WHOLES = frozenset(("it", "that", "this", "them", "these", "those", "what"))
 _LEADING = frozenset(("is", "means", "mean", "so", "but", "gives", "therefore"))
 
 
@@ -89,6 +91,7 @@ def _with_verdict(
     while words and words[0] in _LEADING:
         words = words[1:]
     denied = len(words) > 1 and words[0] in ("no", "not")
+    denied = denied or (words[:1] == ["of"] and words[1:2] != [] and words[1] in _WHOLES)
     rejected = segment.has_relation and (denied or (bool(words) and words[0] in _REJECTING))
     return replace(segment, rejected=True) if rejected else segment
 
@@ -158,8 +161,7 @@ def _ends_a_title(tokens: Sequence[Token], place: int) -> bool:
     words = any(each.kind in ("word", "phrase") for each in tokens[:place])
     before = any(each.kind == "relation" for each in tokens[:place])
     behind = any(each.kind == "relation" for each in tokens[place:])
-    # u = 5: 4 = v + 2w
-    case = before and tokens[place - 2].kind == "relation"
+    case = before and tokens[place - 1].kind in ("number", "letter")  # a = u/5: 1 = 4 - 6e
     return apart and behind and (case or (words and not before))
 
 

@@ -34,15 +34,20 @@ _TURNED = re.compile(
     re.IGNORECASE,
 )
 _AXIS = re.compile(r"(?:^|(?<=[,;]))\s*([ijy])\s*:(?=\s*[^\s:=<>])(?=[^:]*=)")
+_AT_AN_END = re.compile(r"\b(KE|Ek|ke)\s+([if])(?=\s*[=:])(?!.*\b(?:KE|Ek|ke)\s+j\b)")
+_SHARE = r"\d[\d./]*(?:[A-Za-z]{1,2}(?:\^?2|²)?)*"
+_OUT_OF = re.compile(rf"({_SHARE})\s+out\s+of\s+(?:the\s+)?({_SHARE})(?![A-Za-z])", re.IGNORECASE)
 _PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
 
 
 def with_labels(line: Plain, problem: Problem) -> Plain:
     """A line in which sentences are labels; the rest is as typed."""
     for pattern, put in _RULES:
-        match = pattern.search(line.text)
-        if match is not None:
-            line = _replaced(line, match, put(match, problem))
+        start = 0
+        while (match := pattern.search(line.text, start)) is not None:
+            text = put(match, problem)
+            line = _replaced(line, match, text)
+            start = match.start() + max(1, len(text))
     return line
 
 
@@ -55,6 +60,8 @@ def _replaced(line: Plain, match: re.Match[str], text: str) -> Plain:
 
 def _component(match: re.Match[str], problem: Problem) -> str:
     """The component of a speed: of the sphere that has it at the start, where one has."""
+    if match[1] in {each.name for each in problem.spheres}:
+        return match[0]
     speed = _tree(match[1])
     owners = [each.name for each in problem.spheres if speed in _speeds(each.velocity)]
     return f"component of {owners[0]} before " if len(owners) == 1 else "component "
@@ -100,11 +107,18 @@ def _components(velocity: Expression | None) -> Iterator[tuple[Expression, str]]
             yield size, name
 
 
+def _at_the_end(match: re.Match[str], _: Problem) -> str:
+    """The energy before, or the one after, of ``KE i`` and ``KE f``."""
+    return f"{'initial' if match[2] == 'i' else 'final'} KE "
+
+
 _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),
     (_TURNED, _turned),
     (_AXIS, lambda match, _: f" {match[1]} direction: "),
+    (_AT_AN_END, _at_the_end),
+    (_OUT_OF, lambda match, _: f"({match[1]})/({match[2]})"),
     (_PART, lambda match, _: f"{match[1]} component"),
 )

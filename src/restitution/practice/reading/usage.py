@@ -42,6 +42,9 @@ _JOULES = re.compile(r"(?:^|[=;,(:]|so|let|=>)\s*-?J\s*[=/]|=\s*J\s*$", re.MULTI
 _VECTOR = re.compile(
     r"(?<![\w'])([A-Za-z])(?:_?(\w))?\s*=\s*[^=<>|·.]*(?<![A-Za-z])\d*[ij](?![A-Za-z])"
 )
+_AT_AN_ANGLE = re.compile(
+    r"(?:sin|cos|tan)\s*(?:\^?\s*\d|[²³])?\s*\(?\s*\d*\s*@|^\s*@\s*=", re.IGNORECASE
+)
 # The same with a pair of components: ``n = (3, 4)/5``, ``v = 5(0.6, 0.8)``.
 _PAIR = re.compile(
     r"(?<![\w'])([A-Za-z])(?:_?(\w))?\s*=\s*(?:[\d./]*\s*\*?\s*|-\s*)[(\[][^(),=\[\]]+,[^(),=\[\]]+[)\]]"
@@ -86,6 +89,15 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
         squares=_squares(text, of_question | alone),
         powers=bool(re.search(r"(?:sin|cos)2.*\+.*(?:sin|cos)2", text)),
     )
+
+
+def with_angles(lines: Sequence[str], problem: Problem) -> list[str]:
+    """The lines with the sign of an angle for an @ that stands for one: ``cos@``, ``@ = 30``."""
+    if not any(_AT_AN_ANGLE.search(line) for line in lines):
+        return list(lines)
+    signs = [sign for sign, name in GREEK_SIGNS.items() if name in GREEK_ANGLES & _letters(problem)]
+    sign = signs[0] if len(signs) == 1 else "θ"
+    return [line.replace("@", sign) for line in lines]
 
 
 def _vectors(text: str, spheres: frozenset[str]) -> Iterator[str]:

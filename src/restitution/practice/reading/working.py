@@ -12,6 +12,7 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from restitution.practice.reading.chains import Past, Statements
 from restitution.practice.reading.characters import Plain, plain
 from restitution.practice.reading.energies import energy_links
 from restitution.practice.reading.headings import (
@@ -27,9 +28,9 @@ from restitution.practice.reading.merging import with_phrases
 from restitution.practice.reading.scanner import scan
 from restitution.practice.reading.segments import segments
 from restitution.practice.reading.spoken import with_labels
-from restitution.practice.reading.statements import Past, Statements, read_statements
+from restitution.practice.reading.statements import read_statements
 from restitution.practice.reading.tokens import Token, Usage
-from restitution.practice.reading.usage import GREEK_ANGLES, usage_of
+from restitution.practice.reading.usage import GREEK_ANGLES, usage_of, with_angles
 from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
 from restitution.problem import Impact, Problem
 
@@ -51,7 +52,8 @@ def read_working(
     """
     lines = text.splitlines() if isinstance(text, str) else [str(each) for each in text]
     typed = [(n, line) for n, line in enumerate(lines, 1) if line.strip()][: MAX_LINES + 1]
-    plains = [plain(line[: MAX_LENGTH + 1]) for _, line in typed[:MAX_LINES]]
+    texts = with_angles([line[: MAX_LENGTH + 1] for _, line in typed[:MAX_LINES]], problem)
+    plains = [plain(each) for each in texts]
     usage = usage_of([each.text for each in plains], problem)
     aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
     aliases |= {each: each for each in declared if len(each) == 2 and each in usage.aliases}
