@@ -212,7 +212,7 @@ def test_a_colon_behind_words_is_no_ratio() -> None:
         ("speed^2: 9 + 2 = 11", "false"),
         ("tan(angle) = 2/3", "true"),
         ("tan(angle) = 3/5", "false"),
-        ("unit vec along wall = i", "remark"),
+        ("unit vec along wall = i", "true"),
     ],
 )
 def test_what_a_label_may_name(line: str, verdict: str) -> None:
