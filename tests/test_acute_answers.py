@@ -41,6 +41,14 @@ given A and B collide again
 find range of e
 """
 
+LINE_UNKNOWN = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along theta
+given velocity(A) = 1/2 u i
+find theta, e
+"""
+
 
 def printed(text: str) -> str:
     return " ".join(to_text(explain(solve(parse(text))), 100).split())
@@ -64,6 +72,13 @@ def test_a_ratio_of_tangents_is_read_by_the_letter_of_an_angle() -> None:
     assert "tan β = eu sin α/(u cos α) = e tan α" in working
     assert "Since tan α = 3 tan β: tan α = 3e tan α" in working
     assert "Let θ" not in working
+
+
+def test_where_the_tangent_has_no_value_an_angle_is_not_acute() -> None:
+    # At α = 60° the change of velocity is along j: the line of centres is at 90° then.
+    theta, e = (item.answers[0].display for _, item in solve(parse(LINE_UNKNOWN)).items())
+    assert theta == "arctan(2 sin α/(2 cos α − 1)), for α < 60°"
+    assert e == "3(1 − cos α)/(2 − cos α), for α < 60°"
 
 
 def test_a_sphere_at_rest_is_not_called_moving() -> None:

@@ -157,8 +157,7 @@ def demands_of(
     hidden += [
         Demand(Relation(below, "!="), "it would not be real", "equation")
         for value in values.values()
-        for below in [sp.fraction(sp.together(value))[1]]
-        if below.free_symbols
+        for below in _divisors(value)
     ]
     plain: list[Demand] = []
     coefficients: list[Demand] = []
@@ -196,10 +195,34 @@ def _radicands(value: sp.Expr) -> list[sp.Expr]:
     )
 
 
+def _divisors(value: sp.Expr) -> list[sp.Expr]:
+    """The divisors of a value and of what stands under its roots, where they have letters."""
+    radicands = (
+        node.base
+        for node in value.atoms(sp.Pow)
+        if node.exp.is_positive and not node.exp.is_Integer
+    )
+    below = (sp.fraction(sp.together(each))[1] for each in (value, *radicands))
+    return sorted({each for each in below if each.free_symbols}, key=sp.default_sort_key)
+
+
+def _below_radicands(value: sp.Expr) -> list[sp.Expr]:
+    """The divisors within the square roots by which a value is divided, where they have letters."""
+    below = (
+        sp.fraction(sp.together(node.base))[1]
+        for node in value.atoms(sp.Pow)
+        if node.exp.is_negative and node.exp.is_Rational and node.exp.q == 2
+    )
+    return sorted({each for each in below if each.free_symbols}, key=sp.default_sort_key)
+
+
 def _within(value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None, role: Role) -> Iterable[Formula]:
     if angle is not None and role.low == 0 and role.high == sp.pi / 2:
         c, s = (sp.sympify(each, strict=True) for each in angle)
         yield Relation(c, ">=" if role.closed[1] else ">")
+        if not role.closed[1]:
+            # Where the tangent has no value, the cosine is zero: 1/√(1 + (a/b)²) = |b|/√(a² + b²).
+            yield from (Relation(each, "!=") for each in _below_radicands(c))
         yield Relation(s, ">=" if role.closed[0] else ">")
         return
     if role.low is not None:
