@@ -612,3 +612,33 @@ def test_roots_of_surds_are_undone_with_their_sign(left: str, right: str, same: 
     world = World({"u": POSITIVE})
     gap = world.scalar(read_tree(left, {})) - world.scalar(read_tree(right, {}))
     assert world.reduced(gap).vanishes is same
+
+
+def test_an_inequality_has_its_values_from_lines_that_it_cites() -> None:
+    # Any two positive values are the one times what is positive: that puts nothing in.
+    problem = parse(
+        """
+        wall W: along j
+        sphere A: mass 3m, velocity 2u i
+        sphere B: mass m, at rest
+        A hits B: along i, e = e
+        B hits W: e = 1/3
+        given A and B collide again
+        find range of e
+        """
+    )
+    law = "mass A, velocity A, axis 1, mass B, velocity B, 1, 2"
+    lines = f"""
+    1 a | let | | let v = along(velocity(A, 1), line_of_centres(1))
+    2 a | let | | let w = along(velocity(B, 1), line_of_centres(1))
+    3 a | law momentum 1 A B | {law} | 3m (2u) = 3m v + m w
+    4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = e (2u)
+    5 a | combine w | 3, 4 | v = (3 - e) u/2
+    6 a | put | 4, 5 | w = 3(1 + e) u/2
+    7 a | law restitution-wall 2 B | axis 1, axis 2, e 2, 2, 6 | along(velocity(B, 2), i) = -(1 + e) u/2
+    8 a | put | given 1, axis 1, 1, {{}}7 | (3 - e) u/2 > -(1 + e) u/2
+    """  # noqa: E501
+    for cited, wrong in (("5, ", False), ("", True)):
+        complaints = follow(derivation_of(problem, lines.format(cited)), oracle_of(problem))
+        bad = {each.line for each in complaints if each.reason == "does-not-follow"}
+        assert bad == ({8} if wrong else set())

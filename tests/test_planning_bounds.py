@@ -43,6 +43,14 @@ SAYS = {
         + "given tan(alpha) = 1/2\nfind maximum of deflection(A) over e",
         ["as (1 + e)/(2(4 − e)) increases with e and e ≤ 1", "δ ≤ arctan(1/3), as 0° ≤ δ ≤ 180°"],
     ),
+    "a condition that always holds, with both components found": (
+        (
+            "wall W: along j\nsphere A: mass 3m, velocity 2u i\nsphere B: mass m, at rest\npart a\n"
+            "A hits B: along i, e = e\nshow speed(B) = 3/2 (1 + e) u\nB hits W: e = 1/3\npart b\n"
+            "given A and B collide again\nfind range of e"
+        ),
+        ["v = (3 − e)u/2", "(3 − e)u/2 > −(1 + e)u/2", "every value of e is possible"],
+    ),
     "an obtuse deflection": (
         REST.format(k="4", e=", e = 1/2") + "given deflection(A) > 90°\nfind range of tan(alpha)",
         ["the angle of deflection of A is more than 90°, so the scalar product is negative:"],

@@ -56,8 +56,10 @@ def is_put(step: Step, line: Link) -> bool:
         return False  # nothing is put in
     # A value may be put in, or its name for it.
     return any(
-        matches_with(step, line, expected_residual(step, each, rules), rules, each.sign)
+        matches_with(step, line, expected, rules, each.sign)
+        and (each.sign in ("=", "!=") or not _is_replaced(step, line, expected))
         for each in (*flat(base.only), *_below_roots(step, base))
+        for expected in (expected_residual(step, each, rules),)
     ) or _is_ratio_of_powers(step, line)
 
 
@@ -143,7 +145,8 @@ def _is_replaced(step: Step, line: Link, expected: Value) -> bool:
     if isinstance(own, Plane) or isinstance(expected, Plane):
         return False
     ours, theirs = (set(step.world.keys(each.above).values()) for each in (own, expected))
-    return any(key[0] in ("quantity", "x", "y") for key in theirs - ours)
+    named = {("letter", let.letter) for let in step.lets}
+    return any(key[0] in ("quantity", "x", "y") or key in named for key in theirs - ours)
 
 
 def is_rearrangement(step: Step, line: Link) -> bool:
