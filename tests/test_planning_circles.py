@@ -254,3 +254,41 @@ def test_chords_that_end_elsewhere_make_no_right_angle() -> None:
     fewer = replace(line, premises=tuple(e for e in line.premises if e != "contact 3"))
     changed = tuple(fewer if each is line else each for each in derivation.lines)
     assert follow(replace(derivation, lines=changed), Oracle(roles(problem))) != ()
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (
+            (
+                "wall C: circle centre (1, 2) radius 10\nsphere P: at (1, 2), velocity 4i - 3j\n"
+                "P hits C: e = 1/3\nfind position(P), velocity(P)"
+            ),
+            "P moves along the radius, so it strikes C at right angles.",
+        ),
+        (
+            (
+                "wall A: along i\nwall B: along 135°\nsphere P: velocity u at alpha to A\n"
+                "P hits A: e = 1/2\ngiven velocity(P, 1) perpendicular to B\nfind tan(alpha)\n"
+                "P hits B: e = 1/2\nfind velocity(P)"
+            ),
+            "P strikes B at right angles. Component before the impact:",
+        ),
+    ],
+)
+def test_a_direct_impact_has_one_component(text: str, words: str) -> None:
+    problem, derivation = planned(text)
+    said = " ".join(printed(problem, derivation).split())
+    assert words in said
+    assert "𝐭" not in said
+    assert "stays 0" not in said
+
+
+def test_a_component_that_comes_out_as_zero_is_seen() -> None:
+    problem, derivation = planned(
+        "wall A: along i\nwall B: along 120°\nsphere P: velocity u at 45° to A\n"
+        "P hits A: e = 1/sqrt(3)\nP hits B: e = 2/3\nfind velocity(P)"
+    )
+    assert "the component in the direction of 𝐭 stays 0" in " ".join(
+        printed(problem, derivation).split()
+    )

@@ -72,6 +72,7 @@ from restitution.planning.unreached import write_unreached
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
+from restitution.planning.writing.direct_impacts import with_direct_impacts
 from restitution.planning.writing.direct_ratios import with_direct_ratios
 from restitution.planning.writing.direct_tangents import with_direct_tangents
 from restitution.planning.writing.either_side import on_one_side, write_other_side
@@ -152,7 +153,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
     whole = without_idle_arctangents(without_unprinted_angles(whole))
-    return gathered(with_facts_once(whole))
+    return gathered(with_direct_impacts(with_facts_once(whole)))
 
 
 def _not_planned(error: Exception) -> NotPlannedError:

@@ -130,6 +130,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} moves perpendicular to the line of centres of its last impact, at {angle} to this "
         "one. Components before the impact:"
     ),
+    "resolved.direct": "{body} strikes {wall} at right angles. Component before the impact:",
+    "resolved.direct-radius": (
+        "{body} moves along the radius, so it strikes {wall} at right angles. Component before the "
+        "impact:"
+    ),
     "resolved.before-across-at-wall": (
         "{body} moves perpendicular to the line of centres of its last impact, at {angle} to "
         "{wall}. Components before the impact:"

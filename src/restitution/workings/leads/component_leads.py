@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -81,6 +82,11 @@ class ComponentLeads(LinesAround):
             return say("resolved-spheres.before-sense", axis=direction)
         if not event.wall and self._is_turned(line, event.number):
             return say("resolved-spheres.before-turned")
+        if stage < event.number and self._comes_straight(event):
+            body, wall = event.bodies
+            circular = wall in self._naming.circles
+            name: SentenceId = "resolved.direct-radius" if circular else "resolved.direct"
+            return say(name, body=body, wall=wall)
         struck = struck_at_rest(self._derivation, self._naming, line)
         if struck is not None and not self.tells_of_rest(struck, stage, event):
             struck = None
@@ -93,6 +99,19 @@ class ComponentLeads(LinesAround):
                 return say("resolved.before-moved-off", body=struck, vector=vector)
             return say("resolved.before-vector", vector=vector)
         return say(_RESOLVED[event.wall, stage < event.number])
+
+    def _comes_straight(self, event: Event) -> bool:
+        """Whether it is known that a body comes straight at a wall: no line has that component."""
+        return event.wall and any(
+            line.move.record == "component"
+            and line.move.event == event.number
+            and line.shown == "silent"
+            and isinstance(line.relation, Relation)
+            and isinstance(line.relation.only[0].left, Quantity)
+            and line.relation.only[0].left.kind == "across"
+            and is_zero(line.relation.only[-1].right)
+            for line in self._derivation.lines
+        )
 
     def _resolved_at(
         self, line: Line, event: Event, angle: Expression, struck: str | None
