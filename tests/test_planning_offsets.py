@@ -175,3 +175,14 @@ find line_of_centres
 """
     )
     assert "(cos 30°)((3𝐢 + 4𝐣)/5) + (sin 30°)((−4𝐢 + 3𝐣)/5)" in printed(problem, derivation)
+
+
+def test_a_range_of_an_offset_is_one_of_the_sine_of_its_angle() -> None:
+    problem, derivation = planned(
+        "sphere A: mass 2, velocity 6i, radius 5\nsphere B: mass 5, velocity -2i, radius 5\n"
+        "A hits B: offset d, e = 1/2\ngiven deflection(A) > 90°\nfind range of d"
+    )
+    text = " ".join(to_text(explanation_of(awarded(derivation), problem)).split())
+    assert "v = −(18/7) cos φ" in text
+    assert "tan²φ < 3/7 sin²φ < 3/10 Substituting for sin φ: (d/10)² < 3/10 d² < 30" in text
+    assert "√(100 − d²)" not in text

@@ -21,6 +21,7 @@ from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.problem import Range
 from restitution.solving.equations.solution import Solution
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -37,7 +38,10 @@ def paths_beside(solution: Solution, desk: Desk) -> dict[int, Vector]:
     if fact is None or not branches or any(map(_speaks_of_centres, desk.facts)):
         return {}
     own = offset_angle(fact.relation.only[0], roles(solution.problem))
-    if own is None or not all(letters(own.sine) & each.values.keys() for each in branches):
+    if own is None:
+        return {}
+    sought = all(letters(own.sine) & each.values.keys() for each in branches)
+    if not sought and not _is_its_range(solution, letters(own.sine)):
         return {}
     if any(_is_value_of(fact, letters(own.sine)) for fact in desk.facts):
         return {}
@@ -47,6 +51,17 @@ def paths_beside(solution: Solution, desk: Desk) -> dict[int, Vector]:
     if tidy(one.cross(other)) != 0 or not all(each.is_number for each in path):
         return {}
     return {1: path}
+
+
+def _is_its_range(solution: Solution, names: AbstractSet[str]) -> bool:
+    """Whether all that is asked is the range of the offset."""
+    items = [each.item for part in solution.parts.values() for each in part.items]
+    return all(
+        isinstance(item, Range)
+        and isinstance(item.expression, Letter)
+        and item.expression.name in names
+        for item in items
+    )
 
 
 def _is_value_of(fact: Fact, names: AbstractSet[str]) -> bool:
@@ -125,6 +140,12 @@ def write_sine(scene: Scene, each: GivenEquation) -> int:
     )
 
 
+def sine_of(scene: Scene, angle: str) -> GivenEquation | None:
+    """What an offset says of the sine of an angle that has this letter; None of another one."""
+    sine = Apply("sin", Letter(angle))
+    return next((each for each in scene.of_offsets if each.link.left == sine), None)
+
+
 def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
     """The angle of a path with the line of centres, where the words above that line say it.
 
@@ -160,5 +181,6 @@ __all__ = [
     "given_by_offsets",
     "is_sine_of_an_offset",
     "paths_beside",
+    "sine_of",
     "write_sine",
 ]

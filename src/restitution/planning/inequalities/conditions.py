@@ -20,6 +20,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -30,9 +31,11 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     is_zero,
+    letters,
     walk,
 )
 from restitution.planning.angles.deflections import scalar_product
+from restitution.planning.axes.offsets import sine_of, write_sine
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.angles_bounded import Bounded, write_bounded
 from restitution.planning.inequalities.bounds_by_cotangents import write_by_cotangent
@@ -50,7 +53,7 @@ from restitution.planning.inequalities.standing_ratios import write_by_a_ratio
 from restitution.planning.inequalities.wall_ends import is_of_a_path, write_between, write_first_hit
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import together
-from restitution.planning.writing.forms import ZERO, swept, tree_of
+from restitution.planning.writing.forms import ZERO, square, swept, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
@@ -291,8 +294,11 @@ class Conditions:
         known = self.worths.known_in(expanded(value))
         first = Relation(((Link(swept(tree), opposite, ZERO),),))
         lets = self.scene.lets_in(link)
-        pool = [fact.id, *lets, *refs, *self.scene.frame(event).refs, *known]
-        number = self.judge.write((move,), pool, first)
+        pool = [fact.id, *lets, *refs, *known]
+        axis = self.scene.frame(event).refs
+        number = self.judge.write((move,), [*pool, *axis], first)
+        if number is None:
+            number = self.judge.write((move,), pool, first)  # of components by a letter's angle
         if number is None:
             return None
         solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)
@@ -303,7 +309,36 @@ class Conditions:
                 continue
             after = self.judge.write(moves, [number, *known], Relation(((each,),)))
             number = number if after is None else after
-        return number
+        return number if wanted is None else self._by_the_offset(number, x, sign, wanted)
+
+    def _by_the_offset(self, line: int, x: sp.Expr, sign: Sign, wanted: Expression) -> int:
+        """A bound of tan²φ, where an offset tells sin φ, as one of what that is; else the line."""
+        angles = {ratio.args[0] for ratio in x.atoms(sp.sin, sp.cos)}
+        symbol = next(iter(angles), None)
+        own = sine_of(self.scene, symbol.name) if len(angles) == 1 and symbol.is_Symbol else None
+        if own is None or symbol is None or not letters(wanted) & letters(own.link.right):
+            return line
+        square_ = sp.Dummy()
+        of_sine = expanded(x).xreplace(
+            {sp.cos(symbol) ** 2: 1 - square_, sp.sin(symbol) ** 2: square_}
+        )
+        slope, rest = of_sine.diff(square_), of_sine.subs(square_, 0)
+        if not slope.is_Rational or not rest.is_Rational or slope == 0:
+            return line
+        bound = -rest / slope
+        turned_ = sign if slope > 0 else FLIPPED[sign]
+        acute = f"acute: {symbol.name}"
+        for ratio, value in (("tan", bound / (1 - bound)), ("sin", bound)):
+            power = square(Apply(ratio, Letter(symbol.name)))
+            relation = Relation(((Link(power, turned_, tree_of(tidy(value))),),))
+            moves = (Move("rearrange"), Move("cancel"), Move("compare"))
+            line = self.judge.write(moves, [line, acute], relation) or line
+        put = square(own.link.right)
+        relation = Relation(((Link(put, turned_, tree_of(tidy(bound))),),))
+        after = self.judge.write((Move("put"),), [line, write_sine(self.scene, own)], relation)
+        if after is None:
+            return line
+        return self.finished(after, turned_, expanded(self.worths.value(put) - bound), wanted)
 
     def _of_velocities(self, angle: Quantity) -> Product | None:
         """The scalar product of two velocities."""
