@@ -314,9 +314,11 @@ class Conditions:
     def _by_the_offset(self, line: int, x: sp.Expr, sign: Sign, wanted: Expression) -> int:
         """A bound of tan²φ, where an offset tells sin φ, as one of what that is; else the line."""
         angles = {ratio.args[0] for ratio in x.atoms(sp.sin, sp.cos)}
-        symbol = next(iter(angles), None)
-        own = sine_of(self.scene, symbol.name) if len(angles) == 1 and symbol.is_Symbol else None
-        if own is None or symbol is None or not letters(wanted) & letters(own.link.right):
+        if len(angles) != 1 or not all(each.is_Symbol for each in angles):
+            return line
+        (symbol,) = angles
+        own = sine_of(self.scene, symbol.name)
+        if own is None or not letters(wanted) & letters(own.link.right):
             return line
         square_ = sp.Dummy()
         of_sine = expanded(x).xreplace(
