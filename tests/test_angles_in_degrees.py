@@ -108,6 +108,19 @@ find alpha"""
     assert {each.value for each in answers} == {10 * DEGREE, 70 * DEGREE}
 
 
+@pytest.mark.parametrize(
+    ("angle", "fact", "display"),
+    [
+        (35, "energy_lost = 3", "√(16 sin² 35° − 3)/(4 sin 35°) = 0.656"),
+        (40, "speed(P) = 7", "√(64 sin² 40° − 15)/(8 sin 40°) = 0.658"),
+    ],
+)
+def test_answers_have_the_angles_of_the_data(angle: int, fact: str, display: str) -> None:
+    text = f"wall W: along i\nsphere P: mass 0.5, velocity 8 at {angle}° to W\nP hits W\n"
+    (answer,) = solve(parse(f"{text}given {fact}\nfind e"))["e"].distinct
+    assert answer.display == display
+
+
 def test_a_deflection_where_the_coefficient_is_a_letter() -> None:
     text = "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
     item = solve(parse(f"{text}given deflection(P) = 60°\nfind alpha"))["alpha"]

@@ -7,10 +7,15 @@ from fractions import Fraction
 
 import pytest
 
+from restitution.explaining.following.follower import follow
 from restitution.expression.tree import Apply, Binary, Negate, Number
 from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
+from restitution.workings.derived import explanation_of
 from restitution.workings.naming.figures import Figures
 
 
@@ -46,3 +51,71 @@ def test_the_half_of_an_energy_is_no_decimal() -> None:
         "A hits B: along i, e = 0.5\nfind energy_lost"
     )
     assert "kinetic energy lost = ½m(u/2)² − ½ × 2m(u/4)²" in text
+
+
+WALL = "wall W: along i\nsphere P: mass {mass}, velocity {speed} at {angle}° to W\nP hits W\n"
+CORNER = """
+wall AB: along i
+wall BC: along 70°
+sphere P: velocity 9 at 35° to AB
+P hits AB: e = 0.5
+P hits BC: e = 0.4
+find speed(P), angle(velocity(P), BC)
+"""
+SPHERES = """
+sphere A: mass m, velocity u at 50°
+sphere B: mass m, at rest
+A hits B: along i
+given angle(velocity(A), line_of_centres) = 80°
+find e, energy_lost/energy(0) as a percentage
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "says"),
+    [
+        (
+            WALL.format(mass=0.5, speed=8, angle=35)
+            + "given energy_lost = 3\nfind e, deflection(P)",
+            [
+                "e² = (16 sin² 35° − 3)/(16 sin² 35°)",
+                "e = √(16 sin² 35° − 3)/(4 sin 35°) ≈ 0.656, as e ≥ 0",
+                "component of 𝐯_P away from W = 2√(16 sin² 35° − 3) ≈ 3.009 m s⁻¹",
+                "tan β ≈ 3.009/(8 cos 35°)",
+                "≈ 35° + arctan(3.009/(8 cos 35°)) ≈ 59.7°",
+            ],
+        ),
+        (
+            WALL.format(mass=0.2, speed="u", angle=55)
+            + "given angle(velocity(P), W) = 40°, energy_lost = 2\nfind e, u",
+            [
+                "e = (tan 40°)/tan 55° ≈ 0.588",
+                "u² = (20 cos² 40°)/(sin² 55° cos² 40° − sin² 40° cos² 55°)",
+                "≈ 6.75 m s⁻¹, as u is positive",
+            ],
+        ),
+        (
+            CORNER,
+            [
+                "component of 𝐯₂ away from BC ≈ 0.4 × 6.045 ≈ 2.418 m s⁻¹",
+                "speed of P ≈ √(2.418² + 4.947²) ≈ 5.51 m s⁻¹",
+                "tan β ≈ 2.418/4.947",
+            ],
+        ),
+        (
+            SPHERES,
+            [
+                "1 − e = (2 tan 50°)/tan 80°",
+                "w = (cos 50° tan 80° − sin 50°)u/tan 80° ≈ 0.5077u",
+                "½m((u cos 50°)² − ((u sin 50°)/tan 80°)²) − ½m(0.5077u)² ≈ 0.06858mu²",
+                "≈ 0.06858mu²/(½mu²) ≈ 13.7%",
+            ],
+        ),
+    ],
+)
+def test_angles_are_kept_and_long_values_have_figures(statement: str, says: list[str]) -> None:
+    problem = parse(statement)
+    derivation = plan(solve(problem))
+    assert not follow(derivation, Oracle(roles(problem)))
+    text = " ".join(to_text(explanation_of(derivation, problem)).split())
+    assert [each for each in says if each not in text] == []

@@ -74,9 +74,40 @@ def _of_number(value: Expr) -> Expr:
         cosines = _cosines(value)
     except _OtherError:
         return _cancelled(value)
-    form = Add(*_classes(cosines))
+    form = _in_ratios_of(value, Add(*_classes(cosines)))
+    own = _acute_angles(value)
+    other = form.is_Add if len(own) > 1 else bool(_acute_angles(form) - own)
+    if other and not _is_linear(value):
+        return value  # 16 sin² 35° − 3, and not 5 − 8 sin 20°
     shorter = node_count(form, 2 * _TERMS) < node_count(value, 2 * _TERMS)
     return form if shorter else value
+
+
+def _in_ratios_of(value: Expr, form: Expr) -> Expr:
+    """A form with the ratios that a number has where both are the same: cos 50° for sin 40°."""
+    ratios = {_cosine_of(each): each for each in value.atoms(sympy.sin, sympy.cos)}
+    own = {each: ratios.get(_cosine_of(each), each) for each in form.atoms(sympy.sin, sympy.cos)}
+    return form.xreplace(own)
+
+
+def _cosine_of(ratio: Expr) -> Fraction:
+    """The angle of which a sine or cosine is the cosine, as a multiple of π."""
+    turns = _turns(ratio.args[0])
+    return turns if isinstance(ratio, sympy.cos) else _RIGHT - turns
+
+
+def _acute_angles(value: Expr) -> set[Fraction]:
+    """The angles of the ratios in a number as multiples of π, each as the one below 45° that has
+    the same ratios. Raises _OtherError where one is no rational multiple.
+    """
+    turns = (_turns(each.args[0]) % _RIGHT for each in value.atoms(sympy.sin, sympy.cos))
+    return {min(each, _RIGHT - each) for each in turns}
+
+
+def _is_linear(value: Expr) -> bool:
+    """Whether no ratio in a sum stands beside another, or in a power."""
+    ratios = value.atoms(sympy.sin, sympy.cos)
+    return bool(sympy.Poly(value, *ratios).total_degree() == 1)
 
 
 def _cancelled(value: Expr) -> Expr:

@@ -36,7 +36,13 @@ from restitution.solving.story.letters import roles
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.ends import Ends
-from restitution.workings.naming.figures import FIGURES_BETWEEN, Figures, of_plain_angles
+from restitution.workings.naming.figures import (
+    FIGURES_BETWEEN,
+    Figures,
+    has_plain_angles,
+    in_letters_with_figures,
+    of_plain_angles,
+)
 from restitution.workings.naming.measured import (
     Measures,
     as_answer,
@@ -244,11 +250,11 @@ class Rows:
                 trees[1:] = [unit_vector(each) or each for each in trees[1:]]
         in_figures = self._in_figures(line, links, trees)
         sides = [self._naming.layout(tree) for tree in trees]
-        idle = [
-            sides[n]
+        idle = {
+            n: sides[n]
             for n, tree in enumerate(trees)
-            if n not in in_figures and n > min(in_figures, default=n) and of_plain_angles(tree)
-        ]
+            if n not in in_figures and n > min(in_figures, default=n) and has_plain_angles(tree)
+        }
         # With figures put in, and still to be worked out.
         worked = [sides[n] for n in in_figures if of_plain_angles(trees[n])]
         match trees:
@@ -278,18 +284,18 @@ class Rows:
                 # Components that are multiples of roots stand as they are before they cancel.
                 own = lay.fraction(*map(self._naming.layout, (above, below)))
                 sides[1] = lay.negative(own) if isinstance(ratio, Negate) else own
-        for n in range(len(sides) - 1, 1, -1):
-            if sides[n] == sides[n - 1] and signs[n - 1] == "=":
-                del sides[n], signs[n - 1]
+        _without_doubles(sides, signs)
         quotient = self._quotient(line, links[0])
         if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
             sides[1:1], signs[:0] = [quotient], ["="]
         back = self._in_the_other_sense(line, links)
         if back is not None:
             sides[1:1], signs[:0] = [self._naming.layout(back)], ["="]
-        if self._towards(line, links, sides):
+        if self._towards(line, links, [e for e in sides if id(e) not in map(id, idle.values())]):
             sides[0] = self._away(links[0].left)
-            sides[1:] = [lay.split_sign(side)[1] for side in sides[1:]]
+            turned = {id(side): _turned(side) or lay.negative(side) for side in sides[1:]}
+            sides[1:] = [turned[id(side)] for side in sides[1:]]
+            idle = {n: turned.get(id(side), side) for n, side in idle.items()}
         if line.move.id == "solve" and not last and _is_value(links[0].left):
             unit = self._measures.unit(links[0].left)
             sides[-1] = with_unit(sides[-1], unit) if is_plain(sides[-1]) else sides[-1]
@@ -297,9 +303,13 @@ class Rows:
             self._ended(line, links, sides, signs)
             self._placed(line, links, sides, signs)
             # Behind figures a value is not written once more exactly.
-            for n in range(len(sides) - 2, 0, -1):
-                if any(sides[n] is each for each in idle):
+            for n in range(len(sides) - 1, 0, -1):
+                if any(sides[n] is each for each in idle.values()):
                     del sides[n], signs[n - 1]
+            if idle:
+                _without_doubles(sides, signs)
+            for n in idle:
+                self._figures.stands_for(trees[n], trees[min(in_figures)])
             if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and sides[-2] not in worked:
                 del sides[-2], signs[-2]  # an answer has three figures at once
             rounded_next = self._measures.decimals and signs[-1] == "≈" and len(sides) > 3
@@ -314,6 +324,9 @@ class Rows:
     ) -> frozenset[int]:
         """Puts figures for values that are on paper; the numbers of the sides that have them."""
         exact = list(trees)
+        last = trees[-1]
+        if len(links) > 1 and not (has_quantity(last) or letters(last) or of_plain_angles(last)):
+            return frozenset()  # it comes to an exact number
         for n, link in enumerate(links, 1):
             if link.sign not in ("=", "≈"):
                 continue
@@ -430,7 +443,7 @@ class Rows:
             return False
         match links[0].left:
             case Quantity("along", (Quantity("velocity", _), axis)):
-                if any(lay.split_sign(side)[0] != "-" for side in sides[1:]):
+                if any(_turned(side) is None for side in sides[1:]):
                     return False
                 sense = self._naming.at_the_wall(axis)
                 if sense is not None:
@@ -482,10 +495,16 @@ class Rows:
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
-        if end is None and unit and links[-1].sign == "=" and of_plain_angles(right):
+        in_letters = in_letters_with_figures(right) if end is None and not unit else None
+        if in_letters is not None and links[-1].sign == "=" and _is_value(left):
+            sides.append(self._naming.layout(in_letters))
+            signs.append("≈")
+            self._figures.note(right)
+        elif end is None and unit and links[-1].sign == "=" and of_plain_angles(right):
             # A component away from a wall is printed with the other sign.
-            printed = (right, right.operand) if isinstance(right, Negate) else (right,)
-            tree = next((e for e in printed if self._naming.layout(e) == sides[-1]), None)
+            own = self._naming.layout(right)
+            other = _turned(own) or lay.negative(own)  # of a component in the other sense
+            tree = {own: right, other: negative(right)}.get(sides[-1])
             figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
             if figures is not None:
                 sides.append(figures)
@@ -595,6 +614,20 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
+
+
+def _turned(side: lay.Layout) -> lay.Layout | None:
+    """A side of negative terms alone with the other sign; None of another."""
+    if not isinstance(side, lay.Sum) or any(sign == "+" for sign, _ in side.terms):
+        return None
+    return lay.total(lay.Sum((("+", term),)) for _, term in side.terms)
+
+
+def _without_doubles(sides: list[lay.Layout], signs: list[str]) -> None:
+    """Leaves out what stands on a side as on the one before it."""
+    for n in range(len(sides) - 1, 1, -1):
+        if sides[n] == sides[n - 1]:
+            del sides[n], signs[n - 1]
 
 
 def _has_long_root(tree: Expression) -> bool:

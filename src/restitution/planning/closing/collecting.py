@@ -7,6 +7,7 @@ common factor, brackets, an unknown in several terms or below a line) gets a lin
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import permutations
 
 import sympy as sp
@@ -17,6 +18,7 @@ from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Negate,
@@ -76,18 +78,30 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
 
 def _tangents(
     link: Link, sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]
-) -> dict[sp.Symbol, sp.Symbol]:
+) -> dict[sp.Expr, sp.Symbol]:
     """Letters for the tangents of other angles, of which no sine and no cosine is written."""
-    names: set[str] = set()
-    others: set[str] = set()
+    names: set[str | Fraction] = set()
+    others: set[str | Fraction] = set()
     for node in (*walk(link.left), *walk(link.right)):
         match node:
-            case Apply(function, Letter(name)):
+            case Apply(function, Letter(name) | Degrees(name)):
                 (names if function == "tan" else others).add(name)
     names -= others
     inside = {symbol for side in sides for symbol in side.free_symbols} - set(symbols)
-    own = [symbol for symbol in inside if symbol.name in names]
-    return {symbol: sp.Symbol(f"tan {symbol}", positive=True) for symbol in own}
+    own: list[sp.Expr] = [symbol for symbol in inside if symbol.name in names]
+    own += [_in_radians(size) for size in names if isinstance(size, Fraction) and size % 15]
+    return {angle: sp.Symbol(f"tan {angle}", positive=True) for angle in own}
+
+
+def _in_radians(degrees: Fraction) -> sp.Expr:
+    return sp.Rational(degrees.numerator, degrees.denominator) * sp.pi / 180
+
+
+def _angle_tree(angle: sp.Expr) -> Expression:
+    """An angle as a line has it: a letter, or a number of degrees."""
+    if isinstance(angle, sp.Symbol):
+        return Letter(angle.name)
+    return Degrees(Fraction(*map(int, (180 * angle / sp.pi).as_numer_denom())))
 
 
 def _with_plain_squares(scene: Scene, line: int) -> int:
@@ -205,7 +219,7 @@ def _written(
     line: int,
     polynomials: Polynomials,
     symbols: Sequence[sp.Symbol],
-    tangents: Mapping[sp.Symbol, sp.Symbol],
+    tangents: Mapping[sp.Expr, sp.Symbol],
 ) -> int | None:
     """The line with both sides as these polynomials; None where it does not follow.
 
@@ -223,7 +237,7 @@ def _written(
     if not others and len(generators) == 2 and _is_of_tangents(link, symbol.name):
         polynomials, generators = _in_tangents(polynomials), (sp.tan(symbol),)
     back: dict[Expression, Expression] = {
-        Letter(t.name): Apply("tan", Letter(angle.name)) for angle, t in tangents.items()
+        Letter(t.name): Apply("tan", _angle_tree(angle)) for angle, t in tangents.items()
     }
     left, right = (
         rebuilt(side, lambda each: back.get(each, each))
@@ -385,7 +399,7 @@ def _in_tangents(polynomials: Polynomials) -> Polynomials:
 
 
 def _has_common(
-    sides: Sequence[sp.Expr], polynomials: Polynomials, tangents: Iterable[sp.Symbol]
+    sides: Sequence[sp.Expr], polynomials: Polynomials, tangents: Iterable[sp.Expr]
 ) -> int:
     """1 where a letter was common to all terms, and is gone."""
     before = {x for each in sides for x in each.free_symbols}

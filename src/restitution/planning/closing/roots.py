@@ -29,6 +29,7 @@ from restitution.planning.closing.square_roots import (
     is_square_of_sum,
     linear_factors,
 )
+from restitution.planning.closing.squares_in_degrees import is_in_degrees, square_in_degrees
 from restitution.planning.formulas.impacts import momentum, residual, restitution, scene_value
 from restitution.planning.formulas.velocity_formulas import velocity_source
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -80,7 +81,7 @@ def by_roots(
         return None
     roots: list[sp.Expr] = []
     for polynomial in polynomials:
-        roots += _real_roots(scene, polynomial)
+        roots += _real_roots(scene, number, polynomial)
     roots = list(dict.fromkeys(roots))
     kept = [root for root in roots if is_reached(scene, root, of, symbol)]
     wanted = [each for each in kept if is_value(scene.model, each, of, symbol)]
@@ -274,10 +275,12 @@ def _then(
     return scene.desk.write(move, refs, roots)
 
 
-def _real_roots(scene: Scene, polynomial: sp.Poly) -> list[sp.Expr]:
+def _real_roots(scene: Scene, number: int, polynomial: sp.Poly) -> list[sp.Expr]:
     """The roots of a factor that are real at the numbers of the solution."""
     if polynomial.degree() == 2:
         a, b, c = (polynomial.nth(n) for n in (2, 1, 0))
+        if b == 0 and (own := square_in_degrees(scene, number, polynomial.gen)) is not None:
+            return [] if scene.model.sign(own) < 0 else [sp.sqrt(own), -sp.sqrt(own)]
         if b == 0 and (own := _quotient_root(scene, -c / a)) is not None:
             return [own, -own]
         inside = factored(b**2 - 4 * a * c)
@@ -317,7 +320,7 @@ def _squares_out(whole: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 def option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
     """One of the alternatives, as a line has it."""
-    return (Link(subject, "=", tree_of(value)),)
+    return (Link(subject, "=", tree_of(value, as_it_is=is_in_degrees(value))),)
 
 
 def in_standard_form(
@@ -334,8 +337,11 @@ def in_standard_form(
         return number
     pure = not fourth and polynomial.nth(1) == 0
     if pure:
-        value = tidy(-polynomial.nth(0) / polynomial.nth(2))
-        relation = chain(squared, (tree_of(value), None))
+        value = square_in_degrees(scene, number, generator)
+        by_degrees = value is not None
+        if value is None:
+            value = tidy(-polynomial.nth(0) / polynomial.nth(2))
+        relation = chain(squared, (tree_of(value, as_it_is=by_degrees), None))
     else:
         tree = _polynomial_tree(_plain(scene, above, generator), subject)
         relation = Relation(((Link(tree, "=", ZERO),),))

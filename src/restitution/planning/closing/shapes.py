@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.closing.brackets import bracket_alone
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.crossing import multiplied_across
 from restitution.planning.closing.one_root import alone, in_squares
@@ -78,7 +79,10 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
         raise NotPlannedError(f"{symbol} is not in line {number}")
     number = _by_sine_and_cosine(scene, number, symbol)
     number = _without_common_sums(scene, root_taken(scene, number, symbol), symbol)
-    if not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
+    alone_ = bracket_alone(scene, number, symbol)
+    if alone_ is not None:
+        number = alone_
+    elif not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
         number = multiplied_out(scene, multiplied_across(scene, number, symbol), symbol)
     for shape in SHAPES:
         try:

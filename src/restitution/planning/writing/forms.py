@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.degrees import function_of, with_ratio
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -47,26 +48,35 @@ def number(value: int | Fraction) -> Expression:
 
 
 def neat(value: Any) -> Any:
-    """A value in its usual form, in which ratios of 2θ and ½θ are not written by those of θ."""
+    """A value in its usual form, in which ratios of 2θ and ½θ are not written by those of θ.
+
+    Nor are those of 50° and 80° by others.
+    """
     own = sp.sympify(value, strict=True)
     multiples = {
         atom.args[0]
         for atom in own.atoms(sp.sin, sp.cos, sp.tan)
-        if not atom.args[0].is_Symbol and len(atom.args[0].free_symbols) == 1
+        if not atom.args[0].is_Symbol and len(atom.args[0].free_symbols) <= 1
     }
     if not multiples:
-        return _with_tangents(tidy(own))
+        return tidy(own)
     names = {
         multiple: sp.Dummy("angle", number, positive=True)
         for number, multiple in enumerate(sorted(multiples, key=sp.default_sort_key))
     }
     functions = {
-        atom: type(atom)(names[atom.args[0]])
+        atom: function_of(atom)(names[atom.args[0]])
         for atom in own.atoms(sp.sin, sp.cos, sp.tan)
         if atom.args[0] in names
     }
     back = {dummy: angle for angle, dummy in names.items()}
-    return tidy(own.xreplace(functions)).xreplace(back)
+    whole = tidy(own.xreplace(functions))
+    ratios = {
+        atom: with_ratio(function_of(atom), back[atom.args[0]])
+        for atom in whole.atoms(sp.sin, sp.cos, sp.tan)
+        if atom.args[0] in back
+    }
+    return _with_tangents(whole.xreplace(ratios).xreplace(back))
 
 
 def _with_tangents(value: Any) -> Any:

@@ -175,6 +175,9 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
             for each in (b, c)
         )
         a = sp.Integer(1)
+    if b == 0 and has_cosines(a) and not (a.free_symbols | c.free_symbols):
+        size = _by_half_an_angle(a, c) or sp.sqrt(-c / a)
+        return [size, -size] if size.is_real else []
     discriminant = gathered(sp.expand(b * b - 4 * a * c))
     if discriminant.is_number:
         discriminant = rational_below(discriminant)
@@ -191,6 +194,27 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
         finite, other = -2 * c / (b + turn * d), (-b - turn * d) / (2 * a)
         return [_tidy_root(each) for each in ((finite, other) if turn > 0 else (other, finite))]
     return [_tidy_root((-b + d) / (2 * a)), _tidy_root((-b - d) / (2 * a))]
+
+
+def _by_half_an_angle(a: sp.Expr, c: sp.Expr) -> sp.Expr | None:
+    """The positive root of a x² + c with a = p(1 − cos φ): in sin ½φ, in which the data were.
+
+    The same of p(1 + cos φ) in cos ½φ. None of other coefficients.
+    """
+    ratios = a.atoms(sp.sin, sp.cos)
+    if len(ratios) != 1 or (a.free_symbols | c.free_symbols):
+        return None
+    (ratio,) = ratios
+    if not isinstance(ratio, sp.cos) or not c.is_polynomial(ratio) or sp.degree(a, ratio) != 1:
+        return None
+    half = ratio.args[0] / 2
+    for sign_, root in ((-1, sp.sin(half)), (1, sp.cos(half))):
+        whole = sp.expand(a.subs(ratio, sign_ * (2 * root**2 - 1)))
+        if whole.coeff(root, 0) == 0:
+            rest = sp.expand(-c.subs(ratio, sign_ * (2 * root**2 - 1)))
+            turn = -1 if sign(whole.coeff(root, 2)) == -1 else 1
+            return sp.sqrt(turn * rest) / (sp.sqrt(turn * whole.coeff(root, 2)) * root)
+    return None
 
 
 def _tidy_root(value: sp.Expr) -> sp.Expr:

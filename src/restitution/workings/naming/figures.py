@@ -21,10 +21,11 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Unit,
+    has_quantity,
     letters,
     walk,
 )
-from restitution.planning.writing.forms import swept
+from restitution.planning.writing.forms import product, swept, tree_of
 from restitution.workings.naming.measured import rounded, worth
 
 # Of a value on the way, so that three are right in the end.
@@ -32,13 +33,54 @@ FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
 _RATIOS = frozenset({"sin", "cos", "tan"})
 # Values beyond these would need a power of ten.
+_LONG_PRODUCT = 3  # of so many ratios
 _LEAST, _GREATEST = Fraction(1, 1000), 10000
 
 
 def of_plain_angles(tree: Expression) -> bool:
     """Whether a number has ratios of angles such as 37°, of which only a calculator knows."""
-    ratios = [e for e in walk(tree) if isinstance(e, Apply) and e.function in _RATIOS]
-    return bool(ratios) and not letters(tree)
+    return has_plain_angles(tree) and not letters(tree)
+
+
+def has_plain_angles(tree: Expression) -> bool:
+    """Whether ratios of such angles stand in a value."""
+    return bool(_ratios_of_numbers(tree))
+
+
+def _ratios_of_numbers(tree: Expression) -> list[Apply]:
+    return [
+        each
+        for each in walk(tree)
+        if isinstance(each, Apply) and each.function in _RATIOS and not letters(each)
+    ]
+
+
+def in_letters_with_figures(tree: Expression) -> Expression | None:
+    """A multiple of letters by a number that only a calculator knows, as 0.1351u.
+
+    None of another value, and of one that is short: ½u cos 20°.
+    """
+    if len(_ratios_of_numbers(tree)) < _LONG_PRODUCT or has_quantity(tree):
+        return None
+    try:
+        value = sp.factor(worth(tree))
+    except (RestitutionError, sp.SympifyError):
+        return None
+    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    if (
+        not letters(tree)
+        or not number.is_real
+        or not all(
+            each.is_Symbol or (each.is_Pow and each.base.is_Symbol and each.exp.is_Integer)
+            for each in sp.Mul.make_args(rest)
+        )
+    ):
+        return None
+    size = _fraction(number, FIGURES_BETWEEN)
+    if size is None:
+        return None
+    whole = product(Number(abs(size)), tree_of(rest))
+    return Negate(whole) if size < 0 else whole
 
 
 class Figures:
@@ -50,11 +92,13 @@ class Figures:
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = tree.operand if isinstance(tree, Negate) else tree
-        if not _is_sum(own):
-            return
-        number = _in_figures(own)
+        number = _in_figures(own) if _is_long(own) else in_letters_with_figures(own)
         if number is not None:
             self._known[own] = number
+
+    def stands_for(self, tree: Expression, put: Expression) -> None:
+        """Notes that a value stands on paper as an expression of figures, and not exactly."""
+        self._known.setdefault(tree, put)
 
     def cosine(self, tree: Expression) -> Expression:
         """The figures of a cosine that is not written exactly; they stand for it from then.
@@ -100,14 +144,17 @@ def _sign_outside(tree: Expression) -> Expression:
     return tree
 
 
-def _is_sum(tree: Expression) -> bool:
-    """Whether a value is a sum with ratios of plain angles in it."""
+def _is_long(tree: Expression) -> bool:
+    """Whether a value is a sum with ratios of plain angles in it, or has the root of one."""
     match tree:
         case Binary("+" | "-"):
             return of_plain_angles(tree)
-        case Binary("/", above, Number()):
-            return _is_sum(above)
-    return False
+        case Binary("/", above, Number()) | Binary("*", Number(), above):
+            return _is_long(above)
+    return not letters(tree) and any(
+        isinstance(node, Apply) and node.function == "sqrt" and of_plain_angles(node.argument)
+        for node in walk(tree)
+    )
 
 
 def _same_angle(cosine: Expression, figures: Expression | None) -> bool:
@@ -123,9 +170,18 @@ def _differ(exact: Expression, put: Expression) -> bool:
 def _in_figures(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression | None:
     """A number to so many figures, as a decimal; None of one that is very small or large."""
     try:
-        number = Fraction(significant(worth(tree), figures))
-    except (RestitutionError, sp.SympifyError, ValueError):
+        number = _fraction(worth(tree), figures)
+    except (RestitutionError, sp.SympifyError):
         return None
-    if not _LEAST <= abs(number) < _GREATEST:
+    if number is None:
         return None
     return Negate(Number(-number)) if number < 0 else Number(number)
+
+
+def _fraction(value: sp.Expr, figures: int) -> Fraction | None:
+    """A number to so many figures; None of one that is very small or large."""
+    try:
+        number = Fraction(significant(value, figures))
+    except ValueError:
+        return None
+    return number if _LEAST <= abs(number) < _GREATEST else None

@@ -1,0 +1,63 @@
+"""An unknown in one bracket, beside numbers with roots or angles: the bracket is made the subject.
+
+Multiplied out, 117 = (96 + 50√3)(1 − e) would have two sums with roots in it.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.tree import Binary, Expression, Letter, letters, walk
+from restitution.planning.formulas.impacts import scene_value
+from restitution.planning.formulas.rewriting import in_another_form
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.scene import Scene
+
+
+def bracket_alone(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
+    """The line with the only bracket in which an unknown stands as its subject, as a line.
+
+    None where it stands elsewhere, or beside plain numbers and letters alone.
+    """
+    link = scene.desk.last_link(number)
+    brackets = [
+        each
+        for side in (link.left, link.right)
+        for each in walk(side)
+        if _is_bracket(each, symbol.name)
+    ]
+    if link.sign != "=" or len(brackets) != 1 or brackets[0] in (link.left, link.right):
+        return None
+    (bracket,) = brackets
+    x = sp.Dummy(real=True)
+    sides = [
+        rebuilt(side, lambda each: Letter("_sum") if each == bracket else each)
+        for side in (link.left, link.right)
+    ]
+    if any(symbol.name in letters(each) for each in sides):
+        return None
+    left, right = (scene_value(scene, each, {"_sum": x}) for each in sides)
+    gap = sp.expand(sp.fraction(sp.together(left - right))[0])
+    if not gap.is_polynomial(x) or sp.degree(gap, x) != 1:
+        return None
+    above, below = -gap.coeff(x, 0), gap.coeff(x, 1)
+    if scene.model.sign(below) < 0:
+        above, below = sp.expand(-above), sp.expand(-below)
+    value = above / below
+    if not value.is_number or value.is_Rational:
+        return None
+    tree = tree_of(value, as_it_is=not value.has(sp.sin, sp.cos))
+    return in_another_form(scene, number, chain(bracket, (tree, None)))
+
+
+def _is_bracket(tree: Expression, name: str) -> bool:
+    """Whether a tree is a sum of a number and a multiple of a letter."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return letters(tree) == {name} and not (letters(left) and letters(right))
+    return False
+
+
+__all__ = ["bracket_alone"]
