@@ -6,7 +6,9 @@ from test_planning_closing import planned, said
 
 from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.notation import write_relation
 from restitution.language import parse
+from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.workings import explain, to_text
 
@@ -150,3 +152,15 @@ def test_vectors_that_are_compared_have_no_numbers() -> None:
     )
     assert "Comparing the two vectors" in text
     assert "(2)" not in text
+
+
+def test_no_root_is_taken_of_a_speed_of_which_only_the_square_is_used() -> None:
+    text = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+        "unknown e\nfind range of speed(A)\ngiven alpha = 45°"
+    )
+    derivation = plan(solve(parse(text)))
+    (speed,) = (each for each in derivation.lines if each.move.record == "speed")
+    line = write_relation(speed.relation)  # type: ignore[arg-type]
+    assert line.startswith("speed(A, 1)^2 = (sqrt(2) (1 - 2e) u/6)^2 + ")
+    assert line.endswith("= u^2 (5 - 2e + 2e^2)/9 [rearrange]")

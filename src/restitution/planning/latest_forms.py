@@ -7,14 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
-from restitution.expression.tree import Binary, Negate, is_zero
+from restitution.expression.tree import Apply, Binary, Negate, Number, has_quantity, is_zero
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import factors_above
 
 _FORMS = frozenset({"rearrange", "cancel", "identity"})
+_TWO = Number(Fraction(2))
 _STARTING = frozenset({"rearrange", "put"})
 
 
@@ -35,6 +37,44 @@ def with_factors_kept(derivation: Derivation, oracle: Oracle) -> Derivation:
         if line.move.id == "compare":
             derivation = _from_factors(derivation, line, oracle)
     return derivation
+
+
+def with_squares_of_speeds(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which no root is taken of a speed of which only the square is used."""
+    for line in derivation.lines:
+        if line.move.record == "speed":
+            derivation = _without_its_root(derivation, line, oracle)
+    return derivation
+
+
+def _without_its_root(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:
+    """With the square of a speed by its components, where the line below it is that square."""
+    users = [each for each in derivation.lines if line.number in each.premises]
+    fixed = any(end.line == line.number for end in derivation.items)
+    if fixed or len(users) != 1 or any(line.number in each.lines for each in derivation.notes):
+        return derivation
+    match line.relation, users[0].relation:
+        case (
+            Relation(((Link(speed, "=", Apply("sqrt", squares)), *_),)),
+            Relation(((Link(Binary("^", base, power), "=", value),),)),
+        ) if base == speed and power == _TWO and users[0].move.id == "rearrange":
+            pass
+        case _:
+            return derivation
+    if not has_quantity(speed) or users[0].premises != (line.number,):
+        return derivation
+    links = (Link(users[0].relation.only[0].left, "=", squares),)
+    if value != squares:
+        links = (*links, Link(squares, "=", value, "rearrange"))
+    direct = replace(line, relation=Relation((links,)))
+    kept = [direct if each == line else each for each in derivation.lines if each != users[0]]
+    moved = {users[0].number: line.number}
+    lines = tuple(
+        replace(each, premises=tuple(moved.get(e, e) for e in each.premises)) for each in kept
+    )
+    ends = tuple(replace(e, line=moved.get(e.line, e.line)) for e in derivation.items)
+    whole = replace(derivation, lines=lines, items=ends)
+    return whole if reader_of(whole, oracle).accepts(direct) else derivation
 
 
 def _from_factors(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:

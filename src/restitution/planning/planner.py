@@ -54,7 +54,11 @@ from restitution.planning.idle_facts import write_idle_facts
 from restitution.planning.inequalities.extrema import only_answer, write_extremum
 from restitution.planning.inequalities.forms_of_ranges import is_in_a_form, write_form
 from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
-from restitution.planning.latest_forms import with_factors_kept, with_latest_forms
+from restitution.planning.latest_forms import (
+    with_factors_kept,
+    with_latest_forms,
+    with_squares_of_speeds,
+)
 from restitution.planning.out_of_range import write_out_of_range
 from restitution.planning.routes.directions_of_others import write_velocities_of_others
 from restitution.planning.routes.items import write_item
@@ -147,7 +151,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     whole = without_idle(whole)
     for shortened in (
         *(with_direct_tangents, with_direct_ratios, with_wanted_letters),
-        *(with_latest_forms, with_factors_kept),
+        *(with_latest_forms, with_factors_kept, with_squares_of_speeds),
     ):
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
