@@ -50,31 +50,33 @@ def with_squares_of_speeds(derivation: Derivation, oracle: Oracle) -> Derivation
 def _without_its_root(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:
     """With the square of a speed by its components, where the line below it is that square."""
     users = [each for each in derivation.lines if line.number in each.premises]
-    fixed = any(end.line == line.number for end in derivation.items)
-    if fixed or len(users) != 1 or any(line.number in each.lines for each in derivation.notes):
+    told = {number for each in (*derivation.notes, *derivation.cases) for number in each.lines}
+    told |= {end.line for end in derivation.items}
+    if len(users) != 1 or told & {line.number, users[0].number}:
         return derivation
-    match line.relation, users[0].relation:
+    (user,) = users
+    match line.relation, user.relation:
         case (
             Relation(((Link(speed, "=", Apply("sqrt", squares)), *_),)),
-            Relation(((Link(Binary("^", base, power), "=", value),),)),
-        ) if base == speed and power == _TWO and users[0].move.id == "rearrange":
+            Relation(((Link(Binary("^", base, power) as own, "=", value),),)),
+        ) if base == speed and power == _TWO and has_quantity(speed):
             pass
         case _:
             return derivation
-    if not has_quantity(speed) or users[0].premises != (line.number,):
+    if user.move.id != "rearrange" or user.premises != (line.number,):
         return derivation
-    links = (Link(users[0].relation.only[0].left, "=", squares),)
+    links = [Link(own, "=", squares)]
     if value != squares:
-        links = (*links, Link(squares, "=", value, "rearrange"))
-    direct = replace(line, relation=Relation((links,)))
-    kept = [direct if each == line else each for each in derivation.lines if each != users[0]]
-    moved = {users[0].number: line.number}
+        links.append(Link(squares, "=", value, "rearrange"))
+    direct = replace(line, relation=Relation((tuple(links),)))
     lines = tuple(
-        replace(each, premises=tuple(moved.get(e, e) for e in each.premises)) for each in kept
+        replace(each, premises=tuple(line.number if e == user.number else e for e in each.premises))
+        for each in (direct if each == line else each for each in derivation.lines)
+        if each.number != user.number
     )
-    ends = tuple(replace(e, line=moved.get(e.line, e.line)) for e in derivation.items)
-    whole = replace(derivation, lines=lines, items=ends)
-    return whole if reader_of(whole, oracle).accepts(direct) else derivation
+    whole = replace(derivation, lines=lines)
+    read = reader_of(whole, oracle)
+    return whole if read.accepts(read.lines[line.number]) else derivation
 
 
 def _from_factors(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:
