@@ -571,3 +571,95 @@ def test_lines_of_a_part_with_data_of_its_own_are_none_of_the_next() -> None:
     text = "(a)\nv = 1/2*3 = 1.5\nspeed = 4.27\n(b)\nv = 1/3*3 = 1\nspeed = sqrt(17)"
     marking = restitution.mark(restitution.parse(question), text, part="b")
     assert {each["verdict"] for each in marking.json()["lines"]} <= {"true", "remark"}
+
+
+GIVEN = """
+wall W: along j
+sphere P: mass 0.15, velocity 40 at arccos(0.6)
+P hits W
+given impulse = 5.4
+find e, speed(P)
+"""
+
+
+def test_an_impulse_written_with_e_shows_the_law_of_restitution() -> None:
+    """So it does above a slip, and what follows from the slip has its marks."""
+    lines = "I = 0.15*24(1+e) = 5.4\n3.6 + 3.6e = 5.4 -> e = 0.55\nspeed = √(13.2² + 32²) = 34.6"
+    marks = restitution.mark(restitution.parse(GIVEN), lines).marks
+    lost = [each.point.purpose for each in marks.points if each.state != "earned"]
+    assert lost == ["correct answer"]  # e
+
+
+BLOW = """
+wall W: along i
+sphere P: mass 2, at rest
+P receives 6i - 8j
+P hits W: e = 1/2
+find velocity(P)
+"""
+
+
+def test_the_laws_of_a_wall_are_shown_by_a_velocity_that_follows_from_a_blow() -> None:
+    marks = restitution.mark(
+        restitution.parse(BLOW), "velocity after blow = 6i - 8j\nv after wall = 6i + 4j"
+    ).marks
+    earned = [each.point.principle for each in marks.points if each.state == "earned"]
+    assert {"unchanged", "restitution"} <= set(earned)
+
+
+RATIO = """
+sphere A: mass 3m, velocity p i
+sphere B: mass 2m, velocity -q i
+A hits B: along i, e = 1/4
+given velocity(A) = -1/2 velocity(A, 0)
+find q/p, speed(B)/q
+"""
+
+
+def test_a_ratio_is_answered_by_one_quantity_in_terms_of_the_other() -> None:
+    lines = "w - v = ¼(p + q)\n3p - 2q = 3v + 2w\nq = 2p\nw/q = 1/8"
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    marks = restitution.mark(restitution.parse(RATIO), lines, letters=letters).marks
+    assert (marks.earned, marks.of) == (marks.of, marks.of)
+
+
+EITHER = """
+sphere P: mass 3m, velocity 2u i
+sphere Q: mass 2m, velocity -u i
+P hits Q: along i
+given speed(P) = u/5
+find e, velocity(Q)
+"""
+
+
+def test_two_solutions_may_be_given_by_components() -> None:
+    lines = (
+        "6u - 2u = 3a + 2b\nb - a = 3eu\n5a = 4u - 6eu\n"
+        "a = u/5: 1 = 4 - 6e, e = 1/2, b = 1.7u\na = -u/5: -1 = 4 - 6e, e = 5/6, b = 2.3u"
+    )
+    letters = {"a": "along(velocity(P), i)", "b": "along(velocity(Q), i)"}
+    marks = restitution.mark(restitution.parse(EITHER), lines, letters=letters).marks
+    assert marks.earned == marks.of
+
+
+REST = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/2
+show velocity(A) perpendicular to i
+find energy_lost/energy(0) as a percentage
+"""
+
+
+@pytest.mark.parametrize(("end", "state"), [("so A moves perp to i", "earned"), ("v = 0", "lost")])
+def test_a_printed_direction_may_be_concluded_in_words(end: str, state: str) -> None:
+    lines = f"½u = v + 2w\nw - v = ¼u\nw = ¼u, v = 0\n{end}"
+    marks = restitution.mark(restitution.parse(REST), lines).marks
+    (shown,) = [each for each in marks.points if each.point.shown]
+    assert shown.state == state
+
+
+def test_a_percentage_is_no_ratio_of_masses() -> None:
+    lines = "½u = v + 2w\nw - v = ¼u\nw = ¼u, v = 0\n% = (1/16)/(1/8) = 50%"
+    *_, last = restitution.mark(restitution.parse(REST), lines).json()["lines"]
+    assert (last["verdict"], last["mistake"]["id"]) == ("false", "energy-fraction-of-line")

@@ -67,3 +67,68 @@ def test_the_first_false_line_has_its_name(statement: str, working: str, name: s
     letters = V if "sphere B" in statement else {"v": "velocity(P)"}
     marking = restitution.mark(restitution.parse(statement), working, letters=letters)
     assert marking.mistakes == (name,)
+
+
+BLOW = """
+sphere P: mass 2, at rest
+wall W: along i
+P receives 6i - 8j
+P hits W: e = 1/2
+find velocity(P), impulse, energy_lost
+"""
+SHARE = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+given tan(alpha) = 3/4
+P hits W: e = 2/3
+find energy_lost/energy(0) as a percentage
+"""
+SPED = """
+wall W: along i
+sphere P: mass m, at rest
+P receives H at 60° to W
+P hits W: e = 3/4
+given speed(P) = u
+find H
+"""
+NORMAL = """
+wall W: along 3i + 4j
+sphere P: mass 0.4, velocity 5i - 2j
+P hits W: e = 1/2
+find velocity(P)
+"""
+HEAVY = """
+sphere A: mass m, velocity u i
+sphere B: mass 3m, velocity -u i
+A hits B: along i, e = 1/2
+find energy(B), velocity(A), velocity(B)
+"""
+ACROSS = """
+sphere A: mass 2, velocity 3i + 2j
+sphere B: mass 1, at rest
+A hits B: along i + j, e = 1/2
+find velocity(A), velocity(B)
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "working", "name"),
+    [
+        (BLOW, "velocity after blow = 6i - 8j", "mass-omitted"),
+        (BLOW, "v = 3i - 4j\nimpulse = 2 - -4 = 6", "mass-omitted"),
+        (SHARE, "speed = 2u/√5\n% KE lost = (1 - 2/√5)*100 = 10.6%", "energy-ratio-as-speed"),
+        (SPED, "H = mv\nu = 0.75v", "restitution-whole-speed"),
+        (NORMAL, "approach = 5*0.6 - 2*0.8 = 1.4", "restitution-parallel"),
+        (HEAVY, "mu - 3mu = 3mv + mw", "masses-exchanged"),
+        (HEAVY, "v = -5u/4, w = -u/4\nKE of B after = ½m(u/4)²", "masses-exchanged"),
+        (ACROSS, "vA = 5/4 i + 5/4 j", "across-changed"),
+    ],
+)
+def test_what_is_left_out_or_exchanged_has_its_name(
+    statement: str, working: str, name: str
+) -> None:
+    letters = V if "sphere B" in statement else {}
+    marking = restitution.mark(restitution.parse(statement), working, letters=letters)
+    false = [line for line in marking.json()["lines"] if line["verdict"] == "false"]
+    assert false
+    assert false[0]["mistake"]["id"] == name

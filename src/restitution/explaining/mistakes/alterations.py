@@ -374,6 +374,17 @@ def _masses_exchanged() -> Iterator[_Plain]:
     yield _world("spheres", AlteredLaw("momentum", law), words="each mass with the other velocity")
 
 
+def _masses_exchanged_once() -> Iterator[_Plain]:
+    """Masses with the other velocity on one side alone: lines, of which no world is made."""
+    right = [f"mass(F) {each('F')} + mass(S) {each('S')}" for each in (_p, _q)]
+    wrong = [f"mass(S) {each('F')} + mass(F) {each('S')}" for each in (_p, _q)]
+    for before, after, words in (
+        (right[0], wrong[1], "each mass with the other velocity after the impact"),
+        (wrong[0], right[1], "each mass with the other velocity before the impact"),
+    ):
+        yield _world("spheres", AlteredLaw("momentum", f"{before} = {after}"), words=words)
+
+
 def _energy_conserved() -> Iterator[_Plain]:
     yield _world(
         "wall",
@@ -630,6 +641,7 @@ _MAKERS: Mapping[str, Callable[[], Iterator[_Plain]]] = {
 _OF_LINES: Mapping[str, Callable[[], Iterator[_Plain]]] = {
     "speed-for-component": _speeds_after,
     "restitution-whole-speed": _relative_speeds,
+    "masses-exchanged": _masses_exchanged_once,
 }
 
 

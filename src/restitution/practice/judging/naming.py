@@ -46,6 +46,7 @@ from restitution.practice.judging.plain_mistakes import (
     holds_in,
     is_coefficient,
     is_energetic,
+    is_law_of_speeds,
     is_of_energy,
     is_speed_by_energies,
     is_whole_speed,
@@ -74,6 +75,7 @@ _OF_SIGNS = frozenset(
 _OF_SPEEDS = frozenset({"restitution-whole-speed", "speed-for-component", "impulse-of-speeds"})
 # Where a speed is the size of a component, these are what they are called.
 _PLAINER = frozenset({"momentum-sign", "restitution-sign", "impulse-sign", "restitution-inverted"})
+_OF_ANGLES = frozenset({"sine-cosine", "angle-from-normal"})
 _OF_POWERS = frozenset({"square-not-taken", "energy-ratio-as-speed"})
 _OF_FACTORS = frozenset({"mass-omitted", "restitution-omitted", "energy-no-half", "across-changed"})
 _WITHOUT_COEFFICIENT = frozenset({"energy-conserved", "restitution-omitted"})
@@ -95,7 +97,10 @@ _BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
     "speed-for-component": {"momentum-sign", "restitution-sign", "restitution-whole-speed"},
     "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
 }
-_BEFORE_OF_SPHERES: Mapping[str, set[str]] = {"restitution-parallel": {"across-changed"}}
+_BEFORE_OF_SPHERES: Mapping[str, set[str]] = {
+    "restitution-parallel": {"across-changed"},
+    "across-exchanged": {"across-changed"},
+}
 # Where one component stands for the other, r = p, it is these that are taken for one another.
 _BEFORE_ACROSS: Mapping[str, set[str]] = {"across-changed": {"sine-cosine"}}
 _TRIED = 6
@@ -111,7 +116,8 @@ class Explained:
 
     ``at`` is the text that would have to be another, ``near`` the laws of the
     claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a misconception
-    in a line that states no law. ``direct`` tells that nothing moves across the lines of centres.
+    in a line that states no law. ``direct`` tells that nothing moves across the lines of centres,
+    ``of_impulse`` that the claim gives an impulse.
     """
 
     variants: tuple[VariantAt, ...] = ()
@@ -121,6 +127,7 @@ class Explained:
     mended: tuple[Claim, tuple[Use, ...]] | None = None
     plain: str | None = None
     direct: bool = False
+    of_impulse: bool = False
 
 
 class JudgedSoFar(Protocol):
@@ -164,7 +171,8 @@ class Names:
         mended = tuple(_mending(entry, judge))
         at = text_of(mended[0].part) if mended else None
         whole = is_whole_speed(entry, judge.base)
-        variants = () if whole else self._explaining(entry, judge, mended)
+        law = is_law_of_speeds(entry, judge.base)
+        variants = () if whole or law else self._explaining(entry, judge, mended)
         slip = _slip(entry, judge, mended)
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
@@ -173,8 +181,8 @@ class Names:
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
-        if whole:
-            plain = "speed-for-component"
+        if whole or law:
+            plain = "speed-for-component" if whole else "restitution-whole-speed"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
             left, right = entry.claim.left, entry.claim.right
@@ -189,7 +197,9 @@ class Names:
             if is_sum_of_angles(entry) and _is_deflection(entry):
                 plain = "deflection-difference"
         direct = all(_is_direct(each.event.number, judge.base) for each in variants)
-        return Explained(variants, slip, at, near if idle else (), claim, plain, direct)
+        blow = plain == "mass-omitted" and not is_of_energy(entry)
+        impulse = blow or _is_impulse(entry.claim.left, entry)
+        return Explained(variants, slip, at, near if idle else (), claim, plain, direct, impulse)
 
     def named(self, explained: Explained, stated: Stated, confirmed: frozenset[str]) -> Mistake:
         """The mistake by its name.
@@ -352,7 +362,9 @@ class Names:
             if not variant.laws or not variant.alteration.solvable:
                 continue
             kinds = _kinds(variant)
-            if (angular and not kinds & ANGLES) or (impulsive and "impulse" not in kinds):
+            if angular and not kinds & ANGLES:
+                continue
+            if impulsive and not ("impulse" in kinds or variant.mistake in _OF_ANGLES):
                 continue
             if not (kinds & fitting if energetic else kinds - _OF_ENERGY):
                 continue

@@ -5,9 +5,10 @@ And what kind of claim a line is: of an energy, of squares, of a coefficient.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
 from itertools import permutations
 
 import numpy as np
@@ -28,9 +29,10 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Use
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.slips import Correction
+from restitution.practice.reading.phrases import is_phrase, is_relative
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
-from restitution.practice.worlds.arrays import Array
+from restitution.practice.worlds.arrays import Array, is_bare
 from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -57,7 +59,7 @@ def plainly(
         return None
     if _is_other_component(entry, world):
         return "sine-cosine"
-    if is_speed_by_energies(entry, world):
+    if is_speed_by_energies(entry, world) or _is_share_by_speeds(entry, world):
         return "energy-ratio-as-speed"
     if _is_ratio_of_relative_speeds(entry, world):
         return "restitution-whole-speed"
@@ -67,8 +69,16 @@ def plainly(
         return "energy-one-sphere"
     if _is_share_of_line(entry, world):
         return "energy-fraction-of-line"
-    if _is_blow_without_mass(entry, world):
+    if _is_without_mass(entry, world):
         return "mass-omitted"
+    if _is_of_other_masses(entry, world):
+        return "masses-exchanged"
+    if _is_other_function(entry, world):
+        return "sine-cosine"
+    if _is_relative_speed_across(entry, world):
+        return "restitution-parallel"
+    if _is_without_across(entry, world):
+        return "across-changed"
     changes = {each.change for each in mended}
     squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
     above = (each for each in entries if each.claim.left == entry.claim.left)
@@ -197,18 +207,157 @@ def _is_share_of_line(entry: Entry, world: World) -> bool:
     return False
 
 
-def _is_blow_without_mass(entry: Entry, world: World) -> bool:
-    """Whether a velocity is that before with the impulse added, and no mass."""
-    match _meant(entry):
+def _is_without_mass(entry: Entry, world: World) -> bool:
+    """Whether a mass is left out of a velocity after a blow, of an impulse, or of an energy.
+
+    That is v = u + I, I = v - u, and ½(u² - v²) of bodies with one mass.
+    """
+    meant = _meant(entry)
+    match meant:
         case Quantity("velocity", (Name(),) as body, stage):
+            number = len(world.events) if stage is None else stage
+            if not isinstance(number, int) or number < 1:
+                return False
+            before = Quantity("velocity", body, number - 1)
+            impulse = Quantity("impulse", body, number)
+            return _is(Binary("+", before, impulse), entry.claim.right, entry, world)
+        case Quantity("impulse" | "energy" | "energy_lost", _, _):
+            return any(
+                _is(meant, Binary("*", Quantity("mass", (Name(body),)), right), entry, world)
+                and not _is(Quantity("mass", (Name(body),)), Number(Fraction(1)), entry, world)
+                for body in _bodies_of(meant, world)
+                for right in _of_either_sign(meant, entry.claim.right)
+            )
+    return False
+
+
+def _of_either_sign(meant: Quantity, tree: Expression) -> tuple[Expression, ...]:
+    """A tree, and as the size of an impulse also its negative."""
+    size = meant.kind == "impulse" and not meant.arguments
+    return (tree, Negate(tree)) if size else (tree,)
+
+
+def _bodies_of(meant: Quantity, world: World) -> list[str]:
+    """The bodies of whose mass a quantity is a multiple: one, or both that meet in an impulse."""
+    if meant.arguments:
+        return [each.name for each in meant.arguments if isinstance(each, Name)]
+    if meant.kind == "impulse" or len(world.start) == 1:
+        return list(world.start)
+    return []
+
+
+def _is_of_other_masses(entry: Entry, world: World) -> bool:
+    """Whether the energies of two spheres have each the mass of the other."""
+    meant = _meant(entry)
+    if not isinstance(meant, Quantity) or meant.kind not in ("energy", "energy_lost"):
+        return False
+    number = len(world.events) if meant.stage is None else meant.stage
+    if not isinstance(number, int):
+        return False
+    named = [each.name for each in meant.arguments if isinstance(each, Name)]
+    for _, pair in _pairs_of(world):
+        bodies = named or list(pair)
+        if not set(bodies) <= set(pair) or len(world.start) > 2:
+            continue
+        other = dict(zip(pair, reversed(pair), strict=True))
+        stages = (number,) if meant.kind == "energy" else (number - 1, number)
+        energies = [_energy_by_masses(bodies, other, stage) for stage in stages]
+        value = energies[0] if len(energies) == 1 else Binary("-", energies[0], energies[1])
+        if _is(value, entry.claim.right, entry, world) and not _is(value, meant, entry, world):
+            return True
+    return False
+
+
+def _energy_by_masses(bodies: Sequence[str], other: Mapping[str, str], stage: int) -> Expression:
+    """The kinetic energy of some bodies, each with the mass of another one."""
+    terms: list[Expression] = []
+    for body in bodies:
+        ratio = Binary("/", *(Quantity("mass", (Name(x),)) for x in (other[body], body)))
+        terms.append(Binary("*", ratio, Quantity("energy", (Name(body),), stage)))
+    return reduce(lambda one, two: Binary("+", one, two), terms)
+
+
+def _is_other_function(entry: Entry, world: World) -> bool:
+    """Whether a sine is given the value of the cosine of its angle, or the other way round."""
+    match entry.claim.left:
+        case Apply("sin" | "cos" as name, Letter() as angle):
+            other = Apply("cos" if name == "sin" else "sin", angle)
+            return letters(entry.claim.right) == set() and _is(
+                other, entry.claim.right, entry, world
+            )
+    return False
+
+
+def _is_relative_speed_across(entry: Entry, world: World) -> bool:
+    """Whether a speed of approach or of separation is that across the line of centres."""
+    left = entry.claim.left
+    if not (isinstance(left, Letter) and is_phrase(left.name) and is_relative(left.name)):
+        return False
+    meant = _meant(entry)
+    meant = meant.operand if isinstance(meant, Negate) else meant
+    if not isinstance(meant, Quantity) or meant.kind != "along":
+        return False
+    across = Apply("abs", replace(meant, kind="across"))
+    return _is(across, Apply("abs", entry.claim.right), entry, world)
+
+
+def is_law_of_speeds(entry: Entry, world: World) -> bool:
+    """Whether the speed after a wall is e times that before it."""
+    for number, step in enumerate(world.events, 1):
+        if not isinstance(step, Impact) or step.second not in world.walls:
+            continue
+        before, after = (Quantity("speed", (Name(step.first),), n) for n in (number - 1, number))
+        slowed = Binary("*", Quantity("restitution", (), number), before)
+        for one, other in permutations((entry.claim.left, entry.claim.right)):
+            worth = _is(one, after, entry, world) and _is(other, slowed, entry, world)
+            if worth and not is_bare(one) and not is_bare(other):
+                return True
+    return False
+
+
+def _is_without_across(entry: Entry, world: World) -> bool:
+    """Whether a velocity after an impact of two spheres has nothing across their line."""
+    match _meant(entry):
+        case Quantity("velocity", (Name(),), stage) as velocity:
             number = len(world.events) if stage is None else stage
         case _:
             return False
-    if not isinstance(number, int) or number < 1:
+    if number not in world.lines:
         return False
-    before, impulse = Quantity("velocity", body, number - 1), Quantity("impulse", body, number)
-    claim = replace(entry.claim, left=Binary("+", before, impulse))
-    return holds_in(replace(entry, claim=claim), world)
+    line = Quantity("line_of_centres", (), number)
+    pair = (Quantity(kind, (entry.claim.right, line)) for kind in ("along", "across"))
+    along, across = pair
+    zero = Number(Fraction(0))
+    moved = Quantity("across", (velocity, line))
+    return (
+        _is(Quantity("along", (velocity, line)), along, entry, world)
+        and _is(zero, across, entry, world)
+        and not _is(zero, moved, entry, world)
+    )
+
+
+def _is_share_by_speeds(entry: Entry, world: World) -> bool:
+    """Whether the share of an energy is that of the speed: lost = 1 - v/u."""
+    meant = _meant(entry)
+    if len(world.start) != 1:
+        return False
+    (body,) = world.start
+    match meant:
+        case Binary("/", Quantity(kind, _, late), Quantity("energy", _, early)):
+            if kind not in ("energy", "energy_lost", "total_energy_lost"):
+                return False
+            ratio: Expression = Binary(
+                "/", Quantity("speed", (Name(body),), late), Quantity("speed", (Name(body),), early)
+            )
+            share = ratio if kind == "energy" else Binary("-", Number(Fraction(1)), ratio)
+            percent = Binary("*", share, Number(Fraction(100)))
+            return any(_is(each, entry.claim.right, entry, world) for each in (share, percent))
+    return False
+
+
+def _is(value: Expression, tree: Expression, entry: Entry, world: World) -> bool:
+    """Whether a tree of an entry has the value of another one in a world, to three figures."""
+    return holds_in(replace(entry, claim=Claim(value, "=", tree)), world)
 
 
 def has_coefficient(event: object) -> bool:

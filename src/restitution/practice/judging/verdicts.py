@@ -134,6 +134,9 @@ class Judge(Following):
         mistake = self.naming.named(explained, self.stated(), confirmed)
         if mistake.kind == "misconception" and not mistake.variants:
             named = MISCONCEPTIONS.get(mistake.id or "")
+            if named is not None and explained.of_impulse:
+                impulse = Use("impulse", None, (), f"{mistake.id}/1")
+                return replace(line, mistake=mistake, uses=(impulse,))
             if named is not None and named.mark_of("energy"):
                 energy = Use("energy", None, (), f"{mistake.id}/1")
                 return replace(line, mistake=mistake, uses=(energy,))

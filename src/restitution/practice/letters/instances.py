@@ -13,7 +13,15 @@ from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.mistakes.misconceptions import ResultAt, variants_at
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
-from restitution.expression.tree import Apply, Expression, Letter, Negate, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+)
 from restitution.practice.letters.inference import Item
 from restitution.practice.letters.options import staged
 from restitution.practice.letters.slots import Slot, shaped, stacked
@@ -22,7 +30,7 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array, angle
 from restitution.practice.worlds.states import States, states
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given
+from restitution.problem import Compare, Given, Kick
 from restitution.vector import Vector
 
 # A line that breaks a known law explains a meaning nearly as well as a true one.
@@ -211,6 +219,7 @@ class Instances:
             self.values[key] = [
                 *((place, value) for place in places for value in self._mistaken(slot, place)),
                 *self._taken_for_given(slot, nature),
+                *self._without_mass(slot, nature),
             ]
         return self.values[key]
 
@@ -225,6 +234,26 @@ class Instances:
                 own = self.true.value(slot.options[place].quantity, {})
                 if true is not None and value is not None and own is not None and _same(own, value):
                     yield place, true
+
+    def _without_mass(self, slot: Slot, nature: Nature) -> Iterator[tuple[int, Value]]:
+        """The velocities after blows, each as that before with the impulse and no mass."""
+        events = self.true.world.events
+        for place in slot.values[nature][0] if nature == "vector" else ():
+            match slot.options[place].quantity:
+                case Quantity("velocity", (Name(),) as body, stage):
+                    number = len(events) if stage is None else stage
+                case _:
+                    continue
+            if not isinstance(number, int) or not 0 < number <= len(events):
+                continue
+            if isinstance(events[number - 1], Kick):
+                before, blow = (
+                    Quantity("velocity", body, number - 1),
+                    Quantity("impulse", body, number),
+                )
+                value = self.true.value(Binary("+", before, blow), {})
+                if value is not None:
+                    yield place, value
 
     def _mistaken(self, slot: Slot, place: int) -> Iterator[Value]:
         own = self.true.value(slot.options[place].quantity, {})

@@ -79,7 +79,9 @@ class _Examiner:
             return self._equation(point)
         if point.letter == "B" and point.item is None:
             return self._independent(point)
-        return self._value(point)
+        value = self._value(point)
+        said = self._said(point) if point.shown and value.line is None else None
+        return value if said is None else self._earned(point, said, "said in words")
 
     def _method(self, point: MarkPoint) -> PointMark:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
@@ -139,9 +141,15 @@ class _Examiner:
         """The law of restitution at a wall, in the velocity after that a true line gives."""
         if point.principle != "restitution" or not self.values.is_at_a_wall(point):
             return None
-        true = (line for line in self.lines if line.verdict == "true" and line.grounded)
+        true = [line for line in self.lines if line.verdict == "true" and line.grounded]
         line = next((each for each in true if self.values.carries(point, each)), None)
+        line = line or next((each for each in true if self._has_rebound(each)), None)
         return None if line is None else self._earned(point, line, "used here")
+
+    def _has_rebound(self, line: JudgedLine) -> bool:
+        """Whether an impulse of a wall is written with e, and so without the velocity after it."""
+        of_impulse = bool(line.uses) and line.uses[0].principle == "impulse"
+        return of_impulse and self.values.has_rebound(line) and not self.values.is_formula(line)
 
     def _is_of_deflection(self, mark: PointMark) -> bool:
         """Whether a point is lost by how a deflection is put together, and not by its angles."""
@@ -404,6 +412,22 @@ class _Examiner:
                 pending += source.sources
         return [each for each in self.lines if each.line.number in seen and each.verdict == "false"]
 
+    def _said(self, point: MarkPoint) -> JudgedLine | None:
+        """A line below the equations that says in words what is printed of a direction."""
+        words = self.values.words_of_direction(point)
+        last = max((self.states[x].line or 0 for x in point.above if x in self.states), default=0)
+        return next(
+            (
+                line
+                for line in self.lines
+                if words is not None
+                and line.line.number >= last > 0
+                and line.verdict in ("remark", "true")
+                and words.search(line.line.text)
+            ),
+            None,
+        )
+
     def _conclusion(self) -> JudgedLine | None:
         """A line that compares two values, or says in words what comes of it."""
         for line in self.lines:
@@ -634,11 +658,32 @@ class _Examiner:
             for name in point.above:
                 state = self.states[name]
                 is_step = state.point.letter == "M" and state.point.principle in _OF_STEPS
+                is_step = is_step or self._is_of_other_law(state.point, line)
                 if is_step and state.state == "lost" and state.line is None:
                     why = f"line {own.line} cannot be had without it"
                     self.states[name] = replace(
                         state, state="earned", line=own.line, why=why, implied=True
                     )
+
+    def _is_of_other_law(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a point is for a law at a wall that no mistake above a line concerns.
+
+        So a velocity after a wall that follows from one before it shows both laws.
+        """
+        if point.principle not in _LAWS or not self.values.is_at_a_wall(point):
+            return False
+        roots = self._roots(line)
+        return bool(roots) and all(
+            root.mistake is not None
+            and root.mistake.id is not None
+            and bool(root.uses)
+            and all(
+                use.principle != "arithmetic"
+                and (use.principle not in _LAWS or use.event not in (None, point.event))
+                for use in root.uses
+            )
+            for root in roots
+        )
 
     def _keep(self) -> None:
         """A slip in the line of an answer keeps the method that this line alone shows."""

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    Unit,
     children,
     walk,
 )
@@ -51,6 +52,10 @@ _LEAST = 1e-9
 _ROUNDED = 2e-3
 _IMPULSE = ("I", "J")
 _STAYING = re.compile(r"\b(perp\w*|across|parallel|unchanged|stays?|same)\b", re.IGNORECASE)
+_CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
+    "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
+    "parallel to": re.compile(r"\b(parallel|direction|along|line of centres|loc)\b", re.IGNORECASE),
+}
 # What is said of a line that rests on several laws.
 _OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
@@ -160,7 +165,11 @@ class Values:
         for link in line.line.links:
             for claim in link.readings:
                 sides = (claim.left, claim.right)
-                if not any(self._names(side, quantity, meanings, line) for side in sides):
+                if not any(
+                    self._names(side, quantity, meanings, line)
+                    or self._is_of_velocity(side, quantity, line)
+                    for side in sides
+                ):
                     continue
                 try:
                     if agrees(claim, world, meanings, link.decimals, line.line.scope):
@@ -168,6 +177,17 @@ class Values:
                 except RestitutionError:
                     continue
         return False
+
+    def _is_of_velocity(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a side is a component of the velocity, or of the speed, that a quantity is."""
+        if not (isinstance(quantity, Quantity) and quantity.kind in ("velocity", "speed")):
+            return False
+        meanings = self._meanings(line)
+        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
+        velocity = replace(quantity, kind="velocity")
+        return self._is_component(meant) and any(
+            self._names(each, velocity, {}, line) for each in _within(meant)
+        )
 
     def completes(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> Match | None:
         """Whether the last of some lines completes the components of a point's velocity."""
@@ -298,6 +318,16 @@ class Values:
             return False
         return self._is_parallel(value, link.right, self._meanings(line), line)
 
+    def words_of_direction(self, point: MarkPoint) -> re.Pattern[str] | None:
+        """The words in which a student concludes what is printed of a direction."""
+        if point.link is None or not point.shown:
+            return None
+        if point.link.sign == "=" and isinstance(point.link.right, Binary):
+            unit = any(isinstance(each, Unit) for each in walk(point.link.right))
+            vector = isinstance(point.link.left, Quantity) and point.link.left.kind == "impulse"
+            return _CONCLUSIONS["parallel to"] if unit and vector else None
+        return _CONCLUSIONS.get(point.link.sign)
+
     def is_pointing(self, point: MarkPoint) -> bool:
         """Whether a point is for the vector along which something points."""
         return point.link is not None and point.link.sign == "parallel to" and not point.shown
@@ -317,6 +347,21 @@ class Values:
         if isinstance(own, Vector) or not isinstance(asked, Angle):
             return False
         return _is_rounded(self._base, own, asked)
+
+    def has_rebound(self, line: JudgedLine) -> bool:
+        """Whether a line has e and, but for an impulse, nothing else that an impact decides."""
+        meanings = self._meanings(line)
+        meant = (meanings.get(getattr(each, "name", ""), each) for each in self.unknowns(line))
+        impulses = all(
+            each == Letter("e") or (isinstance(each, Quantity) and each.kind == "impulse")
+            for each in meant
+        )
+        return impulses and any(
+            node == Letter("e")
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for node in walk(side)
+        )
 
     def has_coefficient(self, line: JudgedLine) -> bool:
         """Whether a coefficient of restitution stands in a line, by its letter or its value."""
@@ -544,7 +589,40 @@ class Values:
     def _gives(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
         if line.verdict == "remark":
             return False
-        return self.value_of(quantity, line, open_) is not None
+        if self.value_of(quantity, line, open_) is not None:
+            return True
+        ratio = isinstance(quantity, Binary) and quantity.op == "/"
+        return ratio and self._gives_ratio(quantity, line, open_)  # type: ignore[arg-type]
+
+    def _gives_ratio(self, ratio: Binary, line: JudgedLine, open_: bool) -> bool:
+        """Whether a line gives one of two quantities by the other: ``q = 2p`` for q/p."""
+        meanings = self._meanings(line)
+        for chain in _chains(line):
+            sides = chain[0].left, chain[-1].right
+            for one, other in (sides, sides[::-1]):
+                match one:
+                    case Binary("/", above, below) if self._is_size(
+                        above, ratio.left, line
+                    ) and self._names(below, ratio.right, meanings, line):
+                        value: Expression = other
+                    case _ if self._is_size(one, ratio.left, line):
+                        value = Binary("/", other, ratio.right)
+                    case _ if self._is_size(one, ratio.right, line):
+                        value = Binary("/", ratio.left, other)
+                    case _:
+                        continue
+                if self._is_value(value, meanings, line, open_):
+                    return True
+        return False
+
+    def _is_size(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a side names a quantity, or is the only component of a speed."""
+        meanings = self._meanings(line)
+        if self._names(side, quantity, meanings, line):
+            return True
+        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
+        speed = isinstance(quantity, Quantity) and quantity.kind == "speed"
+        return speed and self._is_component(meant) and self._is_worth(side, quantity, line)
 
     def _gives_multiple(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
         """Whether a line gives a multiple of a quantity its value: ``2w = (1 + e)u``."""

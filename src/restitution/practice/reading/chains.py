@@ -284,7 +284,13 @@ class Chains:
         """Reads the sides of a chain, and what they state."""
         read: list[tuple[Side, ...]] = []
         for place, tokens in enumerate(sides):
-            if tokens:
+            if place == 0 and self._divides_what_stood_last(tokens):
+                below = self.sides(tokens[1:])
+                above = self._last_sides() if self.links else self.past.side
+                read.append(
+                    tuple(Side(Binary("/", a.tree, b.tree)) for a, b in product(above, below))
+                )
+            elif tokens:
                 read.append(self.sides(tokens))
             elif place == 0 and (self.waiting or self.links or self.label or self.past.side):
                 read.append(self._side_before())
@@ -319,6 +325,11 @@ class Chains:
         words = label.name.split() if isinstance(label, Letter) else []
         lost = any(HEADS.get(word) == "loss" for word in words)
         return lost and [each.kind for each in sides[-1]] == ["number", "percent"]
+
+    def _divides_what_stood_last(self, tokens: Sequence[Token]) -> bool:
+        """Whether a side begins with its sign: ``loss = 1/16mu², /(1/2mu²) = 12.5%``."""
+        begins = len(tokens) > 1 and tokens[0].kind == "/"
+        return begins and bool(self.links or self.past.side)
 
     def with_owner(self, read: Sequence[tuple[Side, ...]]) -> list[tuple[Side, ...]]:
         """``KE of B = 4 > 0 = KE before``: what names no body may be of that of the chain."""

@@ -60,6 +60,8 @@ class Features:
     start: bool = False
     between: bool = False
     reduced: bool = False
+    percent: bool = False
+    blow: bool = False
 
 
 def words_of(text: str) -> tuple[str, ...]:
@@ -88,7 +90,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             if "direction" in [each.lower() for each in words[max(0, place - 3) : place]]:
                 features = replace(features, sense="axis")
         elif low in HEADS and not (low == "direction" and _is_filler(words, place)):
-            features = replace(features, heads=features.heads | {HEADS[low]})
+            percent = features.percent or low in ("percentage", "percent")
+            features = replace(features, heads=features.heads | {HEADS[low]}, percent=percent)
         elif low in DIRECTIONS:
             features = _with_direction(features, DIRECTIONS[low])
         elif low in STAGES:
@@ -103,6 +106,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, axis=AXES[low[1]])
         elif low in ("u", "v", "w") and len(words) == 2:
             features = replace(features, heads=features.heads | {"velocity"})
+        elif low in ("blow", "kick", "kicked"):
+            features = replace(features, blow=True)
         elif low == "reduced":
             features = replace(features, reduced=True)
         elif low == "between":

@@ -11,7 +11,9 @@ from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import (
     DIRECTIONS,
     EQUALS,
+    EVENT_WORDS,
     HEADS,
+    ORDINALS,
     PHRASE_WORDS,
     STAGES,
 )
@@ -33,6 +35,9 @@ _STARTS = frozenset(
     ("total", "overall", "combined", "resultant", "relative", "rel", "horizontal", "vertical")
     + ("line", "reduced")
 )
+# Words behind ``v after`` that say after what.
+_OF_ONE_EVENT = ORDINALS.keys() | {"wall", "cushion", "barrier"}
+_OF_AN_EVENT = EVENT_WORDS | _OF_ONE_EVENT | {"the"}
 _WAYS = frozenset(("parallel", "along", "perpendicular", "perp", "in"))
 _NEAR_A_NAME = frozenset(
     ("after", "before", "at", "for", "to", "from", "with", "of", "by", "hits", "wall", "sphere")
@@ -205,6 +210,14 @@ def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int]
     if not _has_stage(tokens, place):
         return None
     name = tokens[place].name
+    end = place + 2
+    while end < len(tokens) and tokens[end].word in _OF_AN_EVENT:
+        end += 1
+    told = not _OF_ONE_EVENT.isdisjoint(each.word for each in tokens[place + 2 : end])
+    told = told and end < len(tokens) and tokens[end].kind in ("relation", ":")
+    if told and name in ("u", "v", "w", "V"):
+        phrase = _phrase(tokens[place:end], text)
+        return replace(phrase, name=f"velocity {phrase.name.partition(' ')[2]}"), end
     stages = {
         STAGES[tokens[n + 1].word]
         for n in range(len(tokens) - 1)

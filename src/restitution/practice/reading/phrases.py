@@ -31,7 +31,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
 from restitution.practice.reading.vocabulary import HEADS
-from restitution.problem import Find, Impact, Problem, Value
+from restitution.problem import Find, Impact, Kick, Problem, Value
 
 __all__ = [
     "UNNAMED_ANGLE",
@@ -235,6 +235,7 @@ class _Reader:
                 yield from self.velocity(event)
             elif "direction" in heads:
                 yield from (self.of("direction", each, event) for each in self.bodies(event))
+                yield from self.inclinations(event)
                 if self.features.wall or set(self.features.names) & set(self.walls):
                     yield from self.component(event)  # AB direction: 0.8u
             elif "time" in heads:
@@ -273,6 +274,9 @@ class _Reader:
 
     def numbers(self) -> list[int]:
         """The events of which the phrase may speak, the latest first."""
+        kicks = [n for n, each in enumerate(self.events, 1) if isinstance(each, Kick)]
+        if self.features.blow and kicks:
+            return list(reversed(kicks))
         impacts = [n for n, each in enumerate(self.events, 1) if isinstance(each, Impact)]
         if self.features.event is not None and self.features.event <= len(impacts):
             return [impacts[self.features.event - 1]]
@@ -625,6 +629,13 @@ class _Reader:
         if not spheres and features.direction is None and len(self.bodies_met(event)) == 2:
             yield self.angle_between(event)
 
+    def inclinations(self, event: int) -> Iterator[Expression]:
+        """The angles of velocities to the line of centres, measured either way."""
+        for body in self.bodies(event):
+            angle = Quantity("angle", (self.of("velocity", body, event), self.line(event)))
+            yield angle
+            yield Binary("-", Degrees(Fraction(180)), angle)
+
     def angle_between(self, event: int) -> Expression:
         """The angle between the velocities of two spheres that meet."""
         first, second = (self.of("velocity", each, event) for each in self.bodies_met(event))
@@ -657,7 +668,8 @@ class _Reader:
                 name = (Name(body),)
                 yield Binary("/", Quantity("speed", name, after), Quantity("speed", name, before))
         met = self.bodies_met(event)
-        if len(met) == 2 and (("mass" in heads) or heads == {"ratio"}):
+        bare = heads == {"ratio"} and not self.features.percent
+        if len(met) == 2 and ("mass" in heads or bare):
             first, second = (Quantity("mass", (Name(each),)) for each in met)
             yield Binary("/", first, second)
             yield Binary("/", second, first)

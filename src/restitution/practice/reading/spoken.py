@@ -35,6 +35,7 @@ _TURNED = re.compile(
 )
 _AXIS = re.compile(r"(?:^|(?<=[,;]))\s*([ijy])\s*:(?=\s*[^\s:=<>])(?=[^:]*=)")
 _AT_AN_END = re.compile(r"\b(KE|Ek|ke)\s+([if])(?=\s*[=:])(?!.*\b(?:KE|Ek|ke)\s+j\b)")
+_DIRECTION = re.compile(r"(^\s*|[,;]\s*)([A-Z])\s+dir(?:n|ection)?(?=\s*[:=])")
 _SHARE = r"\d[\d./]*(?:[A-Za-z]{1,2}(?:\^?2|²)?)*"
 _OUT_OF = re.compile(rf"({_SHARE})\s+out\s+of\s+(?:the\s+)?({_SHARE})(?![A-Za-z])", re.IGNORECASE)
 _PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
@@ -107,6 +108,12 @@ def _components(velocity: Expression | None) -> Iterator[tuple[Expression, str]]
             yield size, name
 
 
+def _direction(match: re.Match[str], problem: Problem) -> str:
+    """The direction of a sphere, of ``S dir:``."""
+    spheres = {each.name for each in problem.spheres}
+    return f"{match[1]}direction of {match[2]}" if match[2] in spheres else match[0]
+
+
 def _at_the_end(match: re.Match[str], _: Problem) -> str:
     """The energy before, or the one after, of ``KE i`` and ``KE f``."""
     return f"{'initial' if match[2] == 'i' else 'final'} KE "
@@ -119,6 +126,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_TURNED, _turned),
     (_AXIS, lambda match, _: f" {match[1]} direction: "),
     (_AT_AN_END, _at_the_end),
+    (_DIRECTION, _direction),
     (_OUT_OF, lambda match, _: f"({match[1]})/({match[2]})"),
     (_PART, lambda match, _: f"{match[1]} component"),
 )

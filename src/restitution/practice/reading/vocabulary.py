@@ -93,6 +93,7 @@ EVENT_WORDS = frozenset(
         "hitting",
         "colliding",
         "blow",
+        "kick",
         "coll",
         "contact",
         "rebounds",
