@@ -16,6 +16,21 @@ STORY = (
 
 
 @pytest.mark.parametrize(
+    "asked",
+    [
+        "given deflection(P) = 90°\nshow tan(alpha)^2 = 1/e",
+        "given tan(alpha) = 3/4, e = 1/3\nfind speed(P), impulse, angle(velocity(P), W)",
+        "find deflection(P) in terms of alpha, e",
+    ],
+)
+def test_a_wall_to_which_all_angles_are_told_needs_no_direction(asked: str) -> None:
+    story = "wall W{}\nsphere P: mass m, velocity u at alpha to W\nP hits W\n" + asked
+    shown, other = (to_text(explain(solve(parse(story.format(e)))), 80) for e in ("", ": along i"))
+    assert shown == other
+    assert "not written" not in shown
+
+
+@pytest.mark.parametrize(
     ("axis", "wall", "x", "y", "at"),
     [("i", "j", "4a", "0", "2a, 0"), ("j", "i", "0", "4a", "0, 2a")],
 )

@@ -79,7 +79,7 @@ def write_turn(
     letter, meaning = letter_of(scene, turn.asked)
     right = turn.made_of(*trees)
     value = exact.tidy_angle(whole)
-    plain = not value.atoms(sp.atan)
+    plain = not value.atoms(sp.atan, sp.acos, sp.asin)
     collected = None if plain else _collected(turn, trees) or _with_one_number(turn, trees)
     final = tree_of(value, angle=True, as_it_is=True) if plain else collected or right
     relation = chain(Letter(letter), (right, None), (final, "rearrange"))

@@ -611,7 +611,7 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
     right = total(terms)
     value = exact.tidy_angle(total_)
     tree = tree_of(value, angle=True, as_it_is=True)
-    if value.has(sp.atan) and not value.free_symbols:
+    if value.has(sp.atan, sp.acos, sp.asin) and not value.free_symbols:
         tree = product(TWO, terms[0]) if terms[0] == terms[1] else right
     move, pool = Move("define", "sum", event, (body,)), together(refs)
     relation = chain(asked, (right, None), (tree, "rearrange"))

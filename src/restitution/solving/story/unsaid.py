@@ -2,7 +2,8 @@
 
 ``u at alpha to W`` is from the left of W, unless the places say that the sphere is on its right.
 Spheres that keep to their line of centres have the same one when they meet again. A direction that
-a fact gives to a wall or to a line of centres belongs to these.
+a fact gives to a wall or to a line of centres belongs to these. A wall of which only angles to it
+are told and asked may run along **i**.
 """
 
 from __future__ import annotations
@@ -36,11 +37,12 @@ from restitution.shapes import Line, Segment
 from restitution.solving.story.given_directions import with_given_directions
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
+from restitution.wording.scene import speaks_of_axes
 
 
 def with_unsaid(problem: Problem) -> Problem:
     """The problem, with the sides of walls and the lines of centres that go without saying."""
-    problem = with_given_directions(problem)
+    problem = _with_a_direction(with_given_directions(problem))
     spheres = tuple(_with_side(problem, sphere) for sphere in problem.spheres)
     lines = _lines_kept(problem)
     if spheres == problem.spheres and not lines:
@@ -50,6 +52,27 @@ def with_unsaid(problem: Problem) -> Problem:
         for part in problem.parts
     )
     return replace(problem, spheres=spheres, parts=parts)
+
+
+# --- a wall alone ---------------------------------------------------------------------------------
+
+
+def _with_a_direction(problem: Problem) -> Problem:
+    """The problem with its only wall along **i**, where all directions are told by that wall."""
+    if len(problem.walls) != 1 or len(problem.spheres) != 1 or problem.points:
+        return problem
+    (wall,), (sphere,) = problem.walls, problem.spheres
+    shape = wall.shape
+    if not isinstance(shape, Line) or shape.along is not None or shape.is_placed:
+        return problem
+    match sphere.velocity:
+        case Polar(wall=Name(name)) if name == wall.name and sphere.position is None:
+            pass
+        case _:
+            return problem
+    if speaks_of_axes(problem):
+        return problem
+    return replace(problem, walls=(replace(wall, along=Unit("i")),))
 
 
 # --- sides ----------------------------------------------------------------------------------------
