@@ -240,6 +240,8 @@ class ByFacts(Course):
         ids = {each.id for each in left}
         if not {f"momentum {number}", f"restitution {number}"} <= ids:
             return False
+        if self._comes_by_the_coefficient(number, left):
+            return True
         put = [sp.expand(self.scene.with_values(each)[0]) for each in own.residuals]
         squared = [each for each in put if sp.diff(each, symbol, 2) != 0]
         if not squared:
@@ -251,6 +253,16 @@ class ByFacts(Course):
         parted = signs >= {-1, 1} and len(unknowns) > 1
         plain = all(_is_plain_square(each, symbol) for each in squared)
         return not plain or (bool(signs) and not parted)
+
+    def _comes_by_the_coefficient(self, number: int, left: Sequence[Candidate]) -> bool:
+        """Whether what comes to an impact has the coefficient of that in it, which is unknown.
+
+        Then the laws tell the components after it by powers of that: w = (1 + e)²u/4.
+        """
+        unknown = self.scene.unknown(self.scene.coefficient(number).value)
+        laws = (each for each in left if each.id == f"momentum {number}")
+        put = (self.scene.with_values(x)[0] for each in laws for x in each.residuals)
+        return any(unknown & each.free_symbols for each in put)
 
     def _is_value(self, given: GivenEquation) -> bool:
         return isinstance(given.link.left, Letter)
