@@ -7,6 +7,7 @@ import sympy as sp
 
 from restitution.language import parse
 from restitution.solving import Solution, solve
+from restitution.workings import explain, to_text
 
 
 def solved(text: str) -> Solution:
@@ -86,3 +87,12 @@ def test_in_letters(item: str) -> None:
         f"given k = 3\nfind {item}"
     )
     assert refused(solved(text), item).startswith("e = 3/2 rejected")
+
+
+def test_what_does_not_rest_on_an_impossible_coefficient_earns_its_marks() -> None:
+    text = (
+        "sphere A: mass 1, velocity 3i + j\nsphere B: mass 2, at rest\nA hits B: along i\n"
+        "given {}\nfind e, across(velocity(A), i), speed(A)"
+    )
+    shown = " ".join(to_text(explain(solve(parse(text.format("2e = 5/2"))))).split())
+    assert "component of 𝐯_A along 𝐣 = 1 m s⁻¹ B1" in shown

@@ -12,7 +12,7 @@ that fits a line says what it earns, in each style. Then, part by part:
 - An M that rests on an earlier method of the same part is dependent.
 - An A whose line puts in a value that an earlier part or item found follows through.
 - What an item's last line only says once more has its A1 there.
-- What comes after a coefficient that cannot be, in the same part, earns nothing.
+- What rests on a coefficient that cannot be, in the same part, earns nothing.
 - A principle that an earlier part has used at the same impact earns nothing again.
 - Of several solutions, methods count once, and each further one adds its answers.
 - A part has at most one mark more than it has lines; a link of a chain counts as a line, and a
@@ -181,15 +181,28 @@ class _Awarding:
                 return
 
     def _is_idle(self, line: Line) -> bool:
-        """Whether its part has come to a coefficient that cannot be, and asks for more."""
+        """Whether it rests on a coefficient that cannot be, to which its part has come."""
         last = len(self.order)
         return any(
             note.kind == "impossible"
             and note.premises
             and note.part == self.part(line)
             and self.order.get(note.item, last) < self.order.get(line.item or "", 0)
+            and self._rests_on_any(line, note.lines)
             for note in self.derivation.notes
         )
+
+    def _rests_on_any(self, line: Line, numbers: Collection[int]) -> bool:
+        """Whether one of some lines is under a line."""
+        seen, open_ = set[int](), [line]
+        while open_:
+            own = open_.pop()
+            if own.number in numbers:
+                return True
+            if own.number not in seen:
+                seen.add(own.number)
+                open_ += self.cited(own)
+        return False
 
     def rule(self, line: Line) -> Rule | None:
         """The first rule of the table that fits a line."""
