@@ -53,7 +53,7 @@ def test_a_scheme_names_usual_wrong_answers(rows):
 
 @pytest.fixture
 def notes(monkeypatch):
-    """The notes of a scheme, whatever time it takes."""
+    """The notes of a scheme, whatever time it takes: worlds are counted, and operations."""
     monkeypatch.setattr(schemes, "_SECONDS", 120)
 
     def of(text):
@@ -67,6 +67,16 @@ def test_usual_wrong_answers_can_happen(notes):
     *_, lost = (note for note in notes(text) if "wrong answers" in note)
     assert "(restitution without e)" in lost
     assert "upside down" not in lost and "−" not in lost  # e = 3: kinetic energy would be gained
+
+
+def test_worlds_of_mistakes_are_counted(notes, monkeypatch):
+    every = sum(note.count(" (") for note in notes(AT_AN_ANGLE) if "wrong answers" in note)
+    monkeypatch.setattr(schemes, "_WORLDS", 1)
+    one = sum(note.count(" (") for note in notes(AT_AN_ANGLE) if "wrong answers" in note)
+    assert one < every
+    monkeypatch.setattr(schemes, "_WORLDS", 24)
+    monkeypatch.setattr(schemes, "_OPERATIONS", 1)
+    assert not any("wrong answers" in note for note in notes(AT_AN_ANGLE))
 
 
 def test_usual_wrong_answers_are_short(notes):
@@ -92,7 +102,7 @@ def test_the_command_sets_versions_with_their_schemes(tmp_path):
     output = tmp_path / "test.html"
     status, _, messages = run("sheet", path, "-o", output, "--variants", "2", "--seed", "7")
     assert status == 0, messages
-    assert "the walls stay" in messages
+    assert "the wall stays as it is, as velocities are told by it" in messages
     names = sorted(each.name for each in tmp_path.glob("*.html"))
     assert names == ["test-1-scheme.html", "test-1.html", "test-2-scheme.html", "test-2.html"]
     one, other = (tmp_path / f"test-{n}.html" for n in (1, 2))

@@ -73,7 +73,8 @@ def _with_place(file: str, text: bytes, error: RestitutionError) -> Iterator[str
     place = "".join(f":{n}" for n in (error.line, error.column) if n is not None)
     plain = error.kind == "time limit" or (error.line is None and error.kind == "syntax")
     kind = "" if plain else f"{error.kind}: "
-    yield f"{shown_name(file)}{place}: {kind}{printable(error.message)}"
+    longer = "; --time-limit gives it longer" if error.kind == "time limit" else ""
+    yield f"{shown_name(file)}{place}: {kind}{printable(error.message)}{longer}"
     if error.line is None:
         return
     numbered = _lines(text)

@@ -631,7 +631,7 @@ def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     """A sum of angles as the sine of a share of it, which has the same sign."""
     low = high = sp.Integer(0)
     angular = open_ = False
-    for term in sp.Add.make_args(sp.expand(x)):
+    for term in _rational_combination(x):
         coefficient, atom = term.as_coeff_Mul()
         if not coefficient.is_Rational:
             return x
@@ -669,6 +669,23 @@ def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     except BeyondError:
         return x
     return sp.sin(x / share)
+
+
+def _rational_combination(x: sp.Expr) -> list[sp.Expr]:
+    """The terms of a sum of which rational numbers multiply sums, with like terms together.
+
+    Nothing else is multiplied out: that may take long, and is no sum of angles.
+    """
+    shares: dict[sp.Expr, sp.Expr] = {}
+    pending = [(sp.Integer(1), x)]
+    while pending:
+        factor, each = pending.pop()
+        coefficient, rest = each.as_coeff_Mul()
+        if rest.is_Add:
+            pending.extend((factor * coefficient, term) for term in reversed(rest.args))
+        else:
+            shares[rest] = shares.get(rest, sp.Integer(0)) + factor * coefficient
+    return [share * atom for atom, share in shares.items() if share != 0] or [sp.Integer(0)]
 
 
 def _exceeds(x: sp.Expr, bound: sp.Expr | int) -> bool:

@@ -5,14 +5,14 @@ It is made of the data that mark: the points of the usual way, and the table of 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.marks import Style
-from restitution.explaining.mistakes.consequences import altered_world, applying
+from restitution.explaining.mistakes.consequences import AlteredWorld, altered_world, applying
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import Binary, Letter, Quantity
 from restitution.practice.marking.scheme import MarkPoint, schemes
@@ -26,7 +26,11 @@ from restitution.workings.rendering.steps import PartExplanation, Row, Words
 
 _MOST_WRONG = 4
 _LONGEST = 10  # signs of an exact form beside which three figures stand, and not instead
-_SECONDS = 2.5
+# Worlds of mistakes that are worked out, and operations in each: so many that a scheme takes a few
+# seconds and is the same on every machine. The clock is for what is not counted.
+_WORLDS = 24
+_OPERATIONS = 100_000
+_SECONDS = 5.0
 
 
 @dataclass(frozen=True)
@@ -151,45 +155,65 @@ def _listed(titles: Sequence[str]) -> str:
 
 def _wrong_answers(solution: Solution) -> dict[tuple[str | None, int], list[str]]:
     """Answers to which mistakes lead, with their names, by part and place of the item."""
-    usual: dict[tuple[str | None, int], list[str]] = {}
-    try:
-        with limited(_SECONDS):
-            for name in applying(solution.problem):
-                _add(usual, solution, name)
-    except RestitutionError:
-        pass  # the scheme stands without more of them
-    return usual
+    usual: dict[tuple[str | None, int], list[str]] = {
+        (part, place): []
+        for part, solved in solution.parts.items()
+        for place, item in enumerate(solved.items)
+        if item.kind in ("value", "vector")
+    }
+    left = _WORLDS
+    with limited(_SECONDS) as clock:
+        for name in applying(solution.problem):
+            open_ = {key for key, wrong in usual.items() if len(wrong) < _MOST_WRONG}
+            for world in _worlds(solution, name):
+                left -= 1
+                if clock.broken or left < 0:
+                    break
+                if world is not None:
+                    open_ -= set(_add(usual, solution, world, name, open_))
+                if not open_:
+                    break
+            if clock.broken or left <= 0:
+                break
+    return {key: wrong for key, wrong in usual.items() if wrong}
 
 
-def _add(usual: dict[tuple[str | None, int], list[str]], solution: Solution, name: str) -> None:
-    seen: set[tuple[str | None, int]] = set()
+def _worlds(solution: Solution, name: str) -> Iterator[AlteredWorld | None]:
+    """The worlds of a mistake that apply; None in place of one that takes too many operations."""
     for variant in MISCONCEPTIONS[name].variants:
         if not variant.solvable:
             continue
-        try:
-            world = altered_world(solution, variant)
-        except RestitutionError:
+        world = None
+        with limited(operations=_OPERATIONS) as limit:
+            try:
+                world = altered_world(solution, variant, time_limit=None)
+            except RestitutionError:
+                if limit.used == 0:
+                    continue  # it does not apply
+        yield world if limit.used <= _OPERATIONS else None
+
+
+def _add(
+    usual: dict[tuple[str | None, int], list[str]],
+    solution: Solution,
+    world: AlteredWorld,
+    name: str,
+    keys: Collection[tuple[str | None, int]],
+) -> Iterator[tuple[str | None, int]]:
+    """Add what a world makes of some items, and tell of which it makes something else."""
+    for part, place in sorted(keys, key=str):
+        item = solution.parts[part].items[place]
+        changed = next((each for each in world.items if each.true is item), None)
+        if changed is None or not changed.altered.answers:
             continue
-        for part, solved in solution.parts.items():
-            for place, item in enumerate(solved.items):
-                changed = next((each for each in world.items if each.true is item), None)
-                wrong_answers = usual.setdefault((part, place), [])
-                if (
-                    changed is None
-                    or (part, place) in seen
-                    or not changed.altered.answers
-                    or len(wrong_answers) >= _MOST_WRONG
-                    or item.kind not in ("value", "vector")
-                ):
-                    continue
-                seen.add((part, place))
-                answer = changed.altered.answers[0]
-                display = _shown(answer)
-                if not _possible(item, answer):
-                    continue
-                if all(not each.startswith(f"{display} (") for each in wrong_answers):
-                    title = MISCONCEPTIONS[name].title
-                    wrong_answers.append(f"{display} ({title[:1].lower() + title[1:]})")
+        yield part, place
+        answer = changed.altered.answers[0]
+        if not _possible(item, answer):
+            continue
+        display, wrong = _shown(answer), usual[part, place]
+        if all(not each.startswith(f"{display} (") for each in wrong):
+            title = MISCONCEPTIONS[name].title
+            wrong.append(f"{display} ({title[:1].lower() + title[1:]})")
 
 
 def _shown(answer: Answer) -> str:

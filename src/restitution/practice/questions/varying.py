@@ -67,7 +67,7 @@ def variant(problem: Problem, seed: int = 1) -> Variant:
     wants_apart = clash(original) is None
     notes = [*_notes(problem)]
     if not wants_apart:
-        notes.append("its own answers do not tell all mistakes apart, so neither need those here")
+        notes.append("some mistakes lead to the same answer in the question, and may do so here")
     _require_letters(problem, original)
     draws = _Draws(problem, original, seed)
 
@@ -593,10 +593,18 @@ def _with_steps(problem: Problem, change: Callable[[Step], Step | None]) -> Prob
 
 
 def _notes(problem: Problem) -> Iterator[str]:
-    if problem.walls and any(wall.along is not None or wall.lengths for wall in problem.walls):
+    walls = sum(wall.along is not None or bool(wall.lengths) for wall in problem.walls)
+    if len(problem.walls) > 1 and walls:
         yield "the walls stay where they are, as the path leads from one to the next"
-    if any(isinstance(step, Impact) and step.along is not None for _, step in problem.steps()):
-        yield "the lines of centres stay, as velocities are told by them"
+    elif walls:
+        yield "the wall stays as it is, as velocities are told by it"
+    lines = sum(isinstance(step, Impact) and step.along is not None for _, step in problem.steps())
+    if lines:
+        yield (
+            "the line of centres stays, as velocities are told by it"
+            if lines == 1
+            else "the lines of centres stay, as velocities are told by them"
+        )
     if any(sphere.position is not None for sphere in problem.spheres) or problem.points:
         yield "places and distances stay, as the events depend on them"
     if any(isinstance(step, Impact) and step.offset is not None for _, step in problem.steps()):
