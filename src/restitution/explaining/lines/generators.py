@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain, compress
 from typing import Any, TypeAlias
 
 from sympy.polys.rings import PolyElement
@@ -33,6 +34,9 @@ Key: TypeAlias = tuple[Any, ...]
 """A generator: what it is ("letter", "quantity", "cos", "root", …), and of what."""
 
 
+_NUMBERS = range(MOST_GENERATORS)
+
+
 @dataclass
 class Generators:
     """The generators in which some trees are compared, and the squares of some of them.
@@ -59,18 +63,13 @@ class Generators:
 
     def keys_by_number(self) -> dict[int, Key]:
         """All generators, by number."""
-        return {number: key for key, number in self._keys.items()}
+        return dict(enumerate(self._keys))
 
     def keys(self, *polynomials: PolyElement) -> dict[int, Key]:
         """The generators that occur, by number."""
-        by_number = self.keys_by_number()
-        return {
-            n: by_number[n]
-            for each in polynomials
-            for powers in each
-            for n, power in enumerate(powers)
-            if power
-        }
+        every = list(self._keys)
+        occurring = (compress(_NUMBERS, powers) for each in polynomials for powers in each)
+        return {n: every[n] for n in dict.fromkeys(chain.from_iterable(occurring))}
 
     def note_tangents(self, line: Value) -> None:
         """Keep the cosines below the tangents of a line, as far as they do not cancel there."""
