@@ -62,6 +62,7 @@ from restitution.practice.judging.supposing import (
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import read_as
 from restitution.practice.reading.phrases import is_phrase, names_time, tells_after
+from restitution.practice.reading.quoted import beyond_formula, has_data, is_of_impulse, is_quoted
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.world import World
@@ -102,6 +103,7 @@ class Judge(Following):
         super().__init__(worlds, meanings, naming, question, names=names)
         self.unknown: set[str] = set()
         self._groundless: set[int] = set()
+        self._lines_of: Mapping[str, set[int]] = {}
 
     # --- a script ---------------------------------------------------------------------------------
 
@@ -115,6 +117,7 @@ class Judge(Following):
         self._take_acute(script)
         question = self.question
         self._support = Support(self._base, question.wanted, question.unknown, question.given)
+        self._lines_of = _lines_of(script)
         lines: list[JudgedLine] = []
         for line in script.lines:
             lines.append(self._judged(line))
@@ -227,6 +230,10 @@ class Judge(Following):
         worst = links[place]
         if verdict == "false" and self._is_only_supposed(line):
             return JudgedLine(line, "remark")
+        if verdict == "asks" and self._is_of_the_book(line, worst.letters):
+            return JudgedLine(line, "remark")
+        if verdict in ("asks", "false") and is_of_impulse(line):
+            return JudgedLine(line, "remark")
         if verdict == "false" and self._names and len(self._explained) < NAMED:
             self._explain(line.number, self._explained_in(line, links, place))
         for name in worst.letters:
@@ -258,6 +265,15 @@ class Judge(Following):
             grounded=all(link.grounded for link in links),
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
+
+    def _is_of_the_book(self, line: ScriptLine, unknown: frozenset[str]) -> bool:
+        """Whether a line only quotes a formula, ``I = m(v - u)``, of which some letters are idle.
+
+        Those are of unknown meaning, and no other line has them.
+        """
+        own = {name: self._lines_of[name] for name in unknown if name in self._lines_of}
+        alone = bool(own) and all(numbers == {line.number} for numbers in own.values())
+        return alone and not has_data(line)
 
     def _speaks_of_after(self, line: ScriptLine, links: Sequence[JudgedLink]) -> bool:
         """Whether a line does more than work out a component, ``along: (12 - 15)/5``, of before."""
@@ -394,7 +410,27 @@ class Judge(Following):
         if len(self.entries) > known:
             del self.entries[known:]
             self._own = -1, ()
+        judged = self._beyond_formulas(line, judged)
         return self._in_a_case(line, judged) or judged
+
+    def _beyond_formulas(self, line: ScriptLine, judged: list[JudgedLink]) -> list[JudgedLink]:
+        """The links of a chain, those to and from a formula by what the formula is the worth of.
+
+        In ``I = mv - mu = 0.5(5.2 + 6.9)`` the middle is quoted: its letters are those of the
+        book, whatever the student calls by them.
+        """
+        known = self._base.letters.keys()
+        for place in range(len(judged) - 1):
+            before, behind = line.links[place : place + 2]
+            verdicts = {each.verdict for each in judged[place : place + 2]}
+            if verdicts <= {"true", "follows"} or not is_quoted(before, behind, known):
+                continue
+            other = self._link(line, beyond_formula(before, behind))
+            of_mass = bool(letters(before.readings[0].right) & {"m", "M"})
+            sound = other.verdict in ("true", "follows")
+            if "false" not in verdicts or (of_mass and sound):
+                judged[place] = judged[place + 1] = other
+        return judged
 
     def _in_a_case(self, line: ScriptLine, judged: Sequence[JudgedLink]) -> list[JudgedLink] | None:
         """The links of ``e = 0, v = u/2`` where what e is, is left open: a case, and what holds.
@@ -559,6 +595,17 @@ class Judge(Following):
         if len(uses) > 1:
             uses.pop(Use("arithmetic"), None)
         return tuple(uses)
+
+
+def _lines_of(script: Script) -> dict[str, set[int]]:
+    """The numbers of the lines in which a letter stands."""
+    lines: dict[str, set[int]] = {}
+    for line in script.lines:
+        for link in line.links:
+            for side in (link.readings[0].left, link.readings[0].right):
+                for name in letters(side):
+                    lines.setdefault(name, set()).add(line.number)
+    return lines
 
 
 def _is_monomial(tree: Expression) -> bool:

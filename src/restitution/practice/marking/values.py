@@ -34,8 +34,8 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
-from restitution.practice.marking.formulas import has_data
 from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.reading.quoted import has_data
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
@@ -407,7 +407,7 @@ class Values:
         """Whether a line is a formula that is only quoted: I = m(v - u), with m and u for data."""
         inferred = {each.letter for each in self.letters if each.by == "inferred"}
         meanings = self._meanings(line)
-        if has_data(line):
+        if has_data(line.line):
             return False
         return any(
             isinstance(each, Letter)

@@ -315,6 +315,8 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
         low = token.word
         if low == "com" and before in ("of", "the"):
             return True
+        if low == "at" and _is_angle_behind(tokens, end):
+            return False  # the velocity after, at angle θ: the angle is another quantity
         if low in PHRASE_WORDS or re.fullmatch(r"\d(?:st|nd|rd|th)", low):
             return True
         return low == "a" or (low.isalpha() and token.text.isupper() and len(low) <= 3)
@@ -331,6 +333,14 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
             return True
         return behind.kind == "unit" and before in _BEFORE_AXIS and behind.gap == 0
     return False
+
+
+def _is_angle_behind(tokens: Sequence[Token], place: int) -> bool:
+    """Whether ``at`` is followed by an angle: ``at an angle θ``, ``at angle θ``."""
+    behind = [each.word for each in tokens[place + 1 : place + 3]]
+    if behind and behind[0] in ("a", "an", "the"):
+        behind = behind[1:]
+    return bool(behind) and HEADS.get(behind[0]) == "angle"
 
 
 def _is_trailing(tokens: Sequence[Token], place: int) -> bool:

@@ -25,6 +25,7 @@ from restitution.practice.reading.headings import (
     without_number,
 )
 from restitution.practice.reading.merging import with_phrases
+from restitution.practice.reading.quoted import without_quoted
 from restitution.practice.reading.scanner import scan
 from restitution.practice.reading.segments import segments
 from restitution.practice.reading.spoken import with_labels
@@ -58,10 +59,12 @@ def read_working(
     aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
     aliases |= {each: each for each in declared if len(each) == 2 and each in usage.aliases}
     own = {each: meant for each, meant in aliases.items() if meant not in GREEK_ANGLES}
-    script = _read(typed, plains, problem, replace(usage, aliases=aliases))
+    known = {*usage.letters, *declared}
+    script = without_quoted(_read(typed, plains, problem, replace(usage, aliases=aliases)), known)
     if own == aliases:
         return script
-    return replace(script, literal=_read(typed, plains, problem, replace(usage, aliases=own)))
+    literal = _read(typed, plains, problem, replace(usage, aliases=own))
+    return replace(script, literal=without_quoted(literal, known))
 
 
 def _read(
