@@ -576,11 +576,21 @@ class Judge(Following):
                 elif isinstance(claim.left, Letter) and _is_a_time(claim.left):
                     missing.add(claim.left.name)  # since when it counts, nobody knows
                 elif not missing:
-                    return JudgedLink("false", claim)
+                    return JudgedLink("false", self._at_heading(claim, line))
         first = link.readings[0]
         if missing:
             return JudgedLink("asks", first, letters=frozenset(missing))
         return JudgedLink("unread", first, remark=fault)
+
+    def _at_heading(self, claim: Claim, line: ScriptLine) -> Claim:
+        """A false claim, its label at the event of the heading, if it is taken for another's."""
+        event = line.scope.event
+        if event is None or not (isinstance(claim.left, Letter) and is_phrase(claim.left.name)):
+            return claim
+        own = self.meanings(line.number).get(claim.left.name)
+        meant = self._meanings_of(claim.left.name, event)
+        same = tuple(each for each in meant if own is None or kind_of(each) == kind_of(own))
+        return claim if own in meant or not same else replace(claim, left=same[0])
 
     # --- laws -------------------------------------------------------------------------------------
 
