@@ -370,6 +370,21 @@ class _Search:
         across = [tree for tree in trees if not _is_along_the_line(tree)]
         return across or trees
 
+    def _event_numbered(self, name: str) -> int | None:
+        """The event of which a velocity has the number: v₂ behind the second, or the first of v₁.
+
+        Velocities are counted from that at the start where the first of them is that one.
+        """
+        base, _, number = name.partition("_")
+        if not number.isdigit():
+            return None
+        line, tree = self.definitions.get(f"{base}_1", (0, None))
+        first = None
+        if tree is not None:
+            first = self.around.tester.value(tree, {}, Frame(None, self.meanings(line)))
+        at_start = first is not None and self.around.of_the_start(first)
+        return int(number) - at_start
+
     def _is_velocity(self, name: str) -> bool:
         """Whether a letter is one for velocities, and a vector by its first line: v = 3i + 2j."""
         base = name.partition("_")[0]
@@ -418,6 +433,9 @@ class _Search:
             if earlier(name):
                 after = [each for each in moving if each.event == 0]
             own = [each for each in after if each.body == suffix(name)]
+            if not own:
+                own = [each for each in after if each.event == self._event_numbered(name)]
+                own = own if len(own) == 1 else []
             return own[-1] if own else after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
