@@ -72,7 +72,8 @@ class JudgedLine:
     the link that fails; ``sources`` are the numbers of the lines above from which it follows;
     ``read_as`` the reading that decided, in symbols; ``meant`` what letters and phrases mean in
     this line where it is not what they mean in the script. ``grounded`` tells that a true line does
-    not rest on a false one above it, as far as that can be told. ``mended`` is the link that fails
+    not rest on a false one above it, as far as that can be told, ``his_own`` that one which does
+    follows from the student's own values too. ``mended`` is the link that fails
     as it would be without a slip, with what it then uses.
     """
 
@@ -86,6 +87,7 @@ class JudgedLine:
     mistake: Mistake | None = None
     remark: str | None = None
     grounded: bool = True
+    his_own: bool = False
     meant: Mapping[str, Expression] = field(default_factory=dict, compare=False)
     mended: tuple[Claim, tuple[Use, ...]] | None = None
 

@@ -36,6 +36,8 @@ class Question:
 class JudgedLink:
     """A link with its verdict: the reading that decided, and what is said of it.
 
+    ``grounded`` tells whether what is true follows from true lines and laws that are not broken,
+    ``his_own`` that it follows from the student's own wrong values as well.
     ``right`` is a claim that follows, as it would be without the wrong numbers above it.
     """
 
@@ -48,3 +50,4 @@ class JudgedLink:
     right: Claim | None = None
     meant: tuple[tuple[str, Expression], ...] = ()
     grounded: bool = True
+    his_own: bool = False

@@ -263,6 +263,7 @@ class Judge(Following):
             ),
             remark=next((link.remark for link in links if link.remark), None),
             grounded=all(link.grounded for link in links),
+            his_own=all(link.grounded or link.his_own for link in links),
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
 
@@ -511,9 +512,13 @@ class Judge(Following):
                 verdict = "unsupported"
             firm = [each for each in self.entries if each.number not in self._groundless]
             grounded = self._support.is_grounded(entry, firm, self._forgone())
+            his_own = False
             if not grounded:
                 self._groundless.add(line.number)
-            return JudgedLink(verdict, claim, accuracy, remark=remark, grounded=grounded)
+                his_own = bool(students) and self._holds(link, line, students) is not None
+            return JudgedLink(
+                verdict, claim, accuracy, remark=remark, grounded=grounded, his_own=his_own
+            )
         return (
             self._root(line, link)
             or self._relabelled(line, link, self.worlds, "true")

@@ -308,7 +308,7 @@ class _Examiner:
                 continue
             if line.verdict == "true" and match == "true":
                 last = self._earned(point, line, "")
-                if not line.grounded:
+                if not line.grounded and not self._is_his_own(point, self.lines[:place]):
                     last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
             elif line.verdict == "follows" and match != "true":
                 through = self._follows_through(point, line)
@@ -365,6 +365,14 @@ class _Examiner:
             return False
         begun = [each for each in self._roots(line) if not self._is_quoted(each)]
         return not begun or self._has_cost(begun)
+
+    def _is_his_own(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
+        """Whether a true value, the last of some lines, follows through from false lines above.
+
+        A sign that is lost may leave a speed as it is.
+        """
+        false = [each for each in lines if each.verdict == "false"]
+        return point.follows and lines[-1].his_own and self._has_cost(false)
 
     def _has_cost(self, roots: Sequence[JudgedLine]) -> bool:
         """Whether mistakes have lost an A or a B of a point above, and no method of a law."""

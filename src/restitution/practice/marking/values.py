@@ -460,12 +460,15 @@ class Values:
         if line.verdict == "remark" and own:
             return any(self._is_worth(value, link.right, line) for value in line.line.values)
         velocity = next((each for each in _within(link.left) if each.kind == "velocity"), None)
-        if line.verdict not in ("true", "follows") or velocity is None:
+        if velocity is None or line.verdict not in ("true", "follows", "false"):
             return False
-        kinds = ("speed", "energy") if own else ()
+        wrong = line.verdict == "false"
+        if wrong and not own:
+            return False  # what is wrong in a velocity is most often the component that changes
+        kinds = ("speed", "energy") if own and not wrong else ()
         if any(self.value_of(replace(velocity, kind=kind), line) is not None for kind in kinds):
             return True
-        if own and self._has_square(link.right, line):
+        if own and not wrong and self._has_square(link.right, line):
             return True
         vector = self.value_of(velocity, line)
         if vector is None:
