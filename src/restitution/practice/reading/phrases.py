@@ -624,7 +624,8 @@ class _Reader:
                 yield value if normal else square
             if features.axis is None:
                 yield Binary("-", Degrees(Fraction(180)), value)
-            if not features.timed:  # that of before or after is to a line
+            to_line = to_wall or features.direction or features.axis is not None
+            if not (features.timed or to_line):  # that of before or after is to a line
                 yield Quantity("deflection", (Name(body),), self.after(event))
         if not spheres and features.direction is None and len(self.bodies_met(event)) == 2:
             yield self.angle_between(event)
