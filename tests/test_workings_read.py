@@ -287,3 +287,35 @@ def test_an_answer_is_in_the_letters_that_are_asked_for() -> None:
     own = in_a_row(IN_TWO_WAYS)
     assert "= ½(1 − e)mu²" in own
     assert "½mu²(1 − tan²α)/(½mu²) = 1 − tan²α" in own
+
+
+@pytest.mark.parametrize(
+    ("statement", "says"),
+    [
+        (
+            (
+                "sphere A: mass 1, velocity 3i + 4j\nsphere B: mass 1, velocity -3i\n"
+                "A hits B: along 2i - j, e = 1/2\nfind line_of_centres"
+            ),
+            "unit vector along the line of centres = (2𝐢 − 𝐣)/√5 B1",
+        ),
+        (
+            (
+                "wall W\nsphere P: mass 2, velocity 7i + j\nP hits W\n"
+                "given velocity(P) = 3i + 5j\nfind line_of_centres"
+            ),
+            "unit vector perpendicular to W, towards it = (𝐢 − 𝐣)/√2 A1",
+        ),
+    ],
+)
+def test_a_unit_vector_that_is_asked_has_its_length(statement: str, says: str) -> None:
+    assert says in " ".join(to_text(explain(solve(parse(statement)))).split())
+
+
+def test_an_impossible_deflection_has_the_discriminant_of_its_tangent() -> None:
+    text = (
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+        "A hits B: along i, e = 1/7\ngiven deflection(A) = 30°\nfind alpha"
+    )
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "the discriminant of this quadratic in tan α, −108, is negative" in shown

@@ -55,6 +55,7 @@ from restitution.workings.naming.measured import (
     with_unit,
 )
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.row_sides import turned_side, without_doubles
 from restitution.workings.naming.sources import is_displacement, is_time, is_vector
 from restitution.workings.rendering.steps import REQUIRED, Row
 
@@ -117,6 +118,11 @@ class Rows:
             if waiting and not index:
                 whole = self._with(waiting, links)
             row = self._chain(line, whole, last=index == len(groups) - 1)
+            unit = self._unit_asked(line, whole[-1])
+            if unit is not None:
+                if unit.operands[-1] != self._naming.layout(whole[-1].right):
+                    yield row
+                row = unit
             same = left is not None and not fresh and whole[0].left == left
             goes_on = line.move.id in _GOES_ON and whole[0].sign in ("=", "≈") and row.signs
             if same and goes_on and (self._single or whole[0].sign == "≈"):
@@ -125,6 +131,22 @@ class Rows:
             if all(each.sign == "=" for each in whole):
                 self._left, self._single = (whole[0].left, line.item), len(whole) == 1
             fresh = False
+
+    def _unit_asked(self, line: Line, link: Link) -> Row | None:
+        """The unit vector that was asked for, where a line says to what it is parallel."""
+        match self._ends.asked(line), link:
+            case (
+                Value(expression=Quantity("line_of_centres")),
+                Link(Quantity("line_of_centres", _, int(stage)), "parallel to", vector),
+            ):
+                own = vector.operand if isinstance(vector, Negate) else vector
+                unit = vector if isinstance(own, Unit) else unit_vector(vector)
+            case _:
+                return None
+        if unit is None:
+            return None
+        name = self._naming.unit_vector(self._naming.events[stage])
+        return Row((operand(name), self._naming.layout(unit)), ("=",))
 
     def asides(self, line: Line) -> Iterator[Sentence]:
         """What stands behind a row in brackets: that it was to be shown."""
@@ -284,7 +306,7 @@ class Rows:
                 # Components that are multiples of roots stand as they are before they cancel.
                 own = lay.fraction(*map(self._naming.layout, (above, below)))
                 sides[1] = lay.negative(own) if isinstance(ratio, Negate) else own
-        _without_doubles(sides, signs)
+        without_doubles(sides, signs)
         quotient = self._quotient(line, links[0])
         if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
             sides[1:1], signs[:0] = [quotient], ["="]
@@ -293,7 +315,7 @@ class Rows:
             sides[1:1], signs[:0] = [self._naming.layout(back)], ["="]
         if self._towards(line, links, [e for e in sides if id(e) not in map(id, idle.values())]):
             sides[0] = self._away(links[0].left)
-            turned = {id(side): _turned(side) or lay.negative(side) for side in sides[1:]}
+            turned = {id(side): turned_side(side) or lay.negative(side) for side in sides[1:]}
             sides[1:] = [turned[id(side)] for side in sides[1:]]
             idle = {n: turned.get(id(side), side) for n, side in idle.items()}
         if line.move.id == "solve" and not last and _is_value(links[0].left):
@@ -307,7 +329,7 @@ class Rows:
                 if any(sides[n] is each for each in idle.values()):
                     del sides[n], signs[n - 1]
             if idle:
-                _without_doubles(sides, signs)
+                without_doubles(sides, signs)
             for n in idle:
                 self._figures.stands_for(trees[n], trees[min(in_figures)])
             if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and sides[-2] not in worked:
@@ -325,9 +347,11 @@ class Rows:
         """Puts figures for values that are on paper; the numbers of the sides that have them."""
         exact = list(trees)
         last = trees[-1]
-        if len(links) > 1 and not (has_quantity(last) or letters(last) or of_plain_angles(last)):
-            return frozenset()  # it comes to an exact number
-        for n, link in enumerate(links, 1):
+        # Some come to an exact number.
+        plain = len(links) > 1 and not (
+            has_quantity(last) or letters(last) or of_plain_angles(last)
+        )
+        for n, link in enumerate(() if plain else links, 1):
             if link.sign not in ("=", "≈"):
                 continue
             trees[n] = self._figures.put(trees[n])
@@ -443,7 +467,7 @@ class Rows:
             return False
         match links[0].left:
             case Quantity("along", (Quantity("velocity", _), axis)):
-                if any(_turned(side) is None for side in sides[1:]):
+                if any(turned_side(side) is None for side in sides[1:]):
                     return False
                 sense = self._naming.at_the_wall(axis)
                 if sense is not None:
@@ -503,7 +527,7 @@ class Rows:
         elif end is None and unit and links[-1].sign == "=" and of_plain_angles(right):
             # A component away from a wall is printed with the other sign.
             own = self._naming.layout(right)
-            other = _turned(own) or lay.negative(own)  # of a component in the other sense
+            other = turned_side(own) or lay.negative(own)  # of a component in the other sense
             tree = {own: right, other: negative(right)}.get(sides[-1])
             figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
             if figures is not None:
@@ -614,20 +638,6 @@ class Rows:
         if _is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))
-
-
-def _turned(side: lay.Layout) -> lay.Layout | None:
-    """A side of negative terms alone with the other sign; None of another."""
-    if not isinstance(side, lay.Sum) or any(sign == "+" for sign, _ in side.terms):
-        return None
-    return lay.total(lay.Sum((("+", term),)) for _, term in side.terms)
-
-
-def _without_doubles(sides: list[lay.Layout], signs: list[str]) -> None:
-    """Leaves out what stands on a side as on the one before it."""
-    for n in range(len(sides) - 1, 1, -1):
-        if sides[n] == sides[n - 1]:
-            del sides[n], signs[n - 1]
 
 
 def _has_long_root(tree: Expression) -> bool:

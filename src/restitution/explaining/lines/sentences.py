@@ -824,6 +824,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.distance": "distance between {of:and}",
     "derived.line": "line of centres",
     "derived.line-unit": "unit vector along the line of centres",
+    "derived.normal-unit": "unit vector perpendicular to {wall}, towards it",
     "derived.centres": "the line of centres",
     "derived.normal": "the normal to {wall}",
     "derived.radius": "the radius to {body}",

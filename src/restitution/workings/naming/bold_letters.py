@@ -498,7 +498,21 @@ def _value(tree: Expression, known: Mapping[str, Role], values: Mapping[str, sp.
 def unit_vector(tree: Expression) -> Expression | None:
     """A unit vector as multiples of **i** and **j** over its length; None of what is no vector."""
     direction = _in_numbers(tree)
-    return None if direction is None else _tree_of_unit(direction)
+    if direction is None:
+        return None
+    unit = _tree_of_unit(direction)
+    if not any(map(_is_nested, walk(unit))):
+        return unit
+    value = in_letters(tree, positive=True)
+    assert isinstance(value, Vector)
+    return Binary("/", tree, Apply("sqrt", tree_of(tidy(sp.expand(value.dot(value))))))
+
+
+def _is_nested(tree: Expression) -> bool:
+    """Whether a root stands in a root."""
+    if not isinstance(tree, Apply) or tree.function != "sqrt":
+        return False
+    return any(isinstance(each, Apply) for each in walk(tree.argument))
 
 
 def _tree_of_unit(direction: Vector) -> Expression:

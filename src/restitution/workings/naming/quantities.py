@@ -474,6 +474,12 @@ class Naming(Moments):
             return say("derived.radius", body=event.bodies[0])
         return say("derived.normal", wall=event.bodies[1])
 
+    def unit_vector(self, event: Event) -> Sentence:
+        """The unit vector along the line of centres of an event, or into its wall."""
+        if not event.wall or event.bodies[1] in self.circles:
+            return say("derived.line-unit")
+        return say("derived.normal-unit", wall=event.bodies[1])
+
     @property
     def circles(self) -> set[str]:
         """The walls that are circular."""

@@ -53,7 +53,8 @@ def _of_a_quadratic(link: Link, naming: Naming) -> Sentence | None:
     subject: Expression = letter
     if zero.has(sp.sin, sp.cos):
         s, c, t = sp.sin(symbol), sp.cos(symbol), sp.Dummy("t")
-        whole = sp.Poly(zero, s, c) if not zero.atoms(sp.tan) else None
+        above = sp.expand(sp.fraction(sp.together(zero))[0])  # a tangent is a quotient of both
+        whole = sp.Poly(above, s, c) if above.is_polynomial(s, c) else None
         if whole is None or not whole.is_homogeneous or whole.homogeneous_order() != 2:
             return None
         zero = sp.expand(whole.as_expr().xreplace({s: t * c}) / c**2)
