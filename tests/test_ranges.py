@@ -25,6 +25,20 @@ A hits B: along i
 """
 
 CASES = {
+    # tan(delta) = 3t/(1 + 4t^2) < 3√2/8 where 4t^2 - 4√2 t + 1 > 0.
+    "a tangent that leaves a gap": REST.format("m", "m").rstrip()
+    + """, e = 1/2
+given tan(deflection(A)) < 3√2/8
+find range of tan(theta), range of tan(angle(velocity(A), i))
+#= range of tan(theta) -> 0 < X < (√2 - 1)/2 or X > (√2 + 1)/2
+#= range of tan(angle(velocity(A), i)) -> 0 < X < 2(√2 - 1) or X > 2(√2 + 1)""",
+    # 2t/(1 + 3t^2) is 1/√3 at t = 1/√3 alone, and less elsewhere.
+    "a tangent that leaves out one value": REST.format("m", "m").rstrip()
+    + """, e = 1/3
+given deflection(A) < 30°
+find range of tan(theta), range of speed(A)
+#= range of tan(theta) -> 0 < X < 1/√3 or X > 1/√3
+#= range of speed(A) -> u/3 < X < u/√3 or u/√3 < X < u""",
     # theta comes to 0 as e comes to 1/√2, and does not reach it; e = 0 would need 90°.
     "both ends at ends of the angle": WALL
     + """given e^2 = cos(theta)^2/2

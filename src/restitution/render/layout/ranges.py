@@ -82,5 +82,10 @@ def _from_union(values: Any, subject: Layout, degrees: bool) -> Layout:
 def _set_order(value: Any) -> float:
     if value is S.NegativeInfinity:
         return float("-inf")
+    if isinstance(value, Expr) and len(value.free_symbols) == 1:
+        (letter,) = value.free_symbols
+        size = value / letter
+        # Multiples of a positive letter are in the order of their numbers.
+        value = size if letter.is_positive and not size.free_symbols else value
     number = exact.decimal(value) if isinstance(value, Expr) else None
     return number if number is not None else 0.0

@@ -51,9 +51,16 @@ class Image:
     ``proof`` tells after `pieces` what it rests on.
     """
 
-    def __init__(self, outcome: Outcome, value: sp.Expr, free: list[str], angle: bool) -> None:
+    def __init__(
+        self,
+        outcome: Outcome,
+        value: sp.Expr,
+        free: list[str],
+        angle: bool,
+        region: Region | None = None,
+    ) -> None:
         self.value, self.free = value, free
-        self.region = Region(outcome, free[0], tuple(free[1:]))
+        self.region = region or Region(outcome, free[0], tuple(free[1:]))
         self.candidates = list(_candidates(outcome, value, free, self.region))
         self.angle = angle
         self.proof: Proof = "undecided"
@@ -155,6 +162,49 @@ class Image:
         except BeyondError:
             return Verdict("undecided", "undecided")
         return inner
+
+
+@dataclass
+class Within(Region):
+    """The values of a letter in one of the pieces of its range, of which the ends are numbers."""
+
+    piece: Piece = (End(sp.Integer(0), True), End(sp.Integer(0), True))
+
+    def _atoms(self) -> list[sp.Expr]:
+        ends = [each.value for each in self.piece if each.value.is_finite]
+        return [*super()._atoms(), *(self.symbol - end for end in ends)]
+
+    @cached_property
+    def formula(self) -> Formula | None:
+        """What is asked of the letter: what the region does, and that it is in the piece."""
+        whole = Region(self.outcome, self.letter, self.free).formula
+        return None if whole is None else joined((whole, inside_of(self.symbol, [self.piece])))
+
+    def _possible(self, values: Sample) -> bool:
+        own = values.get(self.letter)
+        if own is None:
+            return False
+        for end, sense in zip(self.piece, (1, -1), strict=True):
+            if not end.value.is_finite:
+                continue
+            beyond = sense * (own - at(end.value, {}))
+            if beyond.sign < 0 or (beyond.sign == 0 and not end.closed):
+                return False
+        return super()._possible(values)
+
+
+def in_pieces(outcome: Outcome, value: sp.Expr, name: str, angle: bool) -> list[Image]:
+    """The images of the pieces in which a letter may be, where there are several.
+
+    Of all values at once the image would be one interval, and what is left out would not be seen.
+    """
+    pieces = Region(outcome, name).pieces()
+    ends = [end.value for piece in pieces for end in piece]
+    if len(pieces) < 2 or any(end.free_symbols for end in ends):
+        return []
+    return [
+        Image(outcome, value, [name], angle, Within(outcome, name, piece=piece)) for piece in pieces
+    ]
 
 
 _NAME = "value sought"  # no name that a letter can have
