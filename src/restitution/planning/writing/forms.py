@@ -60,6 +60,8 @@ def neat(value: Any) -> Any:
     }
     if not multiples:
         return tidy(own)
+    if (one := _of_one_ratio(own)) is not None:
+        return one
     names = {
         multiple: sp.Dummy("angle", number, positive=True)
         for number, multiple in enumerate(sorted(multiples, key=sp.default_sort_key))
@@ -77,6 +79,16 @@ def neat(value: Any) -> Any:
         if atom.args[0] in back
     }
     return _with_tangents(whole.xreplace(ratios).xreplace(back))
+
+
+def _of_one_ratio(value: sp.Expr) -> sp.Expr | None:
+    """A sum of ratios of degrees that is a multiple of one: 3.4 cos 40°, of 65° and of 25°."""
+    ratios = value.atoms(sp.sin, sp.cos)
+    if not value.is_Add or len(ratios) < 2 or any(each.free_symbols for each in ratios):
+        return None
+    plain = sp.sympify(tidy(value), strict=True)
+    is_one = not plain.is_Add and len(plain.atoms(sp.sin, sp.cos)) <= 1
+    return plain if is_one else None
 
 
 def _with_tangents(value: Any) -> Any:
