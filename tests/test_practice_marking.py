@@ -212,6 +212,34 @@ def test_the_next_step_is_asked_for_before_its_principle_is_named():
     assert message.text.startswith("You have not used the component")
 
 
+MISTAKES = """
+wall W: along i
+sphere Q: velocity 17 at alpha to W
+given cos(alpha) = 15/17
+Q hits W: e = 1/2
+find speed(Q), angle(velocity(Q), W)
+"""
+
+
+def _said(script: str, question: str) -> str:
+    marking = restitution.mark(restitution.parse(question), script, hints=3)
+    return " ".join(message.text for message in marking.messages)
+
+
+def test_what_a_mistake_leads_to_is_said_in_words():
+    said = _said("v cos b = 17cos a\nv sin b = 8", MISTAKES)
+    assert "It leads to speed of Q = 17" in said and "speed(" not in said
+
+
+def test_where_a_mistake_is_said_only_if_it_is_certain():
+    assert "Check where you write 3." in _said("v = 3\nspeed = sqrt(15^2+3^2)", MISTAKES)
+    # The wrong sign may be that of any term.
+    pair = "sphere A: mass 2m, velocity 3u i\nsphere B: mass 3m, velocity -2u i\nA hits B: along i"
+    script = "2m*3u - 3m*2u = 2mv + 3mw\nw - v = 1/2 (3u - 2u)"
+    said = _said(script, f"{pair}, e = 1/2\nfind velocity(A)")
+    assert "wrong sign in Newton's law" in said and "Check where" not in said
+
+
 def test_a_part_that_is_not_there_and_a_level_that_is_not_there():
     with pytest.raises(KeyError, match="parts: a, b"):
         marked(WALL, "v = 1", "z")

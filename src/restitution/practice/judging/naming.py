@@ -114,10 +114,10 @@ Stated = frozenset[tuple[str, int | None, tuple[str, ...]]]
 class Explained:
     """The altered laws that explain a false claim, and the slip that it may be instead.
 
-    ``at`` is the text that would have to be another, ``near`` the laws of the
-    claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a misconception
-    in a line that states no law. ``direct`` tells that nothing moves across the lines of centres,
-    ``of_impulse`` that the claim gives an impulse.
+    ``at`` is the text that would have to be another, where no other would do, ``near`` the laws
+    of the claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a
+    misconception in a line that states no law. ``direct`` tells that nothing moves across the lines
+    of centres, ``of_impulse`` that the claim gives an impulse.
     """
 
     variants: tuple[VariantAt, ...] = ()
@@ -169,7 +169,8 @@ class Names:
     def explained(self, entry: Entry, judge: JudgedSoFar) -> Explained:
         """What explains a claim that is false."""
         mended = tuple(_mending(entry, judge))
-        at = text_of(mended[0].part) if mended else None
+        parts = {text_of(each.part) for each in mended}
+        at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
         whole = is_whole_speed(entry, judge.base)
         law = is_law_of_speeds(entry, judge.base)
         variants = () if whole or law else self._explaining(entry, judge, mended)

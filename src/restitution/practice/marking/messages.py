@@ -19,7 +19,7 @@ from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.lines import text_of
-from restitution.problem import Impact, Problem
+from restitution.problem import Find, Impact, Problem, Value
 
 LEVELS = (0, 1, 2, 3, 4)
 
@@ -211,10 +211,13 @@ def _of_mistake(line: JudgedLine, points: Sequence[PointMark], letters: _Words, 
         default = "Which law is this, and what does each term stand for?"
         return _QUESTIONS.get(name or "", default)
     if level == 3 and mistake is not None:
-        return _named(line) or "It is not clear which mistake this is; compare each term."
+        return (
+            _named(line, letters.problem)
+            or "It is not clear which mistake this is; compare each term."
+        )
     right = _right_line(line, points, letters)
     if right is None:
-        return _named(line) or "Compare each term with the diagram."
+        return _named(line, letters.problem) or "Compare each term with the diagram."
     return f"The line is {right}."
 
 
@@ -222,7 +225,7 @@ def _principle(line: JudgedLine) -> str | None:
     return next((use.principle for use in line.uses if use.principle in _PRINCIPLES), None)
 
 
-def _named(line: JudgedLine) -> str | None:
+def _named(line: JudgedLine, problem: Problem) -> str | None:
     """The name of a mistake, and what it leads to."""
     mistake = line.mistake
     if mistake is None:
@@ -236,13 +239,27 @@ def _named(line: JudgedLine) -> str | None:
         return None
     text = named.sentence if named is not None else slip.sentence if slip is not None else ""
     if mistake.at:
-        text += f" Look at {mistake.at}."
+        text += f" Check where you write {mistake.at}."
     if mistake.leads_to:
-        values = ", ".join(f"{what} = {value}" for what, value in mistake.leads_to.items())
+        asked = _asked_in_words(problem)
+        values = ", ".join(
+            f"{asked.get(what, what)} = {value}" for what, value in mistake.leads_to.items()
+        )
         text += f" It leads to {values}."
     if named is not None:
         text += f" {named.consequence}"
     return text
+
+
+def _asked_in_words(problem: Problem) -> dict[str, str]:
+    """The quantities that are asked for in words, by the text that asks for them."""
+    return {
+        item.text: words_of(item.expression, problem)
+        for _, step in problem.steps()
+        if isinstance(step, Find)
+        for item in step.items
+        if isinstance(item, Value) and isinstance(item.expression, Quantity)
+    }
 
 
 def _title(name: str) -> str:
