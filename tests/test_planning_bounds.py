@@ -51,6 +51,13 @@ SAYS = {
         ),
         ["v = (3 − e)u/2", "(3 − e)u/2 > −(1 + e)u/2", "every value of e is possible"],
     ),
+    "a bound of a speed as a quadratic in one ratio": (
+        (
+            "sphere A: mass 2m, velocity u at alpha\nsphere B: mass m, velocity u at 180°\n"
+            "A hits B: along i, e = 1/2\ngiven speed(A) > 3/4 u\nfind range of cos(alpha)"
+        ),
+        ["As sin² + cos² = 1:", "12 cos²α + 8 cos α − 11 < 0"],
+    ),
     "an obtuse deflection": (
         REST.format(k="4", e=", e = 1/2") + "given deflection(A) > 90°\nfind range of tan(alpha)",
         ["the angle of deflection of A is more than 90°, so the scalar product is negative:"],

@@ -20,7 +20,7 @@ from restitution.expression.tree import (
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.square_roots import as_square
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.writing.forms import ZERO, square, swept, tree_of
+from restitution.planning.writing.forms import ZERO, square, swept, total, tree_of
 from restitution.planning.writing.inequalities import solve_linear, without_signs
 from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.solving.story.letters import roles
@@ -144,11 +144,35 @@ def solve_squares(
             if number is None:
                 break
             pool = [number, *known]
-    link = solved or Link(tree_of(x), sign, ZERO)
+    link = solved or _in_one_ratio(sign, x) or Link(tree_of(x), sign, ZERO)
     last = judge.write(_SOLVING, pool, Relation(((link,),)))
     if last is None or solved is not None:
         return last
     return solve_quadratic(worths, last, sign, x, known)
+
+
+def _in_one_ratio(sign: Sign, x: sp.Expr) -> Link | None:
+    """``x sign 0`` with squares of sines by the cosine, where that stands alone too: a quadratic.
+
+    So is one with squares of cosines by the sine. None of another one.
+    """
+    angles = {each.args[0] for each in x.atoms(sp.sin, sp.cos)}
+    if len(angles) != 1 or not (x.has(sp.sin) and x.has(sp.cos)):
+        return None
+    (angle,) = angles
+    for kept, other in ((sp.cos(angle), sp.sin(angle)), (sp.sin(angle), sp.cos(angle))):
+        odd, even = sp.Dummy(), sp.Dummy()
+        plain = x.xreplace({kept: odd, other: even})
+        if not plain.is_polynomial(odd, even):
+            return None
+        powers = sp.Poly(plain, odd, even).monoms()
+        if all(n in (0, 2) for _, n in powers) and any(n % 2 for n, _ in powers):
+            poly = sp.Poly(plain.xreplace({even**2: 1 - odd**2}), odd)
+            turned_ = poly.LC().could_extract_minus_sign()
+            poly = -poly if turned_ else poly
+            left = total(tree_of(size * kept**n) for (n,), size in poly.terms())
+            return Link(swept(left), FLIPPED[sign] if turned_ else sign, ZERO)
+    return None
 
 
 def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Sequence[Ref]) -> int:
