@@ -91,6 +91,20 @@ def test_a_second_collision_needs_the_line_of_centres() -> None:
         raise_error_of(NO_LINE)
 
 
+def test_a_second_collision_needs_the_line_of_an_impact_between() -> None:
+    text = """
+    sphere A: mass 2m, velocity u i
+    sphere B: mass m, at rest
+    sphere C: mass 4m, at rest
+    A hits B: along i
+    B hits C
+    given A and B collide again
+    find range of e
+    """
+    with pytest.raises(RestitutionError, match=r"needs the line of centres of B and C \(write"):
+        raise_error_of(text)
+
+
 def raise_error_of(text: str) -> None:
     ((_, item),) = solve(parse(text)).items()
     if item.error is not None:

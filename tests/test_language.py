@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+import restitution
 from restitution.errors import StatementError
 from restitution.expression import limits
 from restitution.expression.tree import (
@@ -728,3 +729,18 @@ def test_a_word_outside_counts_in_lines_that_cannot_be_read_alone() -> None:
     with pytest.raises(StatementError) as caught:
         parse("sphere A: velocty 3i\n# gravity")
     assert "did you mean 'velocity'?" in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: restitution.parse(None), r"parse takes a text, and not NoneType"),
+        (lambda: restitution.solve("wall W"), r"Problem, and not str: restitution\.parse\(text\)"),
+        (lambda: restitution.question("wall W"), r"question takes a Problem, and not str"),
+        (lambda: restitution.explain(parse("wall W")), r"restitution\.solve\(problem\) makes one"),
+        (lambda: restitution.draw(None), r"draw takes a Solution, and not NoneType"),
+    ],
+)
+def test_what_is_given_for_something_else(call, said) -> None:
+    with pytest.raises(TypeError, match=said):
+        call()

@@ -106,3 +106,12 @@ class TimeLimitError(RestitutionError):
     """Solving took longer than its limit."""
 
     kind = "time limit"
+
+
+def require(value: object, kind: type | tuple[type, ...], taker: str, maker: str) -> None:
+    """Raise TypeError where a function was given something of another kind.
+
+    ``taker`` is what it takes in words, and ``maker`` what makes such a thing.
+    """
+    if not isinstance(value, kind):
+        raise TypeError(f"{taker}, and not {type(value).__name__}: {maker}")

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from restitution.errors import StatementError
+from restitution.errors import StatementError, require
 from restitution.expression.lexer import Source
 from restitution.expression.limits import MAX_LINE_LENGTH, MAX_LINES, MAX_TEXT_BYTES
 from restitution.expression.words import MEANT, NAME, near
@@ -32,6 +32,7 @@ class Line:
 
 def decode(text: str | bytes) -> str:
     """The text itself, of a bearable size. Raises StatementError for bytes that are no UTF-8."""
+    require(text, (str, bytes), "parse takes a text", "restitution.read(path) reads a file")
     if len(text) > MAX_TEXT_BYTES:
         raise StatementError(
             f"the text is too long: at most {MAX_TEXT_BYTES} bytes, and this has {len(text)}", 1, 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from restitution import work
-from restitution.errors import TimeLimitError
+from restitution.errors import TimeLimitError, require
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
 from restitution.problem import Compare, Given, Problem, Relation, Show, trees_of_step
@@ -26,6 +26,7 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
     sense (a body that is not there, a number where a vector is needed), as reading its text would
     have done.
     """
+    require(problem, Problem, "solve takes a Problem", "restitution.parse(text) makes one")
     check(problem)
     limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
     with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):

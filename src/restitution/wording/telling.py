@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields, is_dataclass, replace
 from itertools import islice
 from typing import Any
 
-from restitution.errors import StatementError
+from restitution.errors import StatementError, require
 from restitution.expression.dimensions import LENGTH
 from restitution.expression.tree import Expression, Place, has_quantity
 from restitution.language import check
@@ -65,6 +65,7 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
     <BLANKLINE>
     Find the speed of P immediately after the impact.
     """
+    require(problem, Problem, "question takes a Problem", "restitution.parse(text) makes one")
     check(problem)
     _exact(problem)
     scene = scene_of(problem)

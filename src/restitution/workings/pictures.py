@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from restitution.errors import RestitutionError
+from restitution.errors import RestitutionError, require
 from restitution.solving.worker import UNFORESEEN
 from restitution.work import limited
 from restitution.workings.route import explain
@@ -25,7 +25,9 @@ def draw(solution: Solution, part: str | None = None) -> Drawings:
     is not there, and what kept it from being solved where nothing can be drawn.
     """
     from restitution.drawing import Drawings, scenes
+    from restitution.solving.equations.solution import Solution
 
+    require(solution, Solution, "draw takes a Solution", "restitution.solve(problem) makes one")
     return Drawings(scenes(solution, part, letters_of_working(solution)))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.errors import TimeLimitError, UnsupportedError
+from restitution.errors import TimeLimitError, UnsupportedError, require
 from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.following.agreeing import agreeing_facts
 from restitution.explaining.following.follower import follow
@@ -44,6 +44,7 @@ def explain(
     with their reason. Raises UnsupportedError for the altered world of a mistake,
     KeyError for a part that is not there, and ValueError for a style or a route that cannot be.
     """
+    require(solution, Solution, "explain takes a Solution", "restitution.solve(problem) makes one")
     if solution.mistake is not None:
         raise UnsupportedError(
             f"this is the altered world of {solution.mistake}, which has answers and no working"

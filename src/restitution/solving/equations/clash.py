@@ -59,7 +59,7 @@ def named(setting: Setting, error: RestitutionError) -> RestitutionError:
         text = f"the facts clash: {words[0]} cannot be, as {reason}"
         because = f"it cannot be that {clauses[0]}, as {reason}"
     elif len(words) == 1:
-        text = f"the facts clash: {words[0]} cannot be, as the rest is told"
+        text = f"the facts clash: {words[0]} cannot be together with the rest of the statement"
         because = f"the other data make it impossible that {clauses[0]}"
     else:
         several = " and that ".join(clauses)

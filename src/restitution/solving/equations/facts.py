@@ -240,9 +240,10 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
         return True
     if any(story.sign(_approach(story, event, one, other, n)) in (1, None) for n in stages):
         again = f"whether {one} and {other} collide again"
-        if event.unknown_line:
-            first, second = event.bodies
-            raise missing.needs(again, [f"the line of centres of {first} and {second}"])
+        unknown = [each.bodies for each in (event, *since) if each.unknown_line]
+        if unknown:
+            lines = [f"the line of centres of {first} and {second}" for first, second in unknown]
+            raise missing.needs(again, lines)
         raise MissingError(
             f"{again} depends on their places, as they move "
             "across their line of centres, one relative to the other"
