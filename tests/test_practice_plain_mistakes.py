@@ -132,3 +132,30 @@ def test_what_is_left_out_or_exchanged_has_its_name(
     false = [line for line in marking.json()["lines"] if line["verdict"] == "false"]
     assert false
     assert false[0]["mistake"]["id"] == name
+
+
+MET = """
+sphere P: mass 2m, velocity 3u at theta
+sphere Q: mass m, velocity -2u j
+given tan(theta) = 5/12
+P hits Q: along i, e = 2/5
+find speed(Q)
+"""
+
+
+def test_the_speed_of_a_sphere_that_moves_across_the_line_is_no_cosine() -> None:
+    working = "2*3ucosθ - 2u = 2v + w\nw - v = 0.4*3ucosθ\n3.54u = 2v + w"
+    letters = {"v": "along(velocity(P), i)", "w": "along(velocity(Q), i)"}
+    marking = restitution.mark(restitution.parse(MET), working, letters=letters)
+    assert marking.mistakes == ("speed-for-component",)
+    (method,) = [
+        x for x in marking.marks.points if (x.point.letter, x.point.principle) == ("M", "momentum")
+    ]
+    assert method.state == "lost"
+
+
+def test_the_sine_of_a_known_angle_with_the_value_of_its_cosine_is_no_letter_of_its_own() -> None:
+    working = "sina = 4/5, cosa = 3/5\npara = 3u/5\nperp = 2/3*4u/5 = 8u/15"
+    lines = restitution.mark(restitution.parse(SHARE), working).json()["lines"]
+    assert [line["verdict"] for line in lines] == ["false", "follows", "follows"]
+    assert lines[0]["mistake"]["id"] == "sine-cosine"

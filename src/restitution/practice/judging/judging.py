@@ -118,6 +118,8 @@ def _defined_otherwise(
         stands_for = _names_in(line.line) - _names_in(plain)
         if line.verdict != "false" or not fresh or stands_for & unknown:
             continue
+        if line.mistake is not None and line.mistake.id == "sine-cosine":
+            continue  # sin a is what cos α is
         if any(len(own) == 1 and own <= fresh for own in map(_names_of, plain.links)):
             yield line.line.number
 

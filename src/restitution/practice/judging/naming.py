@@ -184,6 +184,8 @@ class Names:
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
         if whole or law:
             plain = "speed-for-component" if whole else "restitution-whole-speed"
+        if variants and all(_is_of_one_across(each, judge.base) for each in variants):
+            variants, plain = (), "speed-for-component"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
             left, right = entry.claim.left, entry.claim.right
@@ -437,6 +439,28 @@ def _is_direct(number: int, world: World) -> bool:
     spheres = [each for each in (step.first, step.second) if each in world.start]
     across = (world.spread(motion.velocity(each, number - 1).cross(line)) for each in spheres)
     return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
+
+
+def _is_of_one_across(variant: VariantAt, world: World) -> bool:
+    """Whether sine and cosine are exchanged where a sphere moves across the line of centres.
+
+    Its component along the line, zero, is then its speed, whatever angle others move at.
+    """
+    number = variant.event.number
+    line = world.lines.get(number)
+    step = world.events[number - 1] if number <= len(world.events) else None
+    if variant.mistake not in _OF_ANGLES or line is None or not isinstance(step, Impact):
+        return False
+    motion = Telling(world, degrees=False)
+    for body in (step.first, step.second):
+        if body in world.start:
+            velocity = motion.velocity(body, number - 1)
+            along, across = (
+                np.abs(world.spread(each)) for each in (velocity.dot(line), velocity.cross(line))
+            )
+            if np.all(along < _TINY) and np.all(across > _TINY):
+                return True
+    return False
 
 
 def _is_bare(entry: Entry) -> bool:

@@ -304,7 +304,9 @@ def _is_relative_speed_across(entry: Entry, world: World) -> bool:
 def is_law_of_speeds(entry: Entry, world: World) -> bool:
     """Whether the speed after a wall is e times that before it."""
     for number, step in enumerate(world.events, 1):
-        if not isinstance(step, Impact) or step.second not in world.walls:
+        if not has_coefficient(step) or not isinstance(step, Impact):
+            continue
+        if step.second not in world.walls or is_speed_by_energies(entry, world):
             continue
         before, after = (Quantity("speed", (Name(step.first),), n) for n in (number - 1, number))
         slowed = Binary("*", Quantity("restitution", (), number), before)

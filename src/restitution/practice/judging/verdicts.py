@@ -147,6 +147,8 @@ class Judge(Following):
         uses = (explained.near or line.uses) if idle else line.uses
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
             uses = tuple(dict.fromkeys((*_uses_of_variants(explained.variants, mistake), *uses)))
+        if mistake.kind == "misconception" and not mistake.variants:
+            uses = tuple(each if each.altered is None else _of(mistake, each) for each in uses)
         mended = explained.mended if mistake.kind == "slip" else None
         return replace(line, mistake=mistake, uses=uses, mended=mended)
 
@@ -621,6 +623,11 @@ def _lines_of(script: Script) -> dict[str, set[int]]:
                 for name in letters(side):
                     lines.setdefault(name, set()).add(line.number)
     return lines
+
+
+def _of(mistake: Mistake, use: Use) -> Use:
+    """An altered law as one of a mistake that has no variant in the line."""
+    return replace(use, altered=f"{mistake.id}/1")
 
 
 def _is_monomial(tree: Expression) -> bool:

@@ -485,8 +485,21 @@ class _Examiner:
                     yield line, use
 
     def _is_by_chance(self, line: JudgedLine, use: Use) -> bool:
-        """Whether a value that follows from a mistake only happens to fit another altered law."""
-        return line.verdict == "follows" and bool(use.altered) and self.values.is_solved(line)
+        """Whether what follows from a mistake only happens to fit another altered law.
+
+        So it does where the law itself is stated, wrongly, in a line above.
+        """
+        if line.verdict != "follows" or not use.altered:
+            return False
+        return self.values.is_solved(line) or any(
+            each.verdict == "false"
+            and each.line.number < line.line.number
+            and any(
+                (own.principle, own.event) == (use.principle, use.event)
+                for own in fitting_uses(each)
+            )
+            for each in self.lines
+        )
 
     def _is_stated_wrongly(self, line: JudgedLine, use: Use) -> bool:
         """Whether a line only implies a law that a line above states wrongly."""

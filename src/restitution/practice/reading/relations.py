@@ -125,7 +125,7 @@ def has_head(label: Token) -> bool:
 def is_heading(label: Token) -> bool:
     """Whether a label names a direction and no component: ``opposite direction:``."""
     words = set(label.name.split())
-    named = words & DIRECTIONS.keys() - {"opposite"}
+    named = words & (DIRECTIONS.keys() - {"opposite"} | {"i", "j"})
     return not has_head(label) and bool(words & {"direction", "opposite"}) and not named
 
 
