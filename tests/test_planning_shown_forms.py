@@ -36,6 +36,40 @@ show speed(A) < u
         ),
         ("√2(1 + e)/(4√(1 − e))",),
     ),
+    "an angle to a wall in degrees": (
+        """
+wall W: along i
+sphere P: velocity u at 60° to W
+P hits W: e = 1/3
+show angle(velocity(P), W) = 30°
+""",
+        ("tan β = (√3 u/6)/(u/2) = √3/3", "β = 30°   (as required)"),
+        ("not written",),
+    ),
+    "an angle to a wall by that of the approach": (
+        """
+wall AB: along i
+wall BC: along j
+sphere P: velocity u at theta to AB
+P hits AB: e = 1/2
+P hits BC: e = 1/2
+show angle(velocity(P), AB) = theta
+show angle(velocity(P), BC) = 90° - theta
+""",
+        ("= tan θ", "β = θ   (as required)", "= 90° − θ   (as required)"),
+        ("not written",),
+    ),
+    "an angle to a line of centres by that of the approach": (
+        """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: velocity u at 180° - alpha
+A hits B: along i, e = 1
+show angle(velocity(A), line_of_centres) = alpha
+""",
+        ("tan β = u sin α/(u cos α) = tan α", "β = α   (as required)"),
+        ("not written",),
+    ),
     "a percentage": (
         """
 sphere A: mass m, velocity u at alpha

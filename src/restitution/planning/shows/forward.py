@@ -9,6 +9,7 @@ from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import (
     Apply,
     Degrees,
+    Expression,
     Letter,
     Name,
     Quantity,
@@ -309,9 +310,12 @@ def _component_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
 
 
 def _inverse_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
-    """An angle that is printed by its tangent: the tangent, and then the angle."""
+    """An angle that is printed by its tangent, in degrees or letters: its tangent comes first."""
+    tangent: Expression | None = None
     match link:
         case Link(Quantity("angle" | "deflection") as quantity, "=", Apply("arctan", tangent)):
+            pass
+        case Link(Quantity("angle") as quantity, "=", right) if not has_quantity(right):
             pass
         case _:
             return None
@@ -321,7 +325,7 @@ def _inverse_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
         own = scene.desk.last_link(line)
         if not isinstance(own.left, Apply):
             raise NotPlannedError("an angle without a tangent")
-        if own.right != tangent:
+        if tangent is not None and own.right != tangent:
             names = claims.judge.known(letters(own.right) | letters(tangent))
             form = claims.judge.write(LAST, [line, *names], chain(own.left, (tangent, None)))
             if form is None:
@@ -329,7 +333,8 @@ def _inverse_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
             line = form
         line, angle, extent = claims.worths.lettered(line, own.left.argument)
         relation = chain(angle, (link.right, None))
-        last = claims.judge.write((Move("inverse"),), [line, *extent], relation)
+        bounds = () if tangent is not None else claims.judge.known(letters(link.right))
+        last = claims.judge.write((Move("inverse"),), [line, *extent, *bounds], relation)
         if last is not None:
             return last, relation
     except NotPlannedError:
