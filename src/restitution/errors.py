@@ -108,10 +108,17 @@ class TimeLimitError(RestitutionError):
     kind = "time limit"
 
 
-def require(value: object, kind: type | tuple[type, ...], taker: str, maker: str) -> None:
-    """Raise TypeError where a function was given something of another kind.
+_MADE_BY = {
+    "Problem": "restitution.parse(text) makes one",
+    "Solution": "restitution.solve(problem) makes one",
+    "str": "restitution.read(path) reads a file",
+}
 
-    ``taker`` is what it takes in words, and ``maker`` what makes such a thing.
-    """
+
+def require(value: object, kind: type | tuple[type, ...], taker: str) -> None:
+    """Raise TypeError where a function, the ``taker``, was given something of another kind."""
     if not isinstance(value, kind):
-        raise TypeError(f"{taker}, and not {type(value).__name__}: {maker}")
+        name = (kind[0] if isinstance(kind, tuple) else kind).__name__
+        wanted = "text" if name == "str" else name
+        given = type(value).__name__
+        raise TypeError(f"{taker} takes a {wanted}, and not {given}: {_MADE_BY[name]}")

@@ -32,7 +32,7 @@ class Line:
 
 def decode(text: str | bytes) -> str:
     """The text itself, of a bearable size. Raises StatementError for bytes that are no UTF-8."""
-    require(text, (str, bytes), "parse takes a text", "restitution.read(path) reads a file")
+    require(text, (str, bytes), "parse")
     if len(text) > MAX_TEXT_BYTES:
         raise StatementError(
             f"the text is too long: at most {MAX_TEXT_BYTES} bytes, and this has {len(text)}", 1, 1

@@ -26,7 +26,7 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
     sense (a body that is not there, a number where a vector is needed), as reading its text would
     have done.
     """
-    require(problem, Problem, "solve takes a Problem", "restitution.parse(text) makes one")
+    require(problem, Problem, "solve")
     check(problem)
     limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
     with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):

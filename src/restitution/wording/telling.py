@@ -65,7 +65,7 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
     <BLANKLINE>
     Find the speed of P immediately after the impact.
     """
-    require(problem, Problem, "question takes a Problem", "restitution.parse(text) makes one")
+    require(problem, Problem, "question")
     check(problem)
     _exact(problem)
     scene = scene_of(problem)

@@ -27,7 +27,7 @@ def draw(solution: Solution, part: str | None = None) -> Drawings:
     from restitution.drawing import Drawings, scenes
     from restitution.solving.equations.solution import Solution
 
-    require(solution, Solution, "draw takes a Solution", "restitution.solve(problem) makes one")
+    require(solution, Solution, "draw")
     return Drawings(scenes(solution, part, letters_of_working(solution)))
 
 

@@ -44,7 +44,7 @@ def explain(
     with their reason. Raises UnsupportedError for the altered world of a mistake,
     KeyError for a part that is not there, and ValueError for a style or a route that cannot be.
     """
-    require(solution, Solution, "explain takes a Solution", "restitution.solve(problem) makes one")
+    require(solution, Solution, "explain")
     if solution.mistake is not None:
         raise UnsupportedError(
             f"this is the altered world of {solution.mistake}, which has answers and no working"
