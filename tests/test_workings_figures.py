@@ -119,3 +119,11 @@ def test_angles_are_kept_and_long_values_have_figures(statement: str, says: list
     assert not follow(derivation, Oracle(roles(problem)))
     text = " ".join(to_text(explanation_of(derivation, problem)).split())
     assert [each for each in says if each not in text] == []
+
+
+def test_the_power_of_a_number_does_not_run_into_a_letter() -> None:
+    text = printed(
+        "sphere A: mass m, velocity 8i\nsphere B: mass 2m, at rest\n"
+        "A hits B: along i, e = 1/2\nfind energy_lost"
+    )
+    assert "kinetic energy lost = ½m × 8² − ½ × 2m × 4² = 16m" in text

@@ -7,6 +7,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import fields, replace
 from fractions import Fraction as Ratio
 from functools import lru_cache, reduce
+from itertools import pairwise
 from math import isqrt
 from typing import Any, TypeGuard
 
@@ -415,9 +416,15 @@ def _grouped(product: lay.Product) -> lay.Layout:
         *head, last = first.factors
         joined = lay.product(last, *rest)
         own = _grouped(joined) if isinstance(joined, lay.Product) else joined
+        if isinstance(own, lay.Product) and own.sign == "×":
+            return lay.Product((*head, *own.factors), "×")
         return lay.Product((*head, own), "×")
     if product.sign:
         return product
+    power = _power_of_a_number(product.factors)
+    if power:
+        sides = product.factors[:power], product.factors[power:]
+        return lay.Product(tuple(lay.product(*side) for side in sides), "×")  # ½m × 8²
     again = _repeated(product.factors)
     if again is not None:
         sides = product.factors[:again], product.factors[again:]
@@ -443,6 +450,15 @@ def _grouped(product: lay.Product) -> lay.Layout:
         for group in groups
     ]
     return lay.Product(tuple(whole))
+
+
+def _power_of_a_number(factors: Sequence[lay.Layout]) -> int:
+    """Where the power of a number stands behind a letter; 0 where none does."""
+    for index, (before, factor) in enumerate(pairwise(factors), 1):
+        of_number = isinstance(factor, lay.Power) and isinstance(factor.base, lay.Number)
+        if of_number and isinstance(before, lay.Letter):
+            return index
+    return 0
 
 
 def _repeated(factors: Sequence[lay.Layout]) -> int | None:
