@@ -45,12 +45,14 @@ from restitution.practice.judging.plain_mistakes import (
     has_coefficient,
     holds_in,
     is_coefficient,
+    is_direct,
     is_energetic,
     is_law_of_speeds,
     is_of_energy,
     is_speed_by_energies,
     is_whole_speed,
     is_worth,
+    moves_across,
     not_negative,
     plainly,
     sign_of_a_component,
@@ -63,9 +65,8 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import difference, numbers_of
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.student import altered_world
-from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given, Impact, Problem
+from restitution.problem import Compare, Given, Problem
 from restitution.vector import Vector
 
 # A sign that is turned undoes these, and so is no slip beside them.
@@ -184,7 +185,8 @@ class Names:
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
         if whole or law:
             plain = "speed-for-component" if whole else "restitution-whole-speed"
-        if variants and all(_is_of_one_across(each, judge.base) for each in variants):
+        turned = all(each.mistake in _OF_ANGLES for each in variants)
+        if variants and turned and moves_across(variants[0].event.number, judge.base):
             variants, plain = (), "speed-for-component"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
@@ -199,7 +201,7 @@ class Names:
                 plain = "restitution-sign"
             if is_sum_of_angles(entry) and _is_deflection(entry):
                 plain = "deflection-difference"
-        direct = all(_is_direct(each.event.number, judge.base) for each in variants)
+        direct = all(is_direct(each.event.number, judge.base) for each in variants)
         blow = plain == "mass-omitted" and not is_of_energy(entry)
         impulse = blow or _is_impulse(entry.claim.left, entry)
         return Explained(variants, slip, at, near if idle else (), claim, plain, direct, impulse)
@@ -427,40 +429,6 @@ class Names:
                 values += _numbers_in(world, candidate.quantity)
             self._familiar[world.solution] = tuple(dict.fromkeys(each for each in values if each))
         return self._familiar[world.solution]
-
-
-def _is_direct(number: int, world: World) -> bool:
-    """Whether no sphere moves across the line of centres before an impact."""
-    line = world.lines.get(number)
-    step = world.events[number - 1] if number <= len(world.events) else None
-    if line is None or not isinstance(step, Impact):
-        return False
-    motion = Telling(world, degrees=False)
-    spheres = [each for each in (step.first, step.second) if each in world.start]
-    across = (world.spread(motion.velocity(each, number - 1).cross(line)) for each in spheres)
-    return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
-
-
-def _is_of_one_across(variant: VariantAt, world: World) -> bool:
-    """Whether sine and cosine are exchanged where a sphere moves across the line of centres.
-
-    Its component along the line, zero, is then its speed, whatever angle others move at.
-    """
-    number = variant.event.number
-    line = world.lines.get(number)
-    step = world.events[number - 1] if number <= len(world.events) else None
-    if variant.mistake not in _OF_ANGLES or line is None or not isinstance(step, Impact):
-        return False
-    motion = Telling(world, degrees=False)
-    for body in (step.first, step.second):
-        if body in world.start:
-            velocity = motion.velocity(body, number - 1)
-            along, across = (
-                np.abs(world.spread(each)) for each in (velocity.dot(line), velocity.cross(line))
-            )
-            if np.all(along < _TINY) and np.all(across > _TINY):
-                return True
-    return False
 
 
 def _is_bare(entry: Entry) -> bool:

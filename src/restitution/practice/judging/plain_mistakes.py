@@ -33,6 +33,7 @@ from restitution.practice.reading.phrases import is_phrase, is_relative
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, is_bare
+from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
@@ -360,6 +361,39 @@ def _is_share_by_speeds(entry: Entry, world: World) -> bool:
 def _is(value: Expression, tree: Expression, entry: Entry, world: World) -> bool:
     """Whether a tree of an entry has the value of another one in a world, to three figures."""
     return holds_in(replace(entry, claim=Claim(value, "=", tree)), world)
+
+
+def is_direct(number: int, world: World) -> bool:
+    """Whether no sphere moves across the line of centres before an impact."""
+    line = world.lines.get(number)
+    step = world.events[number - 1] if number <= len(world.events) else None
+    if line is None or not isinstance(step, Impact):
+        return False
+    motion = Telling(world, degrees=False)
+    spheres = [each for each in (step.first, step.second) if each in world.start]
+    across = (world.spread(motion.velocity(each, number - 1).cross(line)) for each in spheres)
+    return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
+
+
+def moves_across(number: int, world: World) -> bool:
+    """Whether a sphere moves across the line of centres before an impact, and not along it.
+
+    Its component along the line, zero, is its speed where sine and cosine are exchanged.
+    """
+    line = world.lines.get(number)
+    step = world.events[number - 1] if number <= len(world.events) else None
+    if line is None or not isinstance(step, Impact):
+        return False
+    motion = Telling(world, degrees=False)
+    for body in (step.first, step.second):
+        if body in world.start:
+            velocity = motion.velocity(body, number - 1)
+            along, across = (
+                np.abs(world.spread(each)) for each in (velocity.dot(line), velocity.cross(line))
+            )
+            if np.all(along < _TINY) and np.all(across > _TINY):
+                return True
+    return False
 
 
 def has_coefficient(event: object) -> bool:

@@ -1,17 +1,11 @@
-"""What a student's lines give: which side names what is asked, and which one is its value.
-
-A side names a quantity if both are worth the same, up to a sign, whatever happens at the impacts:
-in a world in which velocities and unknown letters are scattered. A side is a value if nothing
-there changes it.
-"""
+"""What a student's lines give to the points of a scheme: values, equations, what they show."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -19,38 +13,37 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Link
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
     Letter,
-    Negate,
     Number,
     Quantity,
     Unit,
-    children,
     walk,
 )
-from restitution.practice.judgement import JudgedLine, Meaning
-from restitution.practice.letters.interpretation import Interpretation
+from restitution.practice.judgement import JudgedLine
 from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.marking.sides import (
+    Sides,
+    are_close,
+    are_near,
+    chains,
+    is_fine,
+    names_in,
+    quantities_in,
+)
 from restitution.practice.reading.quoted import has_data
-from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
-from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
+from restitution.practice.worlds.arrays import UnvaluedError, is_bare
 from restitution.practice.worlds.principles import is_worked
-from restitution.practice.worlds.student import scattered_world, told_world
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 from restitution.vector import Vector
 
 Match = Literal["true", "own"]
 
-_NEAR = 1e-7
-_LEAST = 1e-9
-_ROUNDED = 2e-3
-_IMPULSE = ("I", "J")
 _STAYING = re.compile(r"\b(perp\w*|across|parallel|unchanged|stays?|same)\b", re.IGNORECASE)
 _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
     "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
@@ -68,18 +61,8 @@ _KINDS_OF_FACTS: Mapping[str, frozenset[str]] = {
 
 
 @dataclass(frozen=True, eq=False)
-class Values:
-    """The values of a part, and how a script's letters reach them.
-
-    ``worlds`` are the true ones, one for each admissible solution, ``unknown`` the letters of the
-    statement that are not given. ``his_own`` counts what follows from a slip as true, as a misread
-    datum makes it.
-    """
-
-    worlds: tuple[World, ...]
-    unknown: frozenset[str]
-    letters: tuple[Meaning, ...] = ()
-    his_own: bool = False
+class Values(Sides):
+    """The values of a part, and how the lines of a script reach them."""
 
     def of_his_own(self) -> Values:
         """The values for a working from another datum."""
@@ -125,7 +108,7 @@ class Values:
         angle = link.left.argument if isinstance(link.left, Apply) else link.left
         return any(
             self._names(side, each, meanings, line)
-            for chain in _chains(line)
+            for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
             for each in dict.fromkeys((link.left, angle))
@@ -143,7 +126,7 @@ class Values:
             and each.function in ("sin", "cos", "tan", "cot")
             and self._names(each.argument, angle, meanings, line)
             and self.velocities_in(claim, line) <= {each.argument}
-            for chain in _chains(line)
+            for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
             for each in walk(side)
@@ -178,17 +161,6 @@ class Values:
                     continue
         return False
 
-    def _is_of_velocity(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
-        """Whether a side is a component of the velocity, or of the speed, that a quantity is."""
-        if not (isinstance(quantity, Quantity) and quantity.kind in ("velocity", "speed")):
-            return False
-        meanings = self._meanings(line)
-        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
-        velocity = replace(quantity, kind="velocity")
-        return self._is_component(meant) and any(
-            self._names(each, velocity, {}, line) for each in _within(meant)
-        )
-
     def completes(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> Match | None:
         """Whether the last of some lines completes the components of a point's velocity."""
         link = point.link
@@ -201,7 +173,7 @@ class Values:
         if not own:
             return None
         size = self._size(link.left)
-        if size is None or not any(_near(a + b, size**2) for a in own for b in squares):
+        if size is None or not any(are_near(a + b, size**2) for a in own for b in squares):
             return None
         sound = all(line.verdict == "true" for line in lines if self._squares(link.left, line))
         return "own" if not sound else self._match(lines[-1])
@@ -214,10 +186,10 @@ class Values:
         meanings = self._meanings(line)
         return any(
             claim.sign == "="
-            and len(set(_names_in(claim.left))) == 1
+            and len(set(names_in(claim.left))) == 1
             and self._changes(claim.left, meanings, line)
             and self._is_value(claim.right, meanings, line)
-            for chain in _chains(line)
+            for chain in chains(line)
             for claim in chain
         )
 
@@ -225,14 +197,8 @@ class Values:
         """Whether one velocity is left in an equation that no law alone gives."""
         if line.uses and line.uses[0].principle not in _OF_SEVERAL:
             return False
-        names = [self.velocities_in(claim, line) for chain in _chains(line) for claim in chain]
+        names = [self.velocities_in(claim, line) for chain in chains(line) for claim in chain]
         return any(len(each) == 1 for each in names)
-
-    def unknowns(self, line: JudgedLine) -> frozenset[Expression]:
-        """The letters and quantities of a line that an impact decides."""
-        return frozenset[Expression]().union(
-            *(self.velocities_in(claim, line) for chain in _chains(line) for claim in chain)
-        )
 
     def works_out_an_angle(self, line: JudgedLine) -> bool:
         """Whether a line works out an angle from a ratio of two numbers."""
@@ -242,7 +208,7 @@ class Values:
             and isinstance(each.argument, Binary)
             and each.argument.op == "/"
             and is_bare(each.argument)
-            for chain in _chains(line)
+            for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
             for each in walk(side)
@@ -263,31 +229,16 @@ class Values:
             return False
         if not isinstance(v, Vector):
             return False
-        for chain in _chains(line):
+        for chain in chains(line):
             for side in (side for claim in chain for side in (claim.left, claim.right)):
                 for each in walk(side):
                     match each:
                         case Apply("arctan", Binary("/") as ratio) if is_bare(ratio):
                             tangent = np.abs(world.scalar(ratio))
                             pairs = (v.x, v.y), (v.y, v.x)
-                            if any(_close(tangent * np.abs(a), np.abs(b)) for a, b in pairs):
+                            if any(are_close(tangent * np.abs(a), np.abs(b)) for a, b in pairs):
                                 return True
         return False
-
-    def velocities_in(self, claim: Claim, line: JudgedLine) -> frozenset[Expression]:
-        """The letters and quantities of a claim that an impact decides; none of the statement."""
-        meanings = self._meanings(line)
-        return frozenset(
-            each
-            for side in (claim.left, claim.right)
-            for each in _names_in(side)
-            if not (isinstance(each, Letter) and each.name not in meanings)
-            and self._changes(each, meanings, line)
-        )
-
-    def has_velocities(self, line: JudgedLine) -> bool:
-        """Whether a letter for a velocity after an impact stands in a line."""
-        return any(self.velocities_in(claim, line) for each in _chains(line) for claim in each)
 
     def is_velocity(self, point: MarkPoint) -> bool:
         """Whether a point is for a velocity."""
@@ -337,17 +288,6 @@ class Values:
         left = point.link.left if point.link is not None else None
         return isinstance(left, Quantity) and left.kind == "direction" and not point.shown
 
-    def _is_angle(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
-        """Whether a number, in degrees, is the size of an angle to three figures."""
-        try:
-            own = self._base.value(side, self._meanings(line), line.line.scope)
-            asked = self._base.value(quantity)
-        except UnvaluedError:
-            return False
-        if isinstance(own, Vector) or not isinstance(asked, Angle):
-            return False
-        return _is_rounded(self._base, own, asked)
-
     def has_rebound(self, line: JudgedLine) -> bool:
         """Whether a line has e and, but for an impulse, nothing else that an impact decides."""
         meanings = self._meanings(line)
@@ -377,13 +317,6 @@ class Values:
             for node in walk(side)
         )
 
-    def _is_one_of(self, tree: Expression, numbers: Collection[float]) -> bool:
-        try:
-            own = float(np.ravel(self._base.scalar(tree))[0])
-        except UnvaluedError:
-            return False
-        return any(abs(own - each) <= _NEAR for each in numbers)
-
     def speaks_of(self, point: MarkPoint, principle: str) -> bool:
         """Whether a fact may be stated by a line of a principle: one of energy speaks of energies.
 
@@ -392,7 +325,7 @@ class Values:
         link = point.link
         if principle == "fact" or link is None:
             return True
-        kinds = {each.kind for side in (link.left, link.right) for each in _within(side)}
+        kinds = {each.kind for side in (link.left, link.right) for each in quantities_in(side)}
         return not kinds or bool(kinds & _KINDS_OF_FACTS.get(principle, kinds))
 
     def is_quoted(self, line: JudgedLine) -> bool:
@@ -415,7 +348,7 @@ class Values:
             and not self._changes(each, meanings, line)
             for link in line.line.links
             for side in (link.readings[0].left, link.readings[0].right)
-            for each in _names_in(side)
+            for each in names_in(side)
         )
 
     def is_seen(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -431,24 +364,17 @@ class Values:
         across = point.principle == "unchanged" and bool(_STAYING.search(line.line.text))
         return any(
             self._is_worth(value, link.left, line)
-            or (_is_fine(value) and self._is_rounded_to(value, link.left, line))
+            or (is_fine(value) and self._is_rounded_to(value, link.left, line))
             for value in line.line.values
             if across or not (isinstance(value, Number) and value.value.denominator == 1)
         )
-
-    def _is_rounded_to(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
-        try:
-            own = self._base.value(side, self._meanings(line), line.line.scope)
-            return _is_rounded(self._base, own, self._base.value(quantity))
-        except UnvaluedError:
-            return False
 
     def is_at_a_wall(self, point: MarkPoint) -> bool:
         """Whether a point is for the component of one velocity alone, as at a wall."""
         link = point.link
         if link is None:
             return False
-        after = {each for each in _within(link.left) if each.kind == "velocity"}
+        after = {each for each in quantities_in(link.left) if each.kind == "velocity"}
         return len(after) == 1
 
     def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -459,7 +385,9 @@ class Values:
         own = point.principle == "unchanged"
         if line.verdict == "remark" and own:
             return any(self._is_worth(value, link.right, line) for value in line.line.values)
-        velocity = next((each for each in _within(link.left) if each.kind == "velocity"), None)
+        velocity = next(
+            (each for each in quantities_in(link.left) if each.kind == "velocity"), None
+        )
         if velocity is None or line.verdict not in ("true", "follows", "false"):
             return False
         wrong = line.verdict == "false"
@@ -475,25 +403,6 @@ class Values:
             return False
         return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
 
-    def _has_square(self, value: Expression, line: JudgedLine) -> bool:
-        """Whether the square of a value in letters stands in a line: ``w² = v² + u² sin²α``."""
-        world, meanings = self._scattered, self._meanings(line)
-        square = Binary("^", value, Number(Fraction(2)))
-        if is_bare(value):
-            return False
-        for link in line.line.links:
-            for side in (link.readings[0].left, link.readings[0].right):
-                for each in walk(side):
-                    if not isinstance(each, Binary) or each.op not in ("*", "^"):
-                        continue
-                    try:
-                        own = world.value(each, meanings, line.line.scope)
-                        if _same(world, own, world.value(square)):
-                            return True
-                    except UnvaluedError:
-                        continue
-        return False
-
     def points_along(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line takes a component along the direction that a point is for."""
         link = point.link
@@ -504,246 +413,10 @@ class Values:
             self._is_parallel(vector, link.right, meanings, line)
             for each in line.line.links
             for side in (each.readings[0].left, each.readings[0].right)
-            for product in _within(side)
+            for product in quantities_in(side)
             if product.kind == "dot"
             for vector in product.arguments
         )
-
-    def _is_parallel(
-        self,
-        vector: Expression,
-        direction: Expression,
-        meanings: Mapping[str, Expression],
-        line: JudgedLine,
-    ) -> bool:
-        world = self._base
-        try:
-            own, asked = world.value(vector, meanings, line.line.scope), world.value(direction)
-        except UnvaluedError:
-            return False
-        if not (isinstance(own, Vector) and isinstance(asked, Vector)):
-            return False
-        crossed = own.x * asked.y - own.y * asked.x
-        return _is_zero(world, crossed) and self._is_value(vector, meanings, line)
-
-    def letter_of(self, quantity: Expression) -> Expression | None:
-        """The student's letter for a quantity, with a sign where it has the other sense."""
-        world = self._scattered
-        for meaning in self.letters:
-            if " " in meaning.letter:
-                continue
-            try:
-                own = world.value(meaning.quantity, scope=meaning.scope)
-                asked = world.value(quantity)
-            except UnvaluedError:
-                continue
-            if isinstance(own, Vector) or isinstance(asked, Vector):
-                continue
-            a, b = _number(world, own), _number(world, asked)
-            if _near(a, b):
-                return Letter(meaning.letter)
-            if _near(a, -b):
-                return Negate(Letter(meaning.letter))
-        return None
-
-    def _is_worth(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
-        world = self._base
-        try:
-            own = world.value(side, self._meanings(line), line.line.scope)
-            return _same(world, own, world.value(quantity))
-        except UnvaluedError:
-            return False
-
-    def value_of(
-        self, tree: Expression, line: JudgedLine, open_: bool = False
-    ) -> Expression | None:
-        """The side of a line that gives a quantity its value, the last one typed.
-
-        With ``open_`` the letters that the question asks for may stand in it.
-        """
-        meanings = self._meanings(line)
-        last: Expression | None = None
-        for chain in _chains(line):
-            if self._names(chain[0].left, tree, meanings, line):
-                last = next(
-                    (
-                        claim.right
-                        for claim in reversed(chain)
-                        if self._is_value(claim.right, meanings, line, open_)
-                    ),
-                    last,
-                )
-            elif self._names(chain[-1].right, tree, meanings, line) and self._is_value(
-                chain[0].left, meanings, line, open_
-            ):
-                last = chain[0].left
-        return last
-
-    # --- sides ----------------------------------------------------------------------------------
-
-    def _is_open(self, point: MarkPoint) -> bool:
-        """Whether letters that the question asks for stand in the value of a point."""
-        assert point.link is not None
-        return any(
-            isinstance(each, Letter) and each.name in self.unknown
-            for each in walk(point.link.right)
-        )
-
-    def _gives(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
-        if line.verdict == "remark":
-            return False
-        if self.value_of(quantity, line, open_) is not None:
-            return True
-        ratio = isinstance(quantity, Binary) and quantity.op == "/"
-        return ratio and self._gives_ratio(quantity, line, open_)  # type: ignore[arg-type]
-
-    def _gives_ratio(self, ratio: Binary, line: JudgedLine, open_: bool) -> bool:
-        """Whether a line gives one of two quantities by the other: ``q = 2p`` for q/p."""
-        meanings = self._meanings(line)
-        for chain in _chains(line):
-            sides = chain[0].left, chain[-1].right
-            for one, other in (sides, sides[::-1]):
-                match one:
-                    case Binary("/", above, below) if self._is_size(
-                        above, ratio.left, line
-                    ) and self._names(below, ratio.right, meanings, line):
-                        value: Expression = other
-                    case _ if self._is_size(one, ratio.left, line):
-                        value = Binary("/", other, ratio.right)
-                    case _ if self._is_size(one, ratio.right, line):
-                        value = Binary("/", ratio.left, other)
-                    case _:
-                        continue
-                if self._is_value(value, meanings, line, open_):
-                    return True
-        return False
-
-    def _is_size(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
-        """Whether a side names a quantity, or is the only component of a speed."""
-        meanings = self._meanings(line)
-        if self._names(side, quantity, meanings, line):
-            return True
-        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
-        speed = isinstance(quantity, Quantity) and quantity.kind == "speed"
-        return speed and self._is_component(meant) and self._is_worth(side, quantity, line)
-
-    def _gives_multiple(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
-        """Whether a line gives a multiple of a quantity its value: ``2w = (1 + e)u``."""
-        if line.verdict == "remark":
-            return False
-        meanings = self._meanings(line)
-        world = self._released if open_ else self._scattered
-        for chain in _chains(line):
-            first, last = chain[0].left, chain[-1].right
-            if len(set(_names_in(first))) != 1 or not self._is_value(last, meanings, line, open_):
-                continue
-            if not self._changes(first, meanings, line):
-                continue  # 3/√5 is a multiple of any number
-            try:
-                own = world.value(first, meanings, line.line.scope)
-                asked = world.value(quantity)
-            except UnvaluedError:
-                continue
-            if isinstance(own, Vector | Angle) or isinstance(asked, Vector | Angle):
-                continue
-            a, b = _number(world, own), _number(world, asked)
-            if _is_zero(world, asked):
-                continue
-            ratio = a / np.where(b == 0, 1.0, b)
-            if np.ptp(ratio) <= _NEAR * abs(ratio[0]) and abs(ratio[0]) > _NEAR:
-                return True
-        return False
-
-    def _computes(self, quantity: Expression, line: JudgedLine) -> bool:
-        """Whether a true line without a name computes what a quantity is worth, and is not zero."""
-        if line.verdict != "true":
-            return False
-        meanings = self._meanings(line)
-        for chain in _chains(line):
-            first, last = chain[0].left, chain[-1].right
-            impulse = isinstance(first, Letter) and first.name in _IMPULSE
-            impulse = impulse and isinstance(quantity, Quantity) and quantity.kind == "impulse"
-            nameless = self._is_nameless(first, meanings, line)
-            if not nameless and not impulse:
-                continue
-            try:
-                worth = self._base.value(last, meanings, line.line.scope)
-                asked = self._base.value(quantity)
-            except UnvaluedError:
-                continue
-            rounded = line.line.links[-1].decimals and line.accuracy != "coarse"
-            near = _is_rounded if rounded else _same
-            if near(self._base, worth, asked) and not _is_zero(self._base, asked):
-                return True
-        return False
-
-    def _is_nameless(
-        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
-    ) -> bool:
-        """Whether a side is a calculation, or a letter of which no meaning is known."""
-        if isinstance(side, Number):
-            return False
-        if isinstance(side, Letter):
-            if line.uses and all(use.principle == "arithmetic" for use in line.uses):
-                return True
-            return side.name not in meanings and not self._has_value(side, meanings, line)
-        return self._is_value(side, meanings, line)
-
-    def _has_value(
-        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
-    ) -> bool:
-        try:
-            self._base.value(side, meanings, line.line.scope)
-        except UnvaluedError:
-            return False
-        return True
-
-    def _gives_whole(self, quantity: Expression, line: JudgedLine) -> bool:
-        """Whether a line gives the only component of a velocity, where the other one is zero."""
-        size = self._size(quantity)
-        return size is not None and any(
-            _near(square, size**2) for square in self._squares(quantity, line)
-        )
-
-    def _squares(self, quantity: Expression, line: JudgedLine) -> list[Array]:
-        """The true squares of the components of a velocity that a sound line gives a value."""
-        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
-            return []
-        if line.verdict not in ("true", "follows", "false"):
-            return []
-        velocity = replace(quantity, kind="velocity")
-        meanings = self._meanings(line)
-        squares: list[Array] = []
-        for chain in _chains(line):
-            sides = chain[0].left, chain[-1].right
-            for named, value in (sides, sides[::-1]):
-                tree = exchanged(named, {Letter(name): meant for name, meant in meanings.items()})
-                if not any(self._names(each, velocity, {}, line) for each in _within(tree)):
-                    continue
-                if not self._is_component(tree) or not self._is_value(value, meanings, line):
-                    continue
-                try:
-                    true = self._base.value(named, meanings, line.line.scope)
-                except UnvaluedError:
-                    continue
-                if not isinstance(true, Vector):
-                    squares.append(_number(self._base, true) ** 2)
-        return squares
-
-    def _is_component(self, tree: Expression) -> bool:
-        """Whether a tree is a component of a velocity, or that turned round."""
-        if isinstance(tree, Negate):
-            (tree,) = children(tree)
-        return isinstance(tree, Quantity) and tree.kind in ("along", "across")
-
-    def _size(self, quantity: Expression) -> Array | None:
-        """The true size of a velocity or speed; None where a quantity is neither."""
-        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
-            return None
-        try:
-            return _number(self._base, self._base.value(replace(quantity, kind="speed")))
-        except UnvaluedError:
-            return None
 
     def states(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line says what a point's own relation says, whatever happens.
@@ -769,33 +442,12 @@ class Values:
             if (claim.sign in FLIPPED) == (link.sign in FLIPPED)
         )
 
-    def _are_multiples(
-        self,
-        world: World,
-        own: tuple[Expression, Expression],
-        asked: tuple[Expression, Expression],
-        meanings: Mapping[str, Expression],
-        line: JudgedLine,
-    ) -> bool:
-        try:
-            values = [world.value(x, meanings, line.line.scope) for x in own]
-            values += [world.value(x) for x in asked]
-        except UnvaluedError:
-            return False
-        if any(isinstance(value, Vector) for value in values):
-            return False
-        left, right, first, second = (_number(world, value) for value in values)
-        a, b = left - right, first - second
-        if np.any(np.abs(a) < _LEAST) or np.any(np.abs(b) < _LEAST):
-            return False
-        return bool(np.ptp(a / b) < _LEAST * np.max(np.abs(a / b)))
-
     def _is_printed(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line is the printed relation, its sides perhaps exchanged, or ends in it."""
         link = point.link
         assert link is not None
         meanings = self._meanings(line)
-        for chain in _chains(line):
+        for chain in chains(line):
             first, last = chain[0].left, chain[-1].right
             for left, right in ((first, last), (last, first)):
                 if self._names(left, link.left, meanings, line) and self._names(
@@ -803,171 +455,3 @@ class Values:
                 ):
                     return True
         return False
-
-    def _names(
-        self,
-        side: Expression,
-        quantity: Expression,
-        meanings: Mapping[str, Expression],
-        line: JudgedLine,
-    ) -> bool:
-        """Whether a side is worth what a quantity is, up to a sign, whatever happens."""
-        world = self._scattered
-        try:
-            own = world.value(side, meanings, line.line.scope)
-            asked = world.value(quantity)
-        except UnvaluedError:
-            return False
-        return _same(world, own, asked) or self._is_size_of(side, quantity, meanings)
-
-    def _is_size_of(
-        self, side: Expression, quantity: Expression, meanings: Mapping[str, Expression]
-    ) -> bool:
-        """Whether a side is a component of an impulse, and so its size, as smooth bodies meet."""
-        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
-        if not isinstance(quantity, Quantity) or quantity.kind != "impulse" or quantity.arguments:
-            return False
-        try:
-            own, asked = self._base.value(meant), self._base.value(quantity)
-        except UnvaluedError:
-            return False
-        inside = [each for each in _within(meant) if each.kind == "impulse"]
-        return bool(inside) and not isinstance(own, Vector) and _same(self._base, own, asked)
-
-    def _changes(
-        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
-    ) -> bool:
-        try:
-            true = self._base.value(side, meanings, line.line.scope)
-            other = self._scattered.value(side, meanings, line.line.scope)
-        except UnvaluedError:
-            return False
-        return not _same(self._base, true, other)
-
-    def _is_value(
-        self,
-        side: Expression,
-        meanings: Mapping[str, Expression],
-        line: JudgedLine,
-        open_: bool = False,
-    ) -> bool:
-        """Whether nothing that happens at the impacts changes a side.
-
-        With ``open_`` the letters that the question asks for are as they are.
-        """
-        world = self._released if open_ else self._scattered
-        try:
-            true = self._base.value(side, meanings, line.line.scope)
-            other = world.value(side, meanings, line.line.scope)
-        except UnvaluedError:
-            return False
-        return _same(self._base, true, other)
-
-    @property
-    def _base(self) -> World:
-        return self.worlds[0]
-
-    @cached_property
-    def _scattered(self) -> World:
-        return scattered_world(self._base, self.unknown)
-
-    @cached_property
-    def _told(self) -> World | None:
-        """A world in which all laws hold, with other letters than the question leads to."""
-        return told_world(self._base, self.unknown) if self.unknown else None
-
-    @cached_property
-    def _released(self) -> World:
-        """A world in which velocities are scattered, and no letters of the statement."""
-        return scattered_world(self._base, frozenset())
-
-    def _meanings(self, line: JudgedLine) -> Mapping[str, Expression]:
-        return {**Interpretation(self.letters).trees(line.line.number), **line.meant}
-
-
-def _chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
-    """The relations of a line, links of a chain together, in the reading that is most natural."""
-    chain: list[Claim] = []
-    for link in line.line.links:
-        claim = _of_direction(link.readings[0])
-        if chain and chain[-1].right != claim.left:
-            yield chain
-            chain = []
-        chain.append(claim)
-    if chain:
-        yield chain
-
-
-def _of_direction(claim: Claim) -> Claim:
-    """A vector that has no part across a line, as the direction of that line."""
-    right = claim.right
-    if claim.left == Number(Fraction(0)) and isinstance(right, Quantity) and right.kind == "across":
-        vector, line = right.arguments
-        return Claim(line, "=", vector)
-    return claim
-
-
-def _names_in(tree: Expression) -> Iterator[Expression]:
-    """The letters and quantities of a tree; those within a quantity are left out."""
-    if isinstance(tree, Letter | Quantity):
-        yield tree
-        return
-    for child in children(tree):
-        yield from _names_in(child)
-
-
-def _within(tree: Expression) -> Iterator[Quantity]:
-    """The quantities of a tree, outer ones first."""
-    if isinstance(tree, Quantity):
-        yield tree
-    for child in children(tree):
-        yield from _within(child)
-
-
-def _same(world: World, one: Value, other: Value) -> bool:
-    """Whether two values agree in all samples, up to a sign."""
-    if isinstance(one, Vector) or isinstance(other, Vector):
-        if not (isinstance(one, Vector) and isinstance(other, Vector)):
-            return False
-        return any(
-            _near(world.spread(one.x), sign * world.spread(other.x))
-            and _near(world.spread(one.y), sign * world.spread(other.y))
-            for sign in (1, -1)
-        )
-    a, b = _number(world, one), _number(world, other)
-    return _near(a, b) or _near(a, -b)
-
-
-def _is_rounded(world: World, own: Value, true: Value) -> bool:
-    """Whether a value is another one to 3 figures; a bare number is an angle in degrees."""
-    if isinstance(own, Vector) or isinstance(true, Vector):
-        return _same(world, own, true)
-    a, b = _number(world, own), _number(world, true)
-    if isinstance(true, Angle) and not isinstance(own, Angle):
-        a = np.radians(a)
-    return bool(np.allclose(np.abs(a), np.abs(b), rtol=_ROUNDED))
-
-
-def _is_fine(tree: Expression) -> bool:
-    """Whether a value is a decimal."""
-    return isinstance(tree, Number) and tree.value.denominator != 1
-
-
-def _is_zero(world: World, value: Value) -> bool:
-    if isinstance(value, Vector):
-        return _is_zero(world, value.x) and _is_zero(world, value.y)
-    number = _number(world, value)
-    return _near(number, 0 * number)
-
-
-def _number(world: World, value: Value) -> Array:
-    return world.spread(value.measure() if isinstance(value, Angle) else value)
-
-
-def _near(a: Array, b: Array) -> bool:
-    return bool(np.allclose(a, b, rtol=_NEAR, atol=_NEAR))
-
-
-def _close(one: Array, other: Array) -> bool:
-    """Whether two sizes agree to three figures."""
-    return bool(np.all(np.abs(one - other) <= 0.005 * np.abs(other)))

@@ -1,0 +1,584 @@
+"""Each point of a scheme by itself: the line of a working that earns or loses it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
+from restitution.expression.tree import walk
+from restitution.practice.judgement import JudgedLine, Judgement, Use
+from restitution.practice.marking.lines import (
+    SOUND,
+    continues,
+    fitting_uses,
+    has_vector,
+    is_sound,
+)
+from restitution.practice.marking.marks import PointMark, State
+from restitution.practice.marking.scheme import MarkPoint, Scheme
+from restitution.practice.marking.values import Values
+
+_OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
+_UNSURE = ("asks", "unread")
+
+# The words in which it is said whether bodies meet.
+_CONCLUDING = re.compile(r"\b(again|collide|collides|collision|hit|hits|meet|catch)\b", re.I)
+
+LAWS = ("momentum", "restitution", "unchanged")
+_UNGROUNDED = "does not follow from the true lines above"
+
+# What a condition of the question is stated with.
+_CONDITIONS = ("fact", "speed", "energy", "angle", "deflection")
+
+# Methods that a value of what they are for shows.
+OF_VALUES = (
+    "component",
+    "speed",
+    "angle",
+    "energy",
+    "impulse",
+    "deflection",
+    "velocity",
+    "scalar-product",
+    "place",
+)
+
+# The words of verdicts for the principle of a point, where they are several.
+_NAMES: Mapping[str, tuple[str, ...]] = {
+    "momentum": ("momentum", "impulse"),
+    "velocity": ("velocity", "component"),
+    "speed": ("speed", "energy"),
+    "angle": ("angle", "direction"),
+    "scalar-product": ("scalar-product", "deflection"),
+    "fact": ("fact", "energy", "angle", "deflection", "speed"),
+    "solve": ("solve", "value"),
+}
+
+
+class EachPoint:
+    """The lines of a working, and what each point of one scheme finds in them."""
+
+    def __init__(self, judgement: Judgement, scheme: Scheme, values: Values) -> None:
+        self.lines = judgement.lines
+        self.scheme = scheme
+        self.values = values
+        self.states: dict[str, PointMark] = {}
+
+    def _first(self, point: MarkPoint) -> PointMark:
+        if point.letter == "M":
+            return self._method(point)
+        if point.equation:
+            return self._equation(point)
+        if point.letter == "B" and point.item is None:
+            return self._independent(point)
+        value = self._value(point)
+        said = self._said(point) if point.shown and value.line is None else None
+        return value if said is None else self._earned(point, said, "said in words")
+
+    def _method(self, point: MarkPoint) -> PointMark:
+        """A line that uses the principle; one with a mistake has the rule of that mistake."""
+        lost = self._of_other_energy(point)
+        if lost is not None:
+            return lost
+        for line, use in self._uses(point):
+            if point.principle == "solve" and not line.grounded:
+                continue
+            # What follows by a definition is worked out from his own values by the right one.
+            defined = line.verdict == "follows" and point.principle in OF_VALUES
+            if (use.altered is None or defined) and is_sound(line):
+                if line.verdict != "follows" or lost is None:
+                    return self._earned(point, line, "")
+                continue
+            earns, why = self._with_mistake(line, use)
+            if earns:
+                return self._earned(point, line, why)
+            lost = lost or PointMark(point, "lost", line.line.number, why)
+        line_of_it = self._by_value(point) or self._pointing(point) or self._condition(point)
+        if line_of_it is not None:
+            return self._earned(point, line_of_it, "")
+        compared = self._compared(point)
+        if compared is not None:
+            return self._earned(point, compared, "")
+        if point.principle == "angle" and (lost is None or self._is_of_deflection(lost)):
+            # The components may go out of the equations of two laws together, or the angle is
+            # worked out to another line first.
+            sound = (each for each in self.lines if each.verdict in SOUND and each.grounded)
+            divided = next(
+                (
+                    each
+                    for each in sound
+                    if self.values.has_angle(point, each) or self.values.works_out_an_angle(each)
+                ),
+                None,
+            )
+            if divided is not None:
+                return self._earned(point, divided, "")
+        if lost is None and point.principle in ("solve", "condition", "method"):
+            line_of_value = self._elimination()
+            if line_of_value is not None:
+                return self._earned(point, line_of_value, "")
+        tangent = self._by_tangent(point)
+        if tangent is not None:
+            return self._earned(point, tangent, "the angle by its tangent instead")
+        return lost or self._carried(point) or self._missing(point)
+
+    def _by_tangent(self, point: MarkPoint) -> JudgedLine | None:
+        """A line with the angle of a velocity where the scalar product needs its speed."""
+        if not any(each.principle == "scalar-product" for each in self.scheme.points):
+            return None
+        sound = (each for each in self.lines if each.verdict in SOUND)
+        return next((each for each in sound if self.values.has_tangent(point, each)), None)
+
+    def _carried(self, point: MarkPoint) -> PointMark | None:
+        """The law of restitution at a wall, in the velocity after that a true line gives."""
+        if point.principle != "restitution" or not self.values.is_at_a_wall(point):
+            return None
+        true = [line for line in self.lines if line.verdict == "true" and line.grounded]
+        line = next((each for each in true if self.values.carries(point, each)), None)
+        line = line or next((each for each in true if self._has_rebound(each)), None)
+        return None if line is None else self._earned(point, line, "used here")
+
+    def _has_rebound(self, line: JudgedLine) -> bool:
+        """Whether an impulse of a wall is written with e, and so without the velocity after it."""
+        of_impulse = bool(line.uses) and line.uses[0].principle == "impulse"
+        return of_impulse and self.values.has_rebound(line) and not self.values.is_formula(line)
+
+    def _is_of_deflection(self, mark: PointMark) -> bool:
+        """Whether a point is lost by how a deflection is put together, and not by its angles."""
+        line = self._line(mark.line)
+        mistake = None if line is None else line.mistake
+        return mistake is not None and mistake.id in _OF_DEFLECTION
+
+    def _of_other_energy(self, point: MarkPoint) -> PointMark | None:
+        """An energy without all its terms, beside one that is right: the method needs both."""
+        if point.principle != "energy":
+            return None
+        true = (line for line in self.lines if line.verdict == "true")
+        if any(self.values.matches(point, line) == "true" for line in true):
+            return None
+        for line, use in self._uses(point):
+            if line.verdict == "false" and line.mistake is not None:
+                named = line.mistake.kind == "misconception"
+                kept, why = self._with_mistake(line, use)
+                if named and not kept:
+                    return PointMark(point, "lost", line.line.number, why)
+        return None
+
+    def _compared(self, point: MarkPoint) -> JudgedLine | None:
+        """A line that uses the condition of a point, or compares what the part is to compare."""
+        if point.principle == "inequality":
+            return self._conclusion()
+        if point.principle == "condition":
+            return self._inequality()
+        shown = any(each.shown and each.principle == "inequality" for each in self.scheme.points)
+        return self._inequality() if shown and point.principle == "solve" else None
+
+    def _inequality(self) -> JudgedLine | None:
+        """A sound line that compares two values."""
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict in SOUND
+                and {link.readings[0].sign for link in line.line.links} - {"=", "!="}
+            ),
+            None,
+        )
+
+    def _by_value(self, point: MarkPoint) -> JudgedLine | None:
+        """A line that gives what a method is for, from true values or the student's own."""
+        if point.principle not in OF_VALUES or point.shown:
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict in SOUND and self.values.matches(point, line) is not None
+            ),
+            None,
+        )
+
+    def _pointing(self, point: MarkPoint) -> JudgedLine | None:
+        """A line in which the vector stands along which something points."""
+        if not self.values.is_pointing(point):
+            return None
+        return next((line for line in self.lines if self.values.shows(point, line)), None)
+
+    def _condition(self, point: MarkPoint) -> JudgedLine | None:
+        """A true line that is the condition of the question, with values put in."""
+        if point.principle not in _CONDITIONS:
+            return None
+        true = (line for line in self.lines if line.verdict == "true")
+        return next((line for line in true if self.values.states(point, line)), None)
+
+    def _equation(self, point: MarkPoint) -> PointMark:
+        """The equation itself, correct."""
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            altered = use.altered is not None
+            through = line.verdict == "follows" and self._follows_through(point, line)
+            if line.verdict in ("true", "remark") or through:
+                if not altered and (lost is None or line.verdict != "follows"):
+                    return self._earned(point, line, "")
+            elif line.verdict == "follows" and not altered and lost is None:
+                # Newton's law with the sense that his momentum gives his letters.
+                if point.principle == "restitution" and self.values.has_velocities(line):
+                    return self._earned(point, line, "consistent with the line of momentum")
+                if point.principle == "restitution" and self._puts_in(line):
+                    return self._earned(point, line, "the law with his own values in it")
+                why = "follows from an earlier slip"
+                lost = PointMark(point, "lost", line.line.number, why)
+            lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
+        return lost or self._carried(point) or self._missing(point)
+
+    def _puts_in(self, line: JudgedLine) -> bool:
+        """Whether a line is a law with values in it, and not a value alone: ``e = (3 - 1)/4``."""
+        links = line.line.links
+        worked = len(links) > 1 and continues(links[0], links[1])
+        return line.uses[0].principle in LAWS and (worked or not self.values.is_solved(line))
+
+    def _independent(self, point: MarkPoint) -> PointMark:
+        """A component that stays, or one read off: as a line, or used in one."""
+        lost: PointMark | None = None
+        for line, use in self._uses(point):
+            sound = line.verdict in SOUND and use.altered is None
+            if self._is_at_wrong_angle(point, line):
+                return self._earned(point, line, "the law is right; the angle is another point")
+            if sound and not self._is_of_what_stays(point, line, use):
+                continue
+            if sound and self._is_denied(point) and not self.values.has_velocities(line):
+                continue  # 13 cos α = 12 tells nothing of what stays
+            if sound and (lost is None or line.verdict == "true"):
+                return self._earned(point, line, "")
+            lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
+        value = self._value(point)
+        seen = next((each for each in self.lines if self.values.is_seen(point, each)), None)
+        if value.state != "earned" and seen is not None:
+            return self._earned(point, seen, "seen here")
+        if value.state == "earned" or lost is not None:
+            return value if value.state == "earned" else lost or value
+        used = next((line for line in self.lines if self.values.carries(point, line)), None)
+        return value if used is None else self._earned(point, used, "used here")
+
+    def _is_denied(self, point: MarkPoint) -> bool:
+        """Whether a false line has a component that stays as another one."""
+        return point.principle == "unchanged" and any(
+            line.verdict == "false"
+            and any(
+                use.altered and (use.principle, use.event) == (point.principle, point.event)
+                for use in line.uses
+            )
+            for line in self.lines
+        )
+
+    def _is_of_what_stays(self, point: MarkPoint, line: JudgedLine, use: Use) -> bool:
+        """Whether a line speaks of one body's component that stays.
+
+        A sum over two bodies does not, nor does a wrong value that happens to be its size.
+        """
+        if point.principle != "unchanged" or self.values.speaks_for(point, line):
+            return True
+        return line.verdict == "true" and len(use.bodies) < 2
+
+    def _is_at_wrong_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether nothing but the angle is wrong, for which the scheme has a point of its own."""
+        wrong = line.mistake is not None and line.mistake.id == "second-wall-angle"
+        return wrong and any(
+            each.letter == "M" and each.principle in ("angle", "component")
+            for each in self.scheme.points
+            if each.event in (None, point.event)
+        )
+
+    def _value(self, point: MarkPoint) -> PointMark:
+        """A value: true, or his own where the point follows through; the last one given counts."""
+        last: PointMark | None = None
+        for place, line in enumerate(self.lines, 1):
+            match = self.values.matches(point, line) or self.values.completes(
+                point, self.lines[:place]
+            )
+            if match is None:
+                continue
+            if line.verdict == "true" and match == "true":
+                last = self._earned(point, line, "")
+                if not line.grounded and not self._is_his_own(point, self.lines[:place]):
+                    last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
+            elif line.verdict == "follows" and match != "true":
+                through = self._follows_through(point, line)
+                state: State = "earned" if through else "lost"
+                last = PointMark(point, state, line.line.number, "follows from an earlier slip")
+            elif line.verdict == "false":
+                if last is not None and last.state == "earned" and not self._is_begun(point, last):
+                    continue  # what is wrong behind a right answer loses nothing
+                last = PointMark(point, "lost", line.line.number, self._reason(line))
+            elif line.verdict == "unsupported":
+                why = "does not follow from the lines above"
+                if last is None or last.state != "earned":
+                    last = PointMark(point, "lost", line.line.number, why)
+        if last is not None and last.state == "earned" and self._is_one_of_several(point, last):
+            sound = [each for each in self.lines if each.verdict in SOUND]
+            alike = [each for each in self.scheme.points if each.item == point.item]
+            if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
+                last = replace(last, state="lost", why="another value is possible as well")
+        seen_alone = (self.values.is_velocity, self.values.is_direction, self.values.is_pointing)
+        if last is None and any(each(point) for each in seen_alone):
+            seen = next((each for each in self.lines if self.values.shows(point, each)), None)
+            last = None if seen is None else self._earned(point, seen, "")
+        if last is None:
+            used = next(
+                (each for each in self.lines if self.values.points_along(point, each)), None
+            )
+            last = None if used is None else self._earned(point, used, "used here")
+        if last is None:
+            seen = next((each for each in self.lines if self.values.is_seen(point, each)), None)
+            last = None if seen is None else self._earned(point, seen, "seen here")
+        if last is None and point.shown and point.principle == "inequality":
+            conclusion = self._conclusion()
+            if conclusion is not None and _CONCLUDING.search(conclusion.line.text):
+                last = self._earned(point, conclusion, "")
+        return last or self._missing(point)
+
+    def _is_one_of_several(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a right answer may be one of several; of what follows nobody counts them."""
+        line = self._line(mark.line)
+        return point.item is not None and line is not None and line.verdict != "follows"
+
+    def _is_begun(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a value is earned by a multiple of it alone: ``3v/2 = √13/6``."""
+        line = self._line(mark.line)
+        return line is not None and self.values.gives_multiple_only(point, line)
+
+    def _follows_through(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a point is earned by what follows from a mistake.
+
+        Its value comes from an earlier part, where it is only quoted here; or the mistake has lost
+        an earlier A or B, and no method of a law.
+        """
+        if not point.follows:
+            return False
+        begun = [each for each in self._roots(line) if not self._is_quoted(each)]
+        return not begun or self._has_cost(begun)
+
+    def _is_his_own(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
+        """Whether a true value, the last of some lines, follows through from false lines above.
+
+        A sign that is lost may leave a speed as it is.
+        """
+        false = [each for each in lines if each.verdict == "false"]
+        return point.follows and lines[-1].his_own and self._has_cost(false)
+
+    def _has_cost(self, roots: Sequence[JudgedLine]) -> bool:
+        """Whether mistakes have lost an A or a B of a point above, and no method of a law."""
+        numbers = {each.line.number for each in roots}
+        lost = [
+            each
+            for each in self.states.values()
+            if each.state == "lost" and self._rests_on(each.line, numbers)
+        ]
+        laws = (each for each in lost if each.point.letter == "M")
+        if any(each.point.principle in LAWS for each in laws):
+            return False
+        return any(each.point.letter in "AB" for each in lost)
+
+    def _rests_on(self, number: int | None, roots: set[int]) -> bool:
+        """Whether a line is one of some false lines, or follows from one of them."""
+        line = self._line(number)
+        if line is None:
+            return False
+        return number in roots or any(each.line.number in roots for each in self._roots(line))
+
+    def _is_quoted(self, line: JudgedLine) -> bool:
+        """Whether a line gives a letter, in its first line, a value and no more."""
+        if not self.values.is_quoted(line):
+            return False
+        lefts = {link.readings[0].left for link in line.line.links}
+        above = [each for each in self.lines if each.line.number < line.line.number]
+        return not any(
+            tree in lefts
+            for each in above
+            for link in each.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for tree in walk(side)
+        )
+
+    def _roots(self, line: JudgedLine) -> list[JudgedLine]:
+        """The false lines from which a line follows, over all lines between."""
+        seen: set[int] = set()
+        pending = list(line.sources)
+        while pending:
+            number = pending.pop()
+            source = self._line(number)
+            if number not in seen and source is not None:
+                seen.add(number)
+                pending += source.sources
+        return [each for each in self.lines if each.line.number in seen and each.verdict == "false"]
+
+    def _said(self, point: MarkPoint) -> JudgedLine | None:
+        """A line below the equations that says in words what is printed of a direction."""
+        words = self.values.words_of_direction(point)
+        last = max((self.states[x].line or 0 for x in point.above if x in self.states), default=0)
+        return next(
+            (
+                line
+                for line in self.lines
+                if words is not None
+                and line.line.number >= last > 0
+                and line.verdict in ("remark", "true")
+                and words.search(line.line.text)
+            ),
+            None,
+        )
+
+    def _conclusion(self) -> JudgedLine | None:
+        """A line that compares two values, or says in words what comes of it."""
+        for line in self.lines:
+            signs = {link.readings[0].sign for link in line.line.links}
+            if line.verdict in SOUND and signs - {"=", "!="}:
+                return line
+            if line.verdict in ("remark", *SOUND) and _CONCLUDING.search(line.line.text):
+                return line
+        return None
+
+    def _elimination(self) -> JudgedLine | None:
+        """A line in which one unknown is left."""
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict in SOUND and line.grounded and self._is_eliminated(line)
+            ),
+            None,
+        )
+
+    def _is_eliminated(self, line: JudgedLine) -> bool:
+        if self.values.is_solved(line) or self.values.is_eliminated(line):
+            return True
+        own = self.values.unknowns(line)
+        above = (each for each in self.lines if each.line.number < line.line.number)
+        return (
+            line.verdict == "follows"
+            and len(own) == 1
+            and sum(own < self.values.unknowns(each) for each in above) > 1
+        )
+
+    def _uses(self, point: MarkPoint) -> Iterator[tuple[JudgedLine, Use]]:
+        """The lines that use a point's principle, those that hold first."""
+        for sound in (True, False):
+            for line in self.lines:
+                if is_sound(line) is not sound or line.verdict == "unsupported":
+                    continue
+                if self.values.is_formula(line):
+                    continue
+                use = self._use(line, point)
+                if use is None or self._is_by_chance(line, use):
+                    continue
+                if not self._is_stated_wrongly(line, use):
+                    yield line, use
+
+    def _is_by_chance(self, line: JudgedLine, use: Use) -> bool:
+        """Whether what follows from a mistake only happens to fit another altered law.
+
+        So it does where the law itself is stated, wrongly, in a line above.
+        """
+        if line.verdict != "follows" or not use.altered:
+            return False
+        return self.values.is_solved(line) or any(
+            each.verdict == "false"
+            and each.line.number < line.line.number
+            and any(
+                (own.principle, own.event) == (use.principle, use.event)
+                for own in fitting_uses(each)
+            )
+            for each in self.lines
+        )
+
+    def _is_stated_wrongly(self, line: JudgedLine, use: Use) -> bool:
+        """Whether a line only implies a law that a line above states wrongly."""
+        if use.principle not in LAWS or use.altered is not None or line.verdict == "false":
+            return False
+        if line.uses[0].principle == use.principle:
+            return False
+        return any(
+            each.verdict == "false"
+            and any(
+                (own.principle, own.event) == (use.principle, use.event) and own.altered
+                for own in fitting_uses(each)[:1]
+            )
+            for each in self.lines
+            if each.line.number < line.line.number
+        )
+
+    def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
+        """The use of the point's principle in a line, at its event and for its bodies."""
+        names = _NAMES.get(point.principle, (point.principle,))
+        implied = line.verdict == "true" and not self.values.is_solved(line)
+        for place, use in enumerate(fitting_uses(line)):
+            if use.principle not in names:
+                continue
+            if place and use.altered is None and use.principle in LAWS and not implied:
+                continue  # a bare value states no law
+            if place and line.uses[0].principle == "fact" and not self.values.has_coefficient(line):
+                continue  # a fact of the question needs no law
+            if point.principle == "fact" and not self.values.speaks_of(point, use.principle):
+                continue
+            if (point.principle, use.principle) == ("velocity", "component") and not has_vector(
+                line
+            ):
+                continue  # one component is no velocity
+            if point.event is not None and use.event not in (None, point.event):
+                continue
+            if self._is_of_another(point, line):
+                continue
+            own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
+            if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):
+                continue
+            return use
+        return None
+
+    def _is_of_another(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line speaks of the angle of another point, and not of that of this one."""
+        if point.principle != "angle" or self.values.speaks_for(point, line):
+            return False
+        return any(
+            self.values.speaks_for(each, line)
+            for each in self.scheme.points
+            if each.principle == "angle" and each.link != point.link
+        )
+
+    def _with_mistake(self, line: JudgedLine, use: Use) -> tuple[bool, str]:
+        """Whether a false line of a principle keeps its method, and why."""
+        mistake = line.mistake
+        name = (use.altered or "").partition("/")[0] or (mistake.id if mistake else None)
+        named = MISCONCEPTIONS.get(name or "")
+        if named is not None:
+            rule = named.mark_of(use.principle) or "M0"
+            kept = rule.startswith("M1")
+            return kept, f"{named.title[0].lower()}{named.title[1:]}" + (
+                "; the method stands" if kept else ""
+            )
+        if mistake is not None and mistake.kind == "slip":
+            return True, "all terms are there; a slip keeps the method"
+        return False, "not an instance of the law"
+
+    def _reason(self, line: JudgedLine) -> str:
+        mistake = line.mistake
+        if mistake is None or mistake.id is None:
+            return "not true"
+        named = MISCONCEPTIONS.get(mistake.id)
+        if named is not None:
+            return f"{named.title[0].lower()}{named.title[1:]}"
+        return f"a slip ({mistake.id})"
+
+    def _earned(self, point: MarkPoint, line: JudgedLine, why: str) -> PointMark:
+        return PointMark(point, "earned", line.line.number, why)
+
+    def _missing(self, point: MarkPoint) -> PointMark:
+        """A lost point; an open one where a line that cannot be judged may earn it."""
+        unsure = next((line for line in self.lines if line.verdict in _UNSURE), None)
+        if unsure is None:
+            return PointMark(point, "lost", None, "not seen")
+        return PointMark(point, "open", unsure.line.number, "a line could not be judged")
+
+    def _line(self, number: int | None) -> JudgedLine | None:
+        return next((each for each in self.lines if each.line.number == number), None)

@@ -1,0 +1,558 @@
+"""What the sides of lines are worth, and which of them name a quantity.
+
+A side names a quantity if both are worth the same, up to a sign, whatever happens at the impacts:
+in a world in which velocities and unknown letters are scattered. A side is a value if nothing
+there changes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.evaluate import Angle, Value
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    children,
+    walk,
+)
+from restitution.practice.judgement import JudgedLine, Meaning
+from restitution.practice.letters.interpretation import Interpretation
+from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.script import Claim
+from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
+from restitution.practice.worlds.student import scattered_world, told_world
+from restitution.practice.worlds.world import World
+from restitution.vector import Vector
+
+_NEAR = 1e-7
+_LEAST = 1e-9
+_ROUNDED = 2e-3
+_IMPULSE = ("I", "J")
+
+
+@dataclass(frozen=True, eq=False)
+class Sides:
+    """The worlds of a part, and what the sides of lines are worth there.
+
+    ``worlds`` are the true ones, one for each admissible solution, ``unknown`` the letters of the
+    statement that are not given. ``his_own`` counts what follows from a slip as true, as a misread
+    datum makes it.
+    """
+
+    worlds: tuple[World, ...]
+    unknown: frozenset[str]
+    letters: tuple[Meaning, ...] = ()
+    his_own: bool = False
+
+    def _is_of_velocity(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a side is a component of the velocity, or of the speed, that a quantity is."""
+        if not (isinstance(quantity, Quantity) and quantity.kind in ("velocity", "speed")):
+            return False
+        meanings = self._meanings(line)
+        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
+        velocity = replace(quantity, kind="velocity")
+        return self._is_component(meant) and any(
+            self._names(each, velocity, {}, line) for each in quantities_in(meant)
+        )
+
+    def unknowns(self, line: JudgedLine) -> frozenset[Expression]:
+        """The letters and quantities of a line that an impact decides."""
+        return frozenset[Expression]().union(
+            *(self.velocities_in(claim, line) for chain in chains(line) for claim in chain)
+        )
+
+    def velocities_in(self, claim: Claim, line: JudgedLine) -> frozenset[Expression]:
+        """The letters and quantities of a claim that an impact decides; none of the statement."""
+        meanings = self._meanings(line)
+        return frozenset(
+            each
+            for side in (claim.left, claim.right)
+            for each in names_in(side)
+            if not (isinstance(each, Letter) and each.name not in meanings)
+            and self._changes(each, meanings, line)
+        )
+
+    def has_velocities(self, line: JudgedLine) -> bool:
+        """Whether a letter for a velocity after an impact stands in a line."""
+        return any(self.velocities_in(claim, line) for each in chains(line) for claim in each)
+
+    def _is_angle(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a number, in degrees, is the size of an angle to three figures."""
+        try:
+            own = self._base.value(side, self._meanings(line), line.line.scope)
+            asked = self._base.value(quantity)
+        except UnvaluedError:
+            return False
+        if isinstance(own, Vector) or not isinstance(asked, Angle):
+            return False
+        return is_rounded(self._base, own, asked)
+
+    def _is_one_of(self, tree: Expression, numbers: Collection[float]) -> bool:
+        try:
+            own = float(np.ravel(self._base.scalar(tree))[0])
+        except UnvaluedError:
+            return False
+        return any(abs(own - each) <= _NEAR for each in numbers)
+
+    def _is_rounded_to(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        try:
+            own = self._base.value(side, self._meanings(line), line.line.scope)
+            return is_rounded(self._base, own, self._base.value(quantity))
+        except UnvaluedError:
+            return False
+
+    def _has_square(self, value: Expression, line: JudgedLine) -> bool:
+        """Whether the square of a value in letters stands in a line: ``w² = v² + u² sin²α``."""
+        world, meanings = self._scattered, self._meanings(line)
+        square = Binary("^", value, Number(Fraction(2)))
+        if is_bare(value):
+            return False
+        for link in line.line.links:
+            for side in (link.readings[0].left, link.readings[0].right):
+                for each in walk(side):
+                    if not isinstance(each, Binary) or each.op not in ("*", "^"):
+                        continue
+                    try:
+                        own = world.value(each, meanings, line.line.scope)
+                        if are_same(world, own, world.value(square)):
+                            return True
+                    except UnvaluedError:
+                        continue
+        return False
+
+    def _is_parallel(
+        self,
+        vector: Expression,
+        direction: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        world = self._base
+        try:
+            own, asked = world.value(vector, meanings, line.line.scope), world.value(direction)
+        except UnvaluedError:
+            return False
+        if not (isinstance(own, Vector) and isinstance(asked, Vector)):
+            return False
+        crossed = own.x * asked.y - own.y * asked.x
+        return is_zero(world, crossed) and self._is_value(vector, meanings, line)
+
+    def letter_of(self, quantity: Expression) -> Expression | None:
+        """The student's letter for a quantity, with a sign where it has the other sense."""
+        world = self._scattered
+        for meaning in self.letters:
+            if " " in meaning.letter:
+                continue
+            try:
+                own = world.value(meaning.quantity, scope=meaning.scope)
+                asked = world.value(quantity)
+            except UnvaluedError:
+                continue
+            if isinstance(own, Vector) or isinstance(asked, Vector):
+                continue
+            a, b = spread_of(world, own), spread_of(world, asked)
+            if are_near(a, b):
+                return Letter(meaning.letter)
+            if are_near(a, -b):
+                return Negate(Letter(meaning.letter))
+        return None
+
+    def _is_worth(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        world = self._base
+        try:
+            own = world.value(side, self._meanings(line), line.line.scope)
+            return are_same(world, own, world.value(quantity))
+        except UnvaluedError:
+            return False
+
+    def value_of(
+        self, tree: Expression, line: JudgedLine, open_: bool = False
+    ) -> Expression | None:
+        """The side of a line that gives a quantity its value, the last one typed.
+
+        With ``open_`` the letters that the question asks for may stand in it.
+        """
+        meanings = self._meanings(line)
+        last: Expression | None = None
+        for chain in chains(line):
+            if self._names(chain[0].left, tree, meanings, line):
+                last = next(
+                    (
+                        claim.right
+                        for claim in reversed(chain)
+                        if self._is_value(claim.right, meanings, line, open_)
+                    ),
+                    last,
+                )
+            elif self._names(chain[-1].right, tree, meanings, line) and self._is_value(
+                chain[0].left, meanings, line, open_
+            ):
+                last = chain[0].left
+        return last
+
+    def _is_open(self, point: MarkPoint) -> bool:
+        """Whether letters that the question asks for stand in the value of a point."""
+        assert point.link is not None
+        return any(
+            isinstance(each, Letter) and each.name in self.unknown
+            for each in walk(point.link.right)
+        )
+
+    def _gives(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
+        if line.verdict == "remark":
+            return False
+        if self.value_of(quantity, line, open_) is not None:
+            return True
+        ratio = isinstance(quantity, Binary) and quantity.op == "/"
+        return ratio and self._gives_ratio(quantity, line, open_)  # type: ignore[arg-type]
+
+    def _gives_ratio(self, ratio: Binary, line: JudgedLine, open_: bool) -> bool:
+        """Whether a line gives one of two quantities by the other: ``q = 2p`` for q/p."""
+        meanings = self._meanings(line)
+        for chain in chains(line):
+            sides = chain[0].left, chain[-1].right
+            for one, other in (sides, sides[::-1]):
+                match one:
+                    case Binary("/", above, below) if self._is_size(
+                        above, ratio.left, line
+                    ) and self._names(below, ratio.right, meanings, line):
+                        value: Expression = other
+                    case _ if self._is_size(one, ratio.left, line):
+                        value = Binary("/", other, ratio.right)
+                    case _ if self._is_size(one, ratio.right, line):
+                        value = Binary("/", ratio.left, other)
+                    case _:
+                        continue
+                if self._is_value(value, meanings, line, open_):
+                    return True
+        return False
+
+    def _is_size(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a side names a quantity, or is the only component of a speed."""
+        meanings = self._meanings(line)
+        if self._names(side, quantity, meanings, line):
+            return True
+        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
+        speed = isinstance(quantity, Quantity) and quantity.kind == "speed"
+        return speed and self._is_component(meant) and self._is_worth(side, quantity, line)
+
+    def _gives_multiple(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
+        """Whether a line gives a multiple of a quantity its value: ``2w = (1 + e)u``."""
+        if line.verdict == "remark":
+            return False
+        meanings = self._meanings(line)
+        world = self._released if open_ else self._scattered
+        for chain in chains(line):
+            first, last = chain[0].left, chain[-1].right
+            if len(set(names_in(first))) != 1 or not self._is_value(last, meanings, line, open_):
+                continue
+            if not self._changes(first, meanings, line):
+                continue  # 3/√5 is a multiple of any number
+            try:
+                own = world.value(first, meanings, line.line.scope)
+                asked = world.value(quantity)
+            except UnvaluedError:
+                continue
+            if isinstance(own, Vector | Angle) or isinstance(asked, Vector | Angle):
+                continue
+            a, b = spread_of(world, own), spread_of(world, asked)
+            if is_zero(world, asked):
+                continue
+            ratio = a / np.where(b == 0, 1.0, b)
+            if np.ptp(ratio) <= _NEAR * abs(ratio[0]) and abs(ratio[0]) > _NEAR:
+                return True
+        return False
+
+    def _computes(self, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a true line without a name computes what a quantity is worth, and is not zero."""
+        if line.verdict != "true":
+            return False
+        meanings = self._meanings(line)
+        for chain in chains(line):
+            first, last = chain[0].left, chain[-1].right
+            impulse = isinstance(first, Letter) and first.name in _IMPULSE
+            impulse = impulse and isinstance(quantity, Quantity) and quantity.kind == "impulse"
+            nameless = self._is_nameless(first, meanings, line)
+            if not nameless and not impulse:
+                continue
+            try:
+                worth = self._base.value(last, meanings, line.line.scope)
+                asked = self._base.value(quantity)
+            except UnvaluedError:
+                continue
+            rounded = line.line.links[-1].decimals and line.accuracy != "coarse"
+            near = is_rounded if rounded else are_same
+            if near(self._base, worth, asked) and not is_zero(self._base, asked):
+                return True
+        return False
+
+    def _is_nameless(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        """Whether a side is a calculation, or a letter of which no meaning is known."""
+        if isinstance(side, Number):
+            return False
+        if isinstance(side, Letter):
+            if line.uses and all(use.principle == "arithmetic" for use in line.uses):
+                return True
+            return side.name not in meanings and not self._has_value(side, meanings, line)
+        return self._is_value(side, meanings, line)
+
+    def _has_value(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        try:
+            self._base.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return True
+
+    def _gives_whole(self, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a line gives the only component of a velocity, where the other one is zero."""
+        size = self._size(quantity)
+        return size is not None and any(
+            are_near(square, size**2) for square in self._squares(quantity, line)
+        )
+
+    def _squares(self, quantity: Expression, line: JudgedLine) -> list[Array]:
+        """The true squares of the components of a velocity that a sound line gives a value."""
+        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+            return []
+        if line.verdict not in ("true", "follows", "false"):
+            return []
+        velocity = replace(quantity, kind="velocity")
+        meanings = self._meanings(line)
+        squares: list[Array] = []
+        for chain in chains(line):
+            sides = chain[0].left, chain[-1].right
+            for named, value in (sides, sides[::-1]):
+                tree = exchanged(named, {Letter(name): meant for name, meant in meanings.items()})
+                if not any(self._names(each, velocity, {}, line) for each in quantities_in(tree)):
+                    continue
+                if not self._is_component(tree) or not self._is_value(value, meanings, line):
+                    continue
+                try:
+                    true = self._base.value(named, meanings, line.line.scope)
+                except UnvaluedError:
+                    continue
+                if not isinstance(true, Vector):
+                    squares.append(spread_of(self._base, true) ** 2)
+        return squares
+
+    def _is_component(self, tree: Expression) -> bool:
+        """Whether a tree is a component of a velocity, or that turned round."""
+        if isinstance(tree, Negate):
+            (tree,) = children(tree)
+        return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+
+    def _size(self, quantity: Expression) -> Array | None:
+        """The true size of a velocity or speed; None where a quantity is neither."""
+        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+            return None
+        try:
+            return spread_of(self._base, self._base.value(replace(quantity, kind="speed")))
+        except UnvaluedError:
+            return None
+
+    def _are_multiples(
+        self,
+        world: World,
+        own: tuple[Expression, Expression],
+        asked: tuple[Expression, Expression],
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        try:
+            values = [world.value(x, meanings, line.line.scope) for x in own]
+            values += [world.value(x) for x in asked]
+        except UnvaluedError:
+            return False
+        if any(isinstance(value, Vector) for value in values):
+            return False
+        left, right, first, second = (spread_of(world, value) for value in values)
+        a, b = left - right, first - second
+        if np.any(np.abs(a) < _LEAST) or np.any(np.abs(b) < _LEAST):
+            return False
+        return bool(np.ptp(a / b) < _LEAST * np.max(np.abs(a / b)))
+
+    def _names(
+        self,
+        side: Expression,
+        quantity: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        """Whether a side is worth what a quantity is, up to a sign, whatever happens."""
+        world = self._scattered
+        try:
+            own = world.value(side, meanings, line.line.scope)
+            asked = world.value(quantity)
+        except UnvaluedError:
+            return False
+        return are_same(world, own, asked) or self._is_size_of(side, quantity, meanings)
+
+    def _is_size_of(
+        self, side: Expression, quantity: Expression, meanings: Mapping[str, Expression]
+    ) -> bool:
+        """Whether a side is a component of an impulse, and so its size, as smooth bodies meet."""
+        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
+        if not isinstance(quantity, Quantity) or quantity.kind != "impulse" or quantity.arguments:
+            return False
+        try:
+            own, asked = self._base.value(meant), self._base.value(quantity)
+        except UnvaluedError:
+            return False
+        inside = [each for each in quantities_in(meant) if each.kind == "impulse"]
+        return bool(inside) and not isinstance(own, Vector) and are_same(self._base, own, asked)
+
+    def _changes(
+        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+    ) -> bool:
+        try:
+            true = self._base.value(side, meanings, line.line.scope)
+            other = self._scattered.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return not are_same(self._base, true, other)
+
+    def _is_value(
+        self,
+        side: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+        open_: bool = False,
+    ) -> bool:
+        """Whether nothing that happens at the impacts changes a side.
+
+        With ``open_`` the letters that the question asks for are as they are.
+        """
+        world = self._released if open_ else self._scattered
+        try:
+            true = self._base.value(side, meanings, line.line.scope)
+            other = world.value(side, meanings, line.line.scope)
+        except UnvaluedError:
+            return False
+        return are_same(self._base, true, other)
+
+    @property
+    def _base(self) -> World:
+        return self.worlds[0]
+
+    @cached_property
+    def _scattered(self) -> World:
+        return scattered_world(self._base, self.unknown)
+
+    @cached_property
+    def _told(self) -> World | None:
+        """A world in which all laws hold, with other letters than the question leads to."""
+        return told_world(self._base, self.unknown) if self.unknown else None
+
+    @cached_property
+    def _released(self) -> World:
+        """A world in which velocities are scattered, and no letters of the statement."""
+        return scattered_world(self._base, frozenset())
+
+    def _meanings(self, line: JudgedLine) -> Mapping[str, Expression]:
+        return {**Interpretation(self.letters).trees(line.line.number), **line.meant}
+
+
+def chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
+    """The relations of a line, links of a chain together, in the reading that is most natural."""
+    chain: list[Claim] = []
+    for link in line.line.links:
+        claim = _of_direction(link.readings[0])
+        if chain and chain[-1].right != claim.left:
+            yield chain
+            chain = []
+        chain.append(claim)
+    if chain:
+        yield chain
+
+
+def _of_direction(claim: Claim) -> Claim:
+    """A vector that has no part across a line, as the direction of that line."""
+    right = claim.right
+    if claim.left == Number(Fraction(0)) and isinstance(right, Quantity) and right.kind == "across":
+        vector, line = right.arguments
+        return Claim(line, "=", vector)
+    return claim
+
+
+def names_in(tree: Expression) -> Iterator[Expression]:
+    """The letters and quantities of a tree; those within a quantity are left out."""
+    if isinstance(tree, Letter | Quantity):
+        yield tree
+        return
+    for child in children(tree):
+        yield from names_in(child)
+
+
+def quantities_in(tree: Expression) -> Iterator[Quantity]:
+    """The quantities of a tree, outer ones first."""
+    if isinstance(tree, Quantity):
+        yield tree
+    for child in children(tree):
+        yield from quantities_in(child)
+
+
+def are_same(world: World, one: Value, other: Value) -> bool:
+    """Whether two values agree in all samples, up to a sign."""
+    if isinstance(one, Vector) or isinstance(other, Vector):
+        if not (isinstance(one, Vector) and isinstance(other, Vector)):
+            return False
+        return any(
+            are_near(world.spread(one.x), sign * world.spread(other.x))
+            and are_near(world.spread(one.y), sign * world.spread(other.y))
+            for sign in (1, -1)
+        )
+    a, b = spread_of(world, one), spread_of(world, other)
+    return are_near(a, b) or are_near(a, -b)
+
+
+def is_rounded(world: World, own: Value, true: Value) -> bool:
+    """Whether a value is another one to 3 figures; a bare number is an angle in degrees."""
+    if isinstance(own, Vector) or isinstance(true, Vector):
+        return are_same(world, own, true)
+    a, b = spread_of(world, own), spread_of(world, true)
+    if isinstance(true, Angle) and not isinstance(own, Angle):
+        a = np.radians(a)
+    return bool(np.allclose(np.abs(a), np.abs(b), rtol=_ROUNDED))
+
+
+def is_fine(tree: Expression) -> bool:
+    """Whether a value is a decimal."""
+    return isinstance(tree, Number) and tree.value.denominator != 1
+
+
+def is_zero(world: World, value: Value) -> bool:
+    """Whether a value is zero in every sample."""
+    if isinstance(value, Vector):
+        return is_zero(world, value.x) and is_zero(world, value.y)
+    number = spread_of(world, value)
+    return are_near(number, 0 * number)
+
+
+def spread_of(world: World, value: Value) -> Array:
+    """A number, or the measure of an angle, in every sample."""
+    return world.spread(value.measure() if isinstance(value, Angle) else value)
+
+
+def are_near(a: Array, b: Array) -> bool:
+    """Whether two values are one in every sample, but for the last figures."""
+    return bool(np.allclose(a, b, rtol=_NEAR, atol=_NEAR))
+
+
+def are_close(one: Array, other: Array) -> bool:
+    """Whether two sizes agree to three figures."""
+    return bool(np.all(np.abs(one - other) <= 0.005 * np.abs(other)))
