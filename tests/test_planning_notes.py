@@ -147,7 +147,7 @@ def changed(relation: Relation | Meaning) -> Relation:
 @pytest.mark.parametrize(
     ("text", "kind", "reason"),
     [
-        (WALL.format(mass="", e="") + "find e", "missing", "it is not fixed by what is given"),
+        (WALL.format(mass="", e="") + "find e", "missing", "too little is given"),
         (
             SPHERES.format(u=1, v=4, e=": e = 1/2").replace(": e", ", e") + "find speed(B)",
             "impossible",

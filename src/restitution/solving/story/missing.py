@@ -43,7 +43,7 @@ def is_open(called: str, beside: Iterable[str] = ()) -> MissingError:
     error = MissingError(
         f"{called} is not fixed by what is given{because}{_written([called, *named])}"
     )
-    error.because = f"it is not fixed by what is given{because}"
+    error.because = f"too little is given{because}"
     return error
 
 
