@@ -95,6 +95,27 @@ find e, energy_lost/energy(0) as a percentage
             ],
         ),
         (
+            WALL.format(mass=0.5, speed=8, angle=35) + "given energy_lost = 9\nfind e",
+            [
+                "e² = (16 sin² 35° − 9)/(16 sin² 35°) ≈ −0.710",
+                "This cannot be, as a square is not negative.",
+            ],
+        ),
+        (
+            (
+                "wall W: along i\nsphere P: mass 0.25, velocity 7 at theta to W\nP hits W\n"
+                "given speed(P) = 5, angle(velocity(P), W) = 25°\nfind theta, e"
+            ),
+            ["sin θ = √(49 − 25 cos² 25°)/7", "e = (5 sin 25°)/√(49 − 25 cos² 25°) ≈ 0.396"],
+        ),
+        (
+            (
+                "wall W: along i\nsphere P: velocity 7 at theta to W\nP hits W: e = 0.6\n"
+                "given deflection(P) = 80°\nfind theta"
+            ),
+            ["θ = arctan((√(15 sin² 80° + 16 cos² 80°) − 4 cos 80°)/(3 sin 80°)) ≈ 47.1°"],
+        ),
+        (
             CORNER,
             [
                 "component of 𝐯₂ away from BC ≈ 0.4 × 6.045 ≈ 2.418 m s⁻¹",

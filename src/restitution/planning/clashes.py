@@ -24,6 +24,7 @@ from restitution.expression.tree import Letter, Name, Quantity, has_quantity, le
 from restitution.planning.axes.by_changes import frame_at
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.ratios import inside_functions
+from restitution.planning.closing.squares_in_degrees import square_in_degrees
 from restitution.planning.formulas.impacts import after, residual
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.inequalities.claims import Claims
@@ -260,8 +261,12 @@ def _of_a_square(scene: Scene, line: int, symbol: sp.Symbol) -> int:
     poly = sp.Poly(above, symbol)
     if poly.degree() != 2 or poly.nth(1) != 0:
         return line
-    value = tidy(factored(-poly.nth(0) / poly.nth(2)))
-    relation = equation(tree_of(symbol**2), tree_of(value))
+    in_degrees = square_in_degrees(scene, line, symbol)
+    if in_degrees is None:
+        value = tree_of(tidy(factored(-poly.nth(0) / poly.nth(2))))
+    else:
+        value = tree_of(in_degrees, as_it_is=True)
+    relation = equation(tree_of(symbol**2), value)
     return in_another_form(scene, line, relation) or line
 
 

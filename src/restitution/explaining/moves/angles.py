@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    letters,
     rational,
     walk,
 )
@@ -41,11 +42,14 @@ def is_triangle(step: Step, relation: Relation) -> bool:
         link.sign == "="
         and (angle := _argument(link.left)) is not None
         and angle in known
-        and not any(
-            isinstance(node, Apply) and node.function != "sqrt" for node in walk(link.right)
-        )
+        and not any(isinstance(node, Apply) and _is_open(node) for node in walk(link.right))
         for link in relation.only
     ) and by_oracle(step, relation)
+
+
+def _is_open(node: Apply) -> bool:
+    """Whether a function is none of a number: no root, and no cos 25°."""
+    return node.function != "sqrt" and not (node.function in RATIOS and not letters(node))
 
 
 def _argument(tree: Expression) -> Expression | None:

@@ -13,6 +13,7 @@ from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
 from restitution.planning.closing.in_tangents import write_in_tangents
 from restitution.planning.closing.roots import by_roots, known_as
+from restitution.planning.closing.squares_in_degrees import is_in_degrees
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
@@ -562,6 +563,10 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
             ratio_ = scene.scalar(link.right)
             if not ratio_.free_symbols:
                 return (sp.acos if kind == "cos" else sp.asin)(ratio_)
+        case Apply("tan", Letter(name)) if name == symbol.name:
+            ratio_ = scene.scalar(link.right)
+            if is_in_degrees(ratio_):
+                return sp.atan(ratio_)
     return scene.final(symbol)
 
 

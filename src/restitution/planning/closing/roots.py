@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -18,12 +17,12 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Number,
     Quantity,
     letters,
     walk,
 )
 from restitution.planning.closing.bounded_speeds import bounds_that_stand
+from restitution.planning.closing.polynomial_trees import doubled_power, polynomial_tree
 from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
@@ -39,7 +38,6 @@ from restitution.planning.writing.forms import (
     product,
     square,
     swept,
-    total,
     tree_of,
 )
 from restitution.planning.writing.polynomials import expanded, factor_powers, factored
@@ -320,7 +318,9 @@ def _squares_out(whole: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 def option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
     """One of the alternatives, as a line has it."""
-    return (Link(subject, "=", tree_of(value, as_it_is=is_in_degrees(value))),)
+    if is_in_degrees(value):
+        return (Link(subject, "=", tree_of(sp.factor_terms(value), as_it_is=True)),)
+    return (Link(subject, "=", tree_of(value)),)
 
 
 def in_standard_form(
@@ -332,7 +332,7 @@ def in_standard_form(
     if polynomial.degree() != 2 and not fourth:
         return number
     link = scene.desk.last_link(number)
-    squared = _twice(subject)
+    squared = doubled_power(subject)
     if squared in (link.left, link.right) or _is_in_powers(scene, link, generator):
         return number
     pure = not fourth and polynomial.nth(1) == 0
@@ -343,7 +343,7 @@ def in_standard_form(
             value = tidy(-polynomial.nth(0) / polynomial.nth(2))
         relation = chain(squared, (tree_of(value, as_it_is=by_degrees), None))
     else:
-        tree = _polynomial_tree(_plain(scene, above, generator), subject)
+        tree = polynomial_tree(_plain(scene, above, generator), subject)
         relation = Relation(((Link(tree, "=", ZERO),),))
     if scene.desk.relation(number) == relation:
         return number
@@ -403,21 +403,11 @@ def _in_factors(
         return number
     plain = [_plain(scene, factor, generator) for factor in factors]
     plain.sort(key=lambda each: (each.nth(0) != 0, each.LC() == 1, str(each.nth(0))))
-    trees = [_polynomial_tree(each, subject) for each in plain]
+    trees = [polynomial_tree(each, subject) for each in plain]
     relation = Relation(((Link(product(*trees), "=", ZERO),),))
     names = {symbol.name for symbol in residual(scene, number).free_symbols}
     refs = scene.judge.enough(Move("rearrange"), (number,), relation, background(scene, names))
     return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
-
-
-def _polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
-    fourth = Binary("^", subject, Number(Fraction(4)))
-    powers: dict[int, Expression] = {4: fourth, 2: _twice(subject), 1: subject}
-    terms = []
-    for (power,), value in polynomial.terms():
-        tree = tree_of(value)
-        terms.append(product(tree, powers[power]) if power else tree)
-    return total(terms)
 
 
 def itself(value: sp.Expr) -> sp.Expr:
@@ -427,14 +417,6 @@ def itself(value: sp.Expr) -> sp.Expr:
 
 Of = Callable[[sp.Expr], sp.Expr]
 """What an equation is solved for, made of the unknown: the sine of an angle, a square."""
-
-
-def _twice(subject: Expression) -> Expression:
-    """The square of what an equation is in; of a square the fourth power."""
-    match subject:
-        case Binary("^", base, Number(value)):
-            return Binary("^", base, Number(2 * value))
-    return square(subject)
 
 
 def is_value(model: Model, root: sp.Expr, of: Of, symbol: sp.Symbol) -> bool:

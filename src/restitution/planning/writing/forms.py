@@ -78,7 +78,17 @@ def neat(value: Any) -> Any:
         for atom in whole.atoms(sp.sin, sp.cos, sp.tan)
         if atom.args[0] in back
     }
-    return _with_tangents(whole.xreplace(ratios).xreplace(back))
+    return _with_tangents(_with_contents_out(whole.xreplace(ratios).xreplace(back)))
+
+
+def _with_contents_out(value: Any) -> Any:
+    """√(49 − 25 cos² 25°)/7, and not √(2(98 − 50 cos² 25°))/14."""
+    roots: dict[sp.Expr, sp.Expr] = {}
+    for power in value.atoms(sp.Pow) if isinstance(value, sp.Expr) else ():
+        if power.exp == sp.Rational(1, 2) and power.base.is_Add and power.base.has(sp.sin, sp.cos):
+            content, rest = power.base.primitive()
+            roots[power] = sp.sqrt(content) * sp.sqrt(rest)
+    return value.xreplace(roots) if roots else value
 
 
 def _of_one_ratio(value: sp.Expr) -> sp.Expr | None:

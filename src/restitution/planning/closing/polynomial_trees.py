@@ -1,0 +1,32 @@
+"""Trees of polynomials in a letter, in a ratio of an angle, or in a square."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.expression.tree import Binary, Expression, Number
+from restitution.planning.writing.forms import product, square, total, tree_of
+
+
+def polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
+    """A polynomial, the highest power of what it is in first."""
+    fourth = Binary("^", subject, Number(Fraction(4)))
+    powers: dict[int, Expression] = {4: fourth, 2: doubled_power(subject), 1: subject}
+    terms = []
+    for (power,), value in polynomial.terms():
+        tree = tree_of(value)
+        terms.append(product(tree, powers[power]) if power else tree)
+    return total(terms)
+
+
+def doubled_power(subject: Expression) -> Expression:
+    """The square of what an equation is in; of a square the fourth power."""
+    match subject:
+        case Binary("^", base, Number(value)):
+            return Binary("^", base, Number(2 * value))
+    return square(subject)
+
+
+__all__ = ["doubled_power", "polynomial_tree"]
