@@ -71,6 +71,8 @@ BROKEN = {
     "sphere C - mass 2 - velocity 3i": "sphere C: mass 2, velocity 3i",
     "sphere C: m=2, v=3i": "sphere C: mass 2, velocity 3i",
     "sphere C: velocity at rest": "sphere C: at rest",
+    "sphere C: velocity 5 at 30° j": "sphere C: velocity 5 at 30° from j",
+    "sphere C: velocity 5 at 3i + 4j": "sphere C: velocity 5 at 0° from 3i + 4j",
     "sphere C: velocity 3i 4u j": "sphere C: velocity 3i + 4u j",
     "sphere C: speed 5 at 30 to W": "sphere C: velocity 5 at 30° to W",
     "sphere C: velocity u at alpha to W, tan alpha = 3/4": (

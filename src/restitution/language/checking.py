@@ -327,6 +327,8 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
             yield from _name(bodies, node, allowed, parent)
         elif isinstance(node, Quantity):
             yield from _quantity(bodies, node)
+        elif isinstance(node, Polar) and _holds_unit(node.angle):
+            yield _direction_for_angle(node.angle)
         elif isinstance(node, Binary) and node.op in "+-":
             yield from _sum(bodies, node)
         elif (
@@ -345,6 +347,24 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
                     _place_of(each),
                 )
         pending.extend((child, _allowed(node, child), node) for child in reversed(children(node)))
+
+
+def _direction_for_angle(tree: Expression) -> StatementError:
+    """The mistake of a vector behind 'at': an angle from it, or its own direction, is meant."""
+    mistake = _error(
+        "expected an angle after 'at', not a vector: write 'u at 30° from i', or "
+        "'u at 0° from 3i + 4j' for its direction",
+        _place_of(tree),
+    )
+    match tree:
+        case Binary("*", angle, Unit() as unit) if not _holds_unit(angle):
+            at, before = unit.place, "from "
+        case _:
+            at, before = _place_of(tree), "0° from "
+    if at is not None:
+        edit = Edit(at.line, at.column, at.line, at.column, before)
+        mistake.fixes = (Fix(f"Put in '{before.strip()}'", (edit,)),)
+    return mistake
 
 
 def _first_factor(tree: Expression) -> Expression:
