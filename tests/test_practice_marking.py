@@ -691,3 +691,24 @@ def test_a_percentage_is_no_ratio_of_masses() -> None:
     lines = "½u = v + 2w\nw - v = ¼u\nw = ¼u, v = 0\n% = (1/16)/(1/8) = 50%"
     *_, last = restitution.mark(restitution.parse(REST), lines).json()["lines"]
     assert (last["verdict"], last["mistake"]["id"]) == ("false", "energy-fraction-of-line")
+
+
+def test_the_mistake_of_an_earlier_part_has_its_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each part of a working is judged by itself once, whichever parts rest on it."""
+    from restitution.practice.judging import earlier_parts
+    from restitution.practice.marking.marking import mark_parts
+
+    judged: list[str | None] = []
+    plain = earlier_parts.judge
+
+    def counted(solution, script, part=None, letters=None):  # type: ignore[no-untyped-def]
+        judged.append(part)
+        return plain(solution, script, part, letters)
+
+    monkeypatch.setattr(earlier_parts, "judge", counted)
+    lines = "(a)\n5*3 + 3 = 5v + w\nw - v = 2\nv = 8/3, w = 14/3\n(b)\nspeed of B = 14/3"
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    markings = mark_parts(restitution.parse(TWO_PARTS), lines, letters, hints=1)
+    assert judged == ["a", "b", "b"]
+    (message,) = [each.text for each in markings[1].messages if each.line == 6]
+    assert message == "Right, with your values. The mistake is in line 2."

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -99,3 +99,17 @@ class Judgement:
     lines: tuple[JudgedLine, ...]
     letters: tuple[Meaning, ...]
     asks: tuple[str, ...] = ()
+
+
+def false_roots(lines: Iterable[JudgedLine]) -> Mapping[int, frozenset[int]]:
+    """The numbers of the false lines on which each line rests; a false one rests on itself.
+
+    A source that is none of the lines, one of an earlier part, is a root.
+    """
+    roots: dict[int, frozenset[int]] = {}
+    for line in lines:
+        number = line.line.number
+        under = (roots.get(source, frozenset({source})) for source in line.sources)
+        own = {number} if line.verdict == "false" else set[int]()
+        roots[number] = frozenset(own).union(*under)
+    return roots

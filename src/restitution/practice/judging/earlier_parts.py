@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from restitution.expression.tree import Expression
-from restitution.practice.judgement import JudgedLine, Judgement
+from restitution.practice.judgement import JudgedLine, Judgement, false_roots
 from restitution.practice.judging.judging import judge
 from restitution.practice.script import Script, ScriptLine
 from restitution.problem import Given, Unknown
@@ -20,26 +20,50 @@ def judge_part(
     script: Script,
     part: str | None = None,
     letters: Mapping[str, Expression | Sequence[Expression]] | None = None,
+    judged: dict[str | None, Judgement] | None = None,
 ) -> Judgement:
     """The verdicts on the lines of a part, which may rest on the lines of earlier parts.
 
     Earlier lines are looked at where one of them, or of the part's own, is not plainly true; they
-    are left out again where more lines would be false with them. Raises KeyError for a part that
+    are left out again where more lines would be false with them. The source of a line is then a
+    false one of an earlier part. ``judged`` keeps the verdicts on each part by itself, for the
+    parts of the same script that are judged next. Raises KeyError for a part that
     is not there, and the error of a question that has no answer.
     """
-    alone = judge(solution, script, part, letters)
+    known = {} if judged is None else judged
+
+    def by_itself(label: str | None) -> Judgement:
+        if label not in known:
+            known[label] = judge(solution, script, label, letters)
+        return known[label]
+
+    alone = by_itself(part)
     labels = [label for label in _earlier(solution, part) if script.of(label).lines]
     if not labels or script.of(part) is script:
         return alone
-    judged = (judge(solution, script, label, letters) for label in labels)
-    if not (_is_troubled(alone.lines) or any(_is_troubled(each.lines) for each in judged)):
+    if not any(_is_troubled(by_itself(label).lines) for label in (part, *labels)):
         return alone
     whole = judge(solution, _joined(script, [*labels, part], part), part, letters)
     numbers = {each.line.number for each in alone.lines}
-    own = tuple(each for each in whole.lines if each.line.number in numbers)
+    roots = false_roots(whole.lines)
+    own = tuple(
+        _with_roots(each, numbers, roots) for each in whole.lines if each.line.number in numbers
+    )
     if _falses(own) > _falses(alone.lines):
         return alone
     return replace(whole, lines=own)
+
+
+def _with_roots(
+    line: JudgedLine, numbers: Collection[int], roots: Mapping[int, frozenset[int]]
+) -> JudgedLine:
+    """A line with the false lines of earlier parts in place of what follows from them there."""
+    sources = [
+        root
+        for source in line.sources
+        for root in ([source] if source in numbers else sorted(roots.get(source, ())))
+    ]
+    return replace(line, sources=tuple(dict.fromkeys(sources)))
 
 
 def _earlier(solution: Solution, part: str | None) -> list[str]:

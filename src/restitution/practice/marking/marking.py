@@ -93,7 +93,8 @@ def mark_parts(
     script = read_working(working, solution.problem, letters or ())
     opened = {line.part for line in script.lines}
     labels = [label for label in _labels(solution) if label in opened] or _labels(solution)[:1]
-    return tuple(_marked(solution, script, label, letters, hints) for label in labels)
+    judged: dict[str | None, Judgement] = {}
+    return tuple(_marked(solution, script, label, letters, hints, judged) for label in labels)
 
 
 def _labels(solution: Solution) -> list[str | None]:
@@ -106,6 +107,7 @@ def _marked(
     part: str | None,
     letters: Mapping[str, Meant] | None,
     hints: int | Mapping[int | None, int],
+    judged: dict[str | None, Judgement] | None = None,
 ) -> Marking:
     if part not in solution.parts:
         known = ", ".join(str(label) for label in _labels(solution) if label is not None)
@@ -121,7 +123,7 @@ def _marked(
     if error is not None:
         raise error
     meanings = _meanings(letters or {}, solution.problem)
-    judgement = judge_part(bench.solution, script, part, meanings)
+    judgement = judge_part(bench.solution, script, part, meanings, judged)
     judgement = _with_consequence(judgement, solution, part)
     unknown = bench.question.unknown - bench.question.given
     values = Values(bench.worlds, unknown, judgement.letters)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
 from restitution.expression.tree import Expression, Letter, Quantity, walk
-from restitution.practice.judgement import JudgedLine, Use
+from restitution.practice.judgement import JudgedLine, Use, false_roots
 from restitution.practice.letters.wordings import words_of
 from restitution.practice.marking import next_steps
 from restitution.practice.marking.marks import PointMark
@@ -133,7 +133,7 @@ def messages_of(
     """The messages on a working: ``levels`` by line, and the ``usual`` one for all others."""
     accused: int | None = None
     words = _Words(values, problem)
-    roots = _roots(lines)
+    roots = false_roots(lines)
     for line in lines:
         number = line.line.number
         level = levels.get(number, usual)
@@ -149,17 +149,6 @@ def messages_of(
         text = _next_step(points, words, level)
         if text:
             yield Message(None, level, text)
-
-
-def _roots(lines: Sequence[JudgedLine]) -> Mapping[int, frozenset[int]]:
-    """The numbers of the false lines on which each line rests."""
-    roots: dict[int, frozenset[int]] = {}
-    for line in lines:
-        number = line.line.number
-        under = (roots.get(source, frozenset[int]()) for source in line.sources)
-        own = {number} if line.verdict == "false" else set[int]()
-        roots[number] = frozenset(own).union(*under)
-    return roots
 
 
 def _of_line(
