@@ -62,6 +62,8 @@ def neat(value: Any) -> Any:
         return tidy(own)
     if (one := _of_one_ratio(own)) is not None:
         return one
+    if _is_over_a_sum(own):
+        return tidy(own)  # a quotient of components stays as they stand
     names = {
         multiple: sp.Dummy("angle", number, positive=True)
         for number, multiple in enumerate(sorted(multiples, key=sp.default_sort_key))
@@ -99,6 +101,18 @@ def _of_one_ratio(value: sp.Expr) -> sp.Expr | None:
     plain = sp.sympify(tidy(value), strict=True)
     is_one = not plain.is_Add and len(plain.atoms(sp.sin, sp.cos)) <= 1
     return plain if is_one else None
+
+
+def _is_over_a_sum(value: sp.Expr) -> bool:
+    """Whether a number is a ratio of degrees over a sum of such ratios alone."""
+    above, below = value.as_numer_denom() if not value.free_symbols else (value, value)
+    terms = sp.Add.make_args(below)
+    return (
+        not above.has(sp.Add)
+        and len(terms) > 1
+        and all(len(term.atoms(sp.sin, sp.cos)) == 1 for term in terms)
+        and all(not atom.args[0].free_symbols for atom in value.atoms(sp.sin, sp.cos))
+    )
 
 
 def _with_tangents(value: Any) -> Any:

@@ -151,6 +151,8 @@ def _is_long(tree: Expression) -> bool:
             return of_plain_angles(tree)
         case Binary("/", above, Number()) | Binary("*", Number(), above):
             return _is_long(above)
+        case Binary("*", left, right) if of_plain_angles(tree):
+            return _is_long(left) or _is_long(right)
     return not letters(tree) and any(
         isinstance(node, Apply) and node.function == "sqrt" and of_plain_angles(node.argument)
         for node in walk(tree)
