@@ -42,6 +42,7 @@ from restitution.practice.letters.options import (
     directions,
     elsewhen,
     is_direction,
+    multiples,
     of_trees,
     options,
     scaled,
@@ -201,6 +202,7 @@ class _Search:
             if " " in name
         }
         self.directions = around.directions(self.lines)
+        self.multipliers = around.multipliers(self.lines)
         self.failing: set[int] = set()
         self.relations: dict[tuple[int, tuple[Claim, ...]], Relation] = {}
         self.defined: set[str] = set()
@@ -347,6 +349,8 @@ class _Search:
         if name in self.turned_speeds:
             chosen = [each for each in chosen if not around.is_a_part(each)]
         chosen += list(scaled(chosen, self.directions))
+        if name in self.multipliers:
+            chosen += multiples(around.candidates, self.multipliers[name], around.problem)
         if name in self.definitions and self.usual(name, scope) is None:
             _, tree = self.definitions[name]
             value = around.tester.value(tree, {}, Frame(None, self.meanings(line.number)))

@@ -230,6 +230,9 @@ def of_trees(trees: Iterable[Expression], sensed: bool = True) -> Iterator[Candi
         yield candidate if sensed else replace(candidate, kind="definition")
 
 
+_MULTIPLE = 0.05
+
+
 def scaled(
     candidates: Iterable[Candidate], directions: Sequence[Expression]
 ) -> Iterator[Candidate]:
@@ -242,6 +245,28 @@ def scaled(
             for direction in directions[:3]:
                 quantity = Binary("*", Apply("abs", direction), each.quantity)
                 yield replace(each, quantity=quantity, cost=min(1.0, each.cost + _RARE))
+
+
+def multiples(
+    candidates: Iterable[Candidate], direction: Expression, problem: Problem
+) -> Iterator[Candidate]:
+    """What is multiplied by a direction that is no unit vector: an impulse, or what it changes.
+
+    In ``2(v_A - 6i - 2j) = -k(3i + 4j)`` the size of the impulse is 5k; a change of velocity may
+    be told in the same way.
+    """
+    size = Apply("abs", direction)
+    for each in candidates:
+        if each.kind != "impulse" or each.nature != "scalar" or each.body is not None:
+            continue
+        quotients: list[Expression] = [Binary("/", each.quantity, size)]
+        for sphere in problem.spheres:
+            mass = Quantity("mass", (Name(sphere.name),))
+            quotients.append(Binary("/", each.quantity, Binary("*", mass, size)))
+        for place, quotient in enumerate(quotients):
+            own = replace(each, quantity=quotient, cost=_MULTIPLE + (_RARE if place else 0.0))
+            yield own
+            yield own.turned()
 
 
 def _is_component(tree: Expression) -> bool:

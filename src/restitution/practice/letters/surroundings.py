@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Number,
@@ -178,6 +179,24 @@ class Surroundings:
                         for each in tree.arguments:
                             sizes.setdefault(self._size(each), each)
         return tuple(each for size, each in sizes.items() if size not in (0.0, 1.0))
+
+    def multipliers(self, lines: Iterable[ScriptLine]) -> dict[str, Expression]:
+        """The letters that multiply a vector of numbers which is no unit vector, each with it."""
+        directions: dict[str, Expression] = {}
+        for line in lines:
+            for link in line.links:
+                for side in (link.readings[0].left, link.readings[0].right):
+                    for tree in walk(side):
+                        match tree:
+                            case Binary("*", left, right):
+                                pairs = ((left, right), (right, left))
+                            case _:
+                                continue
+                        for factor, vector in pairs:
+                            own = factor.operand if isinstance(factor, Negate) else factor
+                            if isinstance(own, Letter) and self._size(vector) not in (0.0, 1.0):
+                                directions.setdefault(own.name, vector)
+        return directions
 
     def _size(self, tree: Expression) -> float:
         """The size of a vector of numbers; 0 of anything else."""
