@@ -69,9 +69,13 @@ _HUNDRED = Number(Fraction(100))
 
 @dataclass(frozen=True)
 class Past:
-    """What a line may go on from: the last right side, and a left side that waits for one."""
+    """What a line may go on from: the last right side, and a left side that waits for one.
+
+    ``earlier`` is where the chain above the last one ended: an aside may stand in between.
+    """
 
     side: tuple[Side, ...] = ()
+    earlier: tuple[Side, ...] = ()
     waiting: tuple[Side, ...] = ()
     sign: Sign = "="
 
@@ -160,6 +164,7 @@ class Chains:
         self.usage, self.problem, self.number, self.line = usage, problem, number, line
         self.whose = whose
         self.past = past
+        self.continues = False
         self.statements = Statements()
         self.links: list[Link] = []
         self.label: Token | None = None
@@ -393,7 +398,10 @@ class Chains:
         if self.label is not None:
             label, self.label = self.label, None
             return (Side(self.label_tree(label, (Side(Number(Fraction(0))),))),)
-        return self._last_sides() if self.links else self.past.side
+        if self.links:
+            return self._last_sides()
+        self.continues = True
+        return (*self.past.side, *self.past.earlier)
 
     def label_chain(
         self,

@@ -103,7 +103,9 @@ class _Reader(Chains):
         if self.label is not None and self.label.kind == "name" and not self.links:
             self.statements.body = self.body_of(self.label)
         last = self._last_sides() if self.links else (*self.worth, *self.past.side)
-        self.statements.past = Past(last, self.waiting, self.waiting_sign)
+        aside = bool(self.links) and not self.continues
+        earlier = self.past.side if aside else self.past.earlier
+        self.statements.past = Past(last, earlier, self.waiting, self.waiting_sign)
 
     def segment(self, segment: Segment, following: Sequence[Segment]) -> None:
         """Reads a segment: a label, a value, or relations."""
