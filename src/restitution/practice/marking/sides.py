@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    letters,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Meaning
@@ -201,13 +202,19 @@ class Sides:
                 last = chain[0].left
         return last
 
-    def _is_open(self, point: MarkPoint) -> bool:
-        """Whether letters that the question asks for stand in the value of a point."""
+    def _is_open(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether letters that the question asks for stand in the value of a point.
+
+        Or they stand in the student's for another letter, with which a fact has tied them:
+        ½mu²(1 - e) is mu²(tan²α - 1)/(2 tan²α) where tan²α = 1/e.
+        """
         assert point.link is not None
-        return any(
-            isinstance(each, Letter) and each.name in self.unknown
-            for each in walk(point.link.right)
-        )
+        own = letters(point.link.right)
+        if own & self.unknown:
+            return True
+        last = letters(line.line.links[-1].readings[0].right) if line.line.links else frozenset()
+        known = last <= self._base.letters.keys()
+        return known and bool(last & self.unknown) and len(last) <= len(own) and not own <= last
 
     def _gives(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
         if line.verdict == "remark":
@@ -274,7 +281,7 @@ class Sides:
                 return True
         return False
 
-    def _computes(self, quantity: Expression, line: JudgedLine) -> bool:
+    def _computes(self, quantity: Expression, line: JudgedLine, open_: bool = False) -> bool:
         """Whether a true line without a name computes what a quantity is worth, and is not zero."""
         if line.verdict != "true":
             return False
@@ -283,7 +290,7 @@ class Sides:
             first, last = chain[0].left, chain[-1].right
             impulse = isinstance(first, Letter) and first.name in _IMPULSE
             impulse = impulse and isinstance(quantity, Quantity) and quantity.kind == "impulse"
-            nameless = self._is_nameless(first, meanings, line)
+            nameless = self._is_nameless(first, meanings, line, open_)
             if not nameless and not impulse:
                 continue
             try:
@@ -298,7 +305,11 @@ class Sides:
         return False
 
     def _is_nameless(
-        self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine
+        self,
+        side: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+        open_: bool = False,
     ) -> bool:
         """Whether a side is a calculation, or a letter of which no meaning is known."""
         if isinstance(side, Number):
@@ -307,7 +318,7 @@ class Sides:
             if line.uses and all(use.principle == "arithmetic" for use in line.uses):
                 return True
             return side.name not in meanings and not self._has_value(side, meanings, line)
-        return self._is_value(side, meanings, line)
+        return self._is_value(side, meanings, line, open_)
 
     def _has_value(
         self, side: Expression, meanings: Mapping[str, Expression], line: JudgedLine

@@ -78,9 +78,10 @@ class Values(Sides):
         if point.shown and not self._is_printed(point, line):
             whole = line.verdict == "true" and self._gives_whole(point.link.left, line)
             return self._match(line) if whole else None
-        if not point.shown and not self._gives(point.link.left, line, self._is_open(point)):
-            energetic = point.principle in ("energy", "component")
-            computed = (energetic or point.letter == "A") and self._computes(point.link.left, line)
+        if not point.shown and not self._gives(point.link.left, line, self._is_open(point, line)):
+            computed = point.principle in ("energy", "component") or point.letter == "A"
+            open_ = self._is_open(point, line)
+            computed = computed and self._computes(point.link.left, line, open_)
             between = point.letter == "A" and point.item is None
             computed = computed or (between and self.gives_multiple(point, line))
             if not computed and not self._gives_whole(point.link.left, line):
@@ -90,12 +91,14 @@ class Values(Sides):
     def gives_multiple(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives a multiple of what a point is for its value."""
         link = point.link
-        return link is not None and self._gives_multiple(link.left, line, self._is_open(point))
+        return link is not None and self._gives_multiple(
+            link.left, line, self._is_open(point, line)
+        )
 
     def gives_multiple_only(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives a multiple of what a point is for, and not that itself."""
         link = point.link
-        if link is None or self._gives(link.left, line, self._is_open(point)):
+        if link is None or self._gives(link.left, line, self._is_open(point, line)):
             return False
         return self.gives_multiple(point, line)
 
