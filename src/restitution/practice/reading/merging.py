@@ -48,6 +48,7 @@ _ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "
 _OF = frozenset(
     ("of", "on", "in", "for", "to", "from", "by", "with", "at", "hits", "after", "before")
 )
+_WAYS = frozenset(("perpendicular", "parallel", "horizontal", "vertical"))
 _PLURALS = frozenset(f"the {word}" for word in HEADS if word.endswith("s") and word != "loss")
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
@@ -70,6 +71,7 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
             _size(tokens, place)
             or _owned(tokens, place)
             or _staged(tokens, place, text)
+            or _directed(tokens, place)
             or _deflected(tokens, place)
         )
         energy = _quotient_of_energies(tokens, place)
@@ -226,6 +228,20 @@ def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int]
     if len(stages) < 2:
         return None
     return _phrase(tokens[place : place + 2], text), place + 2
+
+
+def _directed(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``v perp`` and ``u parallel`` as the component of a velocity, after and before."""
+    if place + 2 >= len(tokens):
+        return None
+    letter, word, behind = tokens[place : place + 3]
+    way = DIRECTIONS.get(word.word) if word.kind == "word" else None
+    if letter.kind != "letter" or letter.name not in ("u", "v", "U", "V"):
+        return None
+    if way not in _WAYS or (behind.kind, behind.name) not in (("relation", "="), (":", ":")):
+        return None
+    when = " before" if letter.name in "uU" else ""
+    return replace(letter, kind="phrase", name=f"velocity {way}{when}", end=word.end), place + 2
 
 
 def _has_stage(tokens: Sequence[Token], place: int) -> bool:
