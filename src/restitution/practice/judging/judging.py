@@ -396,11 +396,18 @@ class _Sitting:
         named = mistake is not None and mistake.kind == "misconception"
         true = [_names_in(each.line) for each in lines if each.verdict == "true"]
         true += [_names_of(link) for link in line.line.links[: line.link or 0]]
+        # An angle that is worked out from components is known by them.
+        worked = {
+            name
+            for each in lines
+            if each.verdict == "true" and any(use.principle == "angle" for use in each.uses)
+            for name in _names_in(each.line)
+        }
         names = _names_in_doubt(line)
         doubtful: set[str] = set()
         for name, meaning in self.meanings.best.at(line.line.number).items():
             if name in names and meaning.by == "inferred" and not is_phrase(name):
-                support = sum(name in each for each in true)
+                support = sum(name in each for each in true) + _SURE * (name in worked)
                 odd = is_odd(name, meaning.quantity)
                 if support < (2 if odd else 0 if named else 1) or (
                     (not support or (support < _SURE and kind_of(meaning.quantity) in _ANGLES))

@@ -181,15 +181,16 @@ class Judge(Following):
             tree = next(known[name] for known in self._meanings.values() if name in known)
             if not is_to_a_line(tree):
                 continue
-            most, own = self._count(script, name), self._meanings
+            most, own = self._held(script, name), self._meanings
             best = own
             for other in self._other_angles(tree):
                 self._meanings = {
                     number: {**known, name: other} if known.get(name) == tree else known
                     for number, known in own.items()
                 }
-                true = self._count(script, name)
-                if true > most:
+                true = self._held(script, name)
+                # Nobody takes an angle as negative in one line, and as positive in another.
+                if true > most if isinstance(other, Negate) else len(true) > len(most):
                     most, best = true, self._meanings
             self._meanings = best
 
@@ -208,13 +209,14 @@ class Judge(Following):
             return False
         return isinstance(value, Angle) and bool(np.all(np.cos(value.measure()) < -_OBTUSE))
 
-    def _count(self, script: Script, name: str) -> int:
-        """How many relations with a letter are true."""
-        return sum(
-            self._holds(link, line, self.worlds) is not None
+    def _held(self, script: Script, name: str) -> frozenset[tuple[int, int]]:
+        """Which relations with a letter are true, by their lines and places."""
+        return frozenset(
+            (line.number, place)
             for line in script.lines
-            for link in line.links
+            for place, link in enumerate(line.links)
             if name in letters(link.readings[0].left) | letters(link.readings[0].right)
+            and self._holds(link, line, self.worlds) is not None
         )
 
     def _judged(self, line: ScriptLine) -> JudgedLine:
