@@ -319,3 +319,15 @@ def test_an_impossible_deflection_has_the_discriminant_of_its_tangent() -> None:
     )
     shown = " ".join(to_text(explain(solve(parse(text)))).split())
     assert "the discriminant of this quadratic in tan α, −108, is negative" in shown
+
+
+def test_a_tangent_that_was_shown_is_not_worked_out_again() -> None:
+    text = (
+        "sphere A: mass m, velocity u at theta\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/2\npart a\n"
+        "show tan(angle(velocity(A), line_of_centres)) = 4 tan(theta)\n"
+        "part b\nfind maximum of deflection(A) over theta"
+    )
+    second = " ".join(to_text(explain(solve(parse(text)))).partition("\n(b)")[2].split())
+    assert "tan β = 4 tan θ" in second
+    assert "tan β = u sin θ" not in second

@@ -124,6 +124,8 @@ def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tup
     refs = together(own.refs, (meaning,))
     subject = Apply("tan", Letter(letter))
     standing = _tangent_with_values(scene, subject, own)
+    if standing is None:
+        standing = _tangent_by_a_letter(scene, asked, subject, meaning)
     if standing is not None:
         return standing, letter
     same = write_same_angle(scene, asked, letter, meaning)
@@ -131,6 +133,26 @@ def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tup
     if known is not None:
         return known, letter
     return ratio_line(scene, move, refs, subject, own.right, own.value), letter
+
+
+def _tangent_by_a_letter(
+    scene: Scene, asked: Quantity, subject: Expression, meaning: Ref
+) -> int | None:
+    """The line of a tangent that stands without a letter for its angle, with the letter put in."""
+    desk = scene.desk
+    for line in reversed(desk.lines):
+        if isinstance(line.relation, Meaning) or not desk.holds(line.number):
+            continue
+        links = line.relation.options[0]
+        if len(line.relation.options) > 1 or links[0].left != Apply("tan", asked):
+            continue
+        if any(each.sign != "=" for each in links) or scene.lets_in(links[-1]):
+            continue
+        relation = chain(subject, (links[-1].right, None))
+        premises = scene.judge.enough(Move("rearrange"), (line.number, meaning), relation)
+        if premises is not None:
+            return desk.write(Move("rearrange"), premises, relation)
+    return None
 
 
 def _tangent_with_values(scene: Scene, subject: Expression, own: Formula) -> int | None:
