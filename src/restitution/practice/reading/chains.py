@@ -292,9 +292,9 @@ class Chains:
             if place == 0 and self._divides_what_stood_last(tokens):
                 below = self.sides(tokens[1:])
                 above = self._last_sides() if self.links else self.past.side
-                read.append(
-                    tuple(Side(Binary("/", a.tree, b.tree)) for a, b in product(above, below))
-                )
+                quotients = (Side(Binary("/", a.tree, b.tree)) for a, b in product(above, below))
+                # ÷: tan θ = 3/4 says what is done, and not what is divided.
+                read.append((*quotients, *below))
             elif tokens:
                 read.append(self.sides(tokens))
             elif place == 0 and (self.waiting or self.links or self.label or self.past.side):
