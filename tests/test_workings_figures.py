@@ -118,6 +118,7 @@ find e, energy_lost/energy(0) as a percentage
         (
             CORNER,
             [
+                "does not change: the component stays 4.947 m s⁻¹.",
                 "component of 𝐯₂ away from BC ≈ 0.4 × 6.045 ≈ 2.418 m s⁻¹",
                 "speed of P ≈ √(2.418² + 4.947²) ≈ 5.51 m s⁻¹",
                 "tan β ≈ 2.418/4.947",

@@ -128,7 +128,9 @@ class _Writer:
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)
         self.touching = Touching(derivation, self.naming)
-        self.staying = Staying(derivation, self.naming, self.measures, self.sources, self.ends)
+        self.staying = Staying(
+            derivation, self.naming, self.measures, self.sources, self.ends, self.rows.instead_of
+        )
         self.cases = {n: each for each in derivation.cases for n in each.lines}
         self.case: int | None = None
         self.group: int | None = None

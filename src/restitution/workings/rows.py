@@ -90,6 +90,10 @@ class Rows:
         self._left: tuple[Expression, str | None] | None = None
         self._single = True
 
+    def instead_of(self, tree: Expression) -> Expression:
+        """The figures of a value that is on paper with them; any other as it is."""
+        return self._figures.instead_of(tree)
+
     def afresh(self) -> None:
         """The next row goes on from none."""
         self._left = None

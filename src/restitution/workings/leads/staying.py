@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Derivation, Event, Line, Ref, Relation
@@ -30,11 +30,13 @@ class Staying:
         measures: Measures,
         sources: Sources,
         ends: Ends,
+        figures: Callable[[Expression], Expression],
     ) -> None:
         self._naming = naming
         self._measures = measures
         self._sources = sources
         self._ends = ends
+        self._figures = figures
         self._lines = {line.number: line for line in derivation.lines}
         self._facts = {fact.id: fact for fact in derivation.facts}
         self._cases = {n: each.number for each in derivation.cases for n in each.lines}
@@ -125,7 +127,8 @@ class Staying:
         values: list[tuple[str, lay.Layout]] = []
         for line in lines:
             assert isinstance(line.relation, Relation)
-            sides = [self._naming.layout(each.right) for each in line.relation.only]
+            trees = [self._figures(each.right) for each in line.relation.only]
+            sides = [self._naming.layout(each) for each in trees]
             unit = self._measures.unit(line.relation.only[0].left)
             if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):
                 sides[-1] = with_unit(sides[-1], unit)

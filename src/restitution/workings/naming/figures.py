@@ -100,6 +100,13 @@ class Figures:
         """Notes that a value stands on paper as an expression of figures, and not exactly."""
         self._known.setdefault(tree, put)
 
+    def instead_of(self, tree: Expression) -> Expression:
+        """The figures of a value that is on paper with them; any other as it is."""
+        if isinstance(tree, Negate):
+            put = self.instead_of(tree.operand)
+            return tree if put == tree.operand else swept(Negate(put))
+        return self._known.get(tree, tree)
+
     def cosine(self, tree: Expression) -> Expression:
         """The figures of a cosine that is not written exactly; they stand for it from then.
 
