@@ -411,6 +411,7 @@ find energy_lost/energy(0) as a percentage, velocity(A), velocity(B)
         ("gain = -1/4mu^2", ["the gain = −¼mu²"]),
         ("lost 1/4 out of 1/2 = 50%", ["the lost = (1/4)/(1/2)", "(1/4)/(1/2) = 0.5"]),
         ("50%", ["the percentage = 0.5"]),
+        ("1 - 0.707² = 0.5 so 50%", ["1 − 0.707² = 0.5", "the percentage = 0.5"]),
         ("so 50% of the KE is lost", ["percentage lost = 0.5"]),
     ],
 )

@@ -287,7 +287,8 @@ class _Reader(Chains):
         """What a percentage alone is, where the question asks for one: ``60%``, ``60% lost``."""
         first = [each.kind for each in segment.tokens[:2]] == ["number", "percent"]
         words = set(segment.before) - _CONCLUDING
-        if not first or self.links or words:
+        goes_on = bool(self.links) and not set(segment.before) & _ENDING
+        if not first or goes_on or words:
             return None
         asked = any(
             isinstance(item, Value) and item.percentage
