@@ -48,7 +48,7 @@ _ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "
 _OF = frozenset(
     ("of", "on", "in", "for", "to", "from", "by", "with", "at", "hits", "after", "before")
 )
-_WAYS = frozenset(("perpendicular", "parallel", "horizontal", "vertical"))
+_OF_COMPONENTS = frozenset(("perpendicular", "parallel", "horizontal", "vertical"))
 _PLURALS = frozenset(f"the {word}" for word in HEADS if word.endswith("s") and word != "loss")
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
@@ -238,7 +238,7 @@ def _directed(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
     way = DIRECTIONS.get(word.word) if word.kind == "word" else None
     if letter.kind != "letter" or letter.name not in ("u", "v", "U", "V"):
         return None
-    if way not in _WAYS or (behind.kind, behind.name) not in (("relation", "="), (":", ":")):
+    if way not in _OF_COMPONENTS or (behind.kind, behind.name) not in (("relation", "="), (":", ":")):
         return None
     when = " before" if letter.name in "uU" else ""
     return replace(letter, kind="phrase", name=f"velocity {way}{when}", end=word.end), place + 2
