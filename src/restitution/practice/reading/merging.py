@@ -238,7 +238,9 @@ def _directed(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
     way = DIRECTIONS.get(word.word) if word.kind == "word" else None
     if letter.kind != "letter" or letter.name not in ("u", "v", "U", "V"):
         return None
-    if way not in _OF_COMPONENTS or (behind.kind, behind.name) not in (("relation", "="), (":", ":")):
+    if way not in _OF_COMPONENTS:
+        return None
+    if (behind.kind, behind.name) not in (("relation", "="), (":", ":")):
         return None
     when = " before" if letter.name in "uU" else ""
     return replace(letter, kind="phrase", name=f"velocity {way}{when}", end=word.end), place + 2
