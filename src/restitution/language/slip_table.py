@@ -303,6 +303,11 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
     ("given let show", r"(?:\d|%)\s+(?P<x>of)\b", _CUT),
     (
         "given show",
+        rf"(?P<x>\b(?P<a>{NAME})\s+will\s+(?:hit|strike|collide\s+with)\s+(?P<b>{NAME})\s+again)",
+        _meant("{a} hits {b} again"),
+    ),
+    (
+        "given show",
         rf"(?P<x>\b(?P<a>{NAME})\s+hits\s+(?P<b>{NAME}))\s*(?:,|$)",
         _either("{a} will hit {b}", "{a} hits {b} again"),
     ),
