@@ -7,9 +7,7 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from restitution.expression.tree import (
-    Letter,
-)
+from restitution.expression.tree import Apply, Expression, Letter, Negate
 from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.script import Declaration
@@ -49,7 +47,7 @@ class Declarations:
         body = self.body
         if body and not self.usage.spheres & set(words.split()):
             words = f"{words} of {body}"
-        meanings = read_phrase(words, self.problem)
+        meanings = _with_senses(read_phrase(words, self.problem))
         self.add(Declaration(letter.name, meanings, token.text))
 
     def another(self, letter: Letter, words: AbstractSet[str]) -> bool:
@@ -63,7 +61,7 @@ class Declarations:
             return False
         if place == 1:
             first = f"{self.shared.name} of {self.bodies[0]}"
-            meanings = read_phrase(first, self.problem)
+            meanings = _with_senses(read_phrase(first, self.problem))
             self.declarations = (replace(declared[0], meanings=meanings),)
         name = f"{self.shared.name} of {self.bodies[place]}"
         self.declare(letter, replace(self.shared, name=name))
@@ -83,3 +81,15 @@ class Declarations:
     def add(self, declaration: Declaration) -> None:
         """Adds a declaration."""
         self.declarations += (declaration,)
+
+
+def _with_senses(meanings: Sequence[Expression]) -> tuple[Expression, ...]:
+    """The meanings of a declared letter; a speed may be a component of either sense as well.
+
+    Who says *let the speeds after be v and w* goes on with momentum, and with v < 0.
+    """
+    inside = [
+        each.argument for each in meanings if isinstance(each, Apply) and each.function == "abs"
+    ]
+    signed = (sense for each in inside for sense in (each, Negate(each)))
+    return tuple(dict.fromkeys((*meanings, *signed)))

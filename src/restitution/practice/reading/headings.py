@@ -39,6 +39,9 @@ _BEHIND = re.compile(
 def part_of(text: str, problem: Problem) -> tuple[str | None, int]:
     """The part of the question that a line opens, and where the rest of the line begins."""
     labels = {each.label.lower(): each.label for each in problem.parts if each.label}
+    alone = text.strip().lower()
+    if alone in labels:
+        return labels[alone], len(text)
     match = _PART.match(text)
     if not match or not labels:
         return None, 0
