@@ -13,6 +13,11 @@ from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.script import Declaration
 from restitution.problem import Problem
 
+_HAVING = re.compile(
+    r"\b([A-Z]\w*)\s+(?:have|has|having|moves?\s+with|moves?\s+at|travels?\s+(?:at|with)|with)\s+"
+    r"(?:an?\s+|the\s+|final\s+|new\s+)?(speed|velocity)\s+([A-Za-z](?:_?\w)?)(?![\w(])"
+    r"(?:\s*,?\s*(?:and|,)\s*([A-Z]\w*)\s+([A-Za-z](?:_?\w)?)(?![\w(]))?"
+)
 _THAT_OF = re.compile(r"\b([A-Za-z](?:_?\w)?)\s+(?:=\s*|is\s+|be\s+)?that\s+of\s+([A-Z]\w*)")
 
 
@@ -77,6 +82,17 @@ class Declarations:
             words = [each for each in self.shared.name.split() if each not in self.usage.spheres]
             name = " ".join((*words, "of", match[2]))
             self.declare(Letter(match[1]), replace(self.shared, name=name))
+
+    def having(self, text: str) -> None:
+        """``let B have speed p and C q``: letters behind the bodies that have them."""
+        when = " after" if re.search(r"\b(after|final|new|rebound)", text) else ""
+        for match in _HAVING.finditer(text):
+            body, noun, letter, *other = match.groups()
+            for name, own in ((body, letter), tuple(other)):
+                if name in self.usage.spheres and own and own not in self.usage.letters:
+                    words = f"{noun} of {name}{when}"
+                    meanings = _with_senses(read_phrase(words, self.problem))
+                    self.add(Declaration(own, meanings, match[0]))
 
     def add(self, declaration: Declaration) -> None:
         """Adds a declaration."""

@@ -93,6 +93,9 @@ class _Reader(Chains):
     def finish(self) -> None:
         """Puts together what was read."""
         self.declared.that_of(self.line.text)
+        if not self.declared.declarations:
+            self.declared.having(self.line.text)
+        self._without_declared()
         self.statements.declarations = self.declared.declarations
         self.statements.links = tuple(map(finished, self.links))
         self.statements.values = tuple(map(without_marks, self.statements.values))
@@ -106,6 +109,20 @@ class _Reader(Chains):
         aside = bool(self.links) and not self.continues
         earlier = self.past.side if aside else self.past.earlier
         self.statements.past = Past(last, earlier, self.waiting, self.waiting_sign)
+
+    def _without_declared(self) -> None:
+        """Drops relations that only give a letter to a phrase which declares it."""
+        declared = {each.letter for each in self.declared.declarations}
+        self.links = [
+            link
+            for link in self.links
+            if not (
+                isinstance(link.readings[0].left, Letter)
+                and is_phrase(link.readings[0].left.name)
+                and isinstance(link.readings[0].right, Letter)
+                and link.readings[0].right.name in declared
+            )
+        ]
 
     def segment(self, segment: Segment, following: Sequence[Segment]) -> None:
         """Reads a segment: a label, a value, or relations."""
