@@ -24,7 +24,9 @@ _OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
 _UNSURE = ("asks", "unread")
 
 # The words in which it is said whether bodies meet.
-_CONCLUDING = re.compile(r"\b(again|collide|collides|collision|hit|hits|meet|catch)\b", re.I)
+_CONCLUDING = re.compile(
+    r"\b(again|collide|collides|collision|hit|hits|strikes?|meets?|catch(?:es)?|overtakes?)\b", re.I
+)
 
 LAWS = ("momentum", "restitution", "unchanged")
 _UNGROUNDED = "does not follow from the true lines above"
