@@ -88,6 +88,11 @@ def test_which_way_the_line_of_centres_points_is_a_claim(saying: str) -> None:
         assert verdicts(FOUND, saying.format(way)) == [verdict], way
 
 
+def test_the_angle_of_a_line_of_centres_may_be_that_to_i() -> None:
+    assert verdicts(FOUND, "angle of loc = tan^-1(4/3) = 53.1") == ["true"]
+    assert verdicts(FOUND, "angle of loc = 25.5") == ["false"]
+
+
 def test_a_change_of_a_body_is_that_of_its_velocity() -> None:
     assert verdicts(FOUND, "change in A = -6i - 8j, parallel to 3i + 4j") == ["true"]
     assert verdicts(FOUND, "change in A = -6i + 8j") == ["false"]

@@ -629,6 +629,10 @@ class _Reader:
                 yield Quantity("deflection", (Name(body),), self.after(event))
         if not spheres and features.direction is None and len(self.bodies_met(event)) == 2:
             yield self.angle_between(event)
+        if not spheres and features.axis is None and "centres" in (features.direction or ""):
+            own = Quantity("angle", (line, Unit("i")))  # angle of the line of centres
+            yield own
+            yield Binary("-", Degrees(Fraction(90)), own)
 
     def inclinations(self, event: int) -> Iterator[Expression]:
         """The angles of velocities to the line of centres, measured either way."""
