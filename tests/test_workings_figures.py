@@ -116,6 +116,16 @@ find e, energy_lost/energy(0) as a percentage
             ["θ = arctan((√(15 sin² 80° + 16 cos² 80°) − 4 cos 80°)/(3 sin 80°)) ≈ 47.1°"],
         ),
         (
+            SPHERES.replace("m, velocity u at 50°", "m, velocity u at 35°")
+            .replace("B: mass m", "B: mass 2m")
+            .replace("angle(velocity(A), line_of_centres) = 80°", "energy_lost = 5% energy(0)")
+            .replace("energy_lost/energy(0) as a percentage", "deflection(A)"),
+            [
+                "= (30 sin 35°)/(√(10(40 cos² 35° − 3)) − 10 cos 35°)",
+                "= 145° + arctan((30 sin 35°)/(10 cos 35° − √(10(40 cos² 35° − 3)))) ≈ 77.8°",
+            ],
+        ),
+        (
             CORNER,
             [
                 "does not change: the component stays 4.947 m s⁻¹.",

@@ -77,11 +77,11 @@ def write_turn(
     if turn.form.startswith("rest"):
         whole += sp.pi
     letter, meaning = letter_of(scene, turn.asked)
-    right = turn.made_of(*trees)
+    right = swept(turn.made_of(*trees))
     value = exact.tidy_angle(whole)
     plain = not value.atoms(sp.atan, sp.acos, sp.asin)
     collected = None if plain else _collected(turn, trees) or _with_one_number(turn, trees)
-    final = tree_of(value, angle=True, as_it_is=True) if plain else collected or right
+    final = tree_of(value, angle=True, as_it_is=True) if plain else swept(collected or right)
     relation = chain(Letter(letter), (right, None), (final, "rearrange"))
     names = [*map(partial(_by_its_name, scene), (turn.first, turn.second), trees)]
     by_names = chain(

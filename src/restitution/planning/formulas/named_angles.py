@@ -85,7 +85,9 @@ def ratio_line(
         case Binary("/", above, below) if isinstance(swept(below), Negate):
             first = Binary("/", swept(above), swept(below))
     final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
-    ends = (*_over_roots(scene, first), tree_of(final))
+    ends = tuple(_over_roots(scene, first))
+    if not (ends and _is_of_degrees(final)):
+        ends = (*ends, tree_of(final))
     rearrange: MoveId = "rearrange"
     relation = chain(ratio, (first, None), *((each, rearrange) for each in ends))
     names = letters(relation.only[0].right)
@@ -96,6 +98,12 @@ def ratio_line(
     if known:
         refs = scene.judge.enough(move, refs, relation, known) or refs
     return scene.desk.write(move, refs, relation)
+
+
+def _is_of_degrees(value: Any) -> bool:
+    """Whether a number has ratios of angles such as 35°."""
+    own = sp.sympify(value, strict=True)
+    return bool(own.is_number and own.has(sp.sin, sp.cos))
 
 
 def _over_roots(scene: Scene, quotient: Expression) -> Iterator[Expression]:
