@@ -599,7 +599,10 @@ def _require_letters(scene: Scene, result: ItemResult) -> None:
 
 
 def _require_form(scene: Scene, result: ItemResult) -> None:
-    """Refuses a place or a length whose ratios of angles are not those of the answer."""
+    """Refuses a place or a length whose ratios of angles are not those of the answer.
+
+    One in tangents, of an answer in sines and cosines, ends in the answer.
+    """
     end = scene.desk.ends[-1]
     values = {answer.value for answer in result.answers if not isinstance(answer.value, tuple)}
     if len(values) != 1 or len(end.answer.options) != 1 or result.kind != "value":
@@ -608,8 +611,7 @@ def _require_form(scene: Scene, result: ItemResult) -> None:
     kinds = {node.function for node in walk(end.answer.only[0].right) if isinstance(node, Apply)}
     ratios = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
     if "tan" in kinds and ratios == {"sin", "cos"}:
-        if len(walk(end.answer.only[0].right)) > len(walk(tree_of(value))):
-            _end_in(scene, end, value)
+        _end_in(scene, end, value)
     elif kinds & _NAMES != ratios:
         raise NotPlannedError("an answer in another form")
 
