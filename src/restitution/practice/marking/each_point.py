@@ -454,6 +454,8 @@ class EachPoint:
         )
 
     def _is_eliminated(self, line: JudgedLine) -> bool:
+        if _is_of_what_stays(line):
+            return False
         if self.values.is_solved(line) or self.values.is_eliminated(line):
             return True
         own = self.values.unknowns(line)
@@ -524,6 +526,8 @@ class EachPoint:
                 continue  # a fact of the question needs no law
             if point.principle == "fact" and not self.values.speaks_of(point, use.principle):
                 continue
+            if point.principle == "solve" and _is_of_what_stays(line):
+                continue
             if (point.principle, use.principle) == ("velocity", "component") and not has_vector(
                 line
             ):
@@ -584,3 +588,8 @@ class EachPoint:
 
     def _line(self, number: int | None) -> JudgedLine | None:
         return next((each for each in self.lines if each.line.number == number), None)
+
+
+def _is_of_what_stays(line: JudgedLine) -> bool:
+    """Whether a line has a component that stays, or one before, for which nothing is solved."""
+    return bool(line.uses) and line.uses[0].principle in ("unchanged", "component")
