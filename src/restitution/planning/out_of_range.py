@@ -70,7 +70,9 @@ def _values(
     )
     own = replace(part, branches=part.beyond[:1])
     others = models if len(models) > 1 else ()
-    scene = Scene(problem, part.part, own, models[0], desk, others, find_frame=frame_at)
+    scene = Scene(
+        problem, part.part, own, models[0], desk, others, find_frame=frame_at, out_of_range=True
+    )
     desk.item = item
     start, splits = len(desk.lines), len(desk.splits)
     Solver(scene).determine([models[0].unknowns.letter(name)])
@@ -86,7 +88,7 @@ def _values(
             return None
         (line,) = lines
     if desk.line(line).move.id == "reject":
-        # It drops some for the reason for which all are dropped.
+        # What is rejected is impossible as well.
         line = next(
             ref
             for ref in desk.line(line).premises

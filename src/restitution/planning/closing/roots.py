@@ -495,6 +495,8 @@ def rejected(
             return scene.desk.write(move, refs, relation)
     pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
     refs = scene.judge.enough(move, (line,), relation, pool)
+    if refs is None and scene.out_of_range:
+        return line  # what excludes all roots tells none from the others
     if refs is None:
         raise NotPlannedError(f"nothing excludes a value of {symbol}")
     return scene.desk.write(move, refs, relation)

@@ -90,6 +90,8 @@ class Scene:
     """What offsets say of angles of lines of centres that have letters."""
     kept: frozenset[sp.Symbol] = frozenset()
     """Angles of which no ratio is put in for now."""
+    out_of_range: bool = False
+    """Whether the values that are written are such as a letter cannot have."""
     _initial: dict[str, Source] = field(default_factory=dict)
     _put: dict[sp.Expr, tuple[sp.Expr, tuple[Ref, ...]]] = field(default_factory=dict)
     _unknown: dict[sp.Expr, frozenset[sp.Symbol]] = field(default_factory=dict)
