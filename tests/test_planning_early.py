@@ -56,6 +56,26 @@ find tan(beta)
     assert "given 1" in under(derivation, "2")
 
 
+@pytest.mark.parametrize(
+    ("mass", "claim", "fact"),
+    [
+        ("m", "tan(angle(velocity(A), i)) = 2tan(alpha)/(1-e)", "deflection(A) = 90° - alpha"),
+        (
+            "2m",
+            "tan(deflection(A)) = 2(1+e)tan(alpha)/(1 - 2e + 3tan(alpha)^2)",
+            "deflection(A) = 90°",
+        ),
+    ],
+)
+def test_a_tangent_is_shown_above_the_fact_that_the_angle_is_right(
+    mass: str, claim: str, fact: str
+) -> None:
+    text = SPHERES.replace("B: mass m", f"B: mass {mass}")
+    text += f"show {claim}\ngiven {fact}\nfind e"
+    assert [item.holds for _, item in solve(parse(text)).items()] == [True, None]
+    assert "given 1" not in under(planned(text), "1")
+
+
 def test_what_is_shown_by_a_fact_below_it_still_rests_on_that() -> None:
     derivation = planned(SPHERES + "show speed(A) = u sin(alpha)\ngiven e = 1\nfind speed(B)")
     assert "given 1" in under(derivation, "1")

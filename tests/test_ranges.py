@@ -184,6 +184,23 @@ def test_ends(text: str) -> None:
     assert disagreements(solve(parse(text)), expected(text)) == []
 
 
+def test_an_equation_that_holds_of_itself_for_some_data_says_nothing_there() -> None:
+    solution = solve(
+        parse(
+            """
+            sphere A: mass m, velocity u at alpha
+            sphere B: mass k m, velocity u at 180° - alpha
+            A hits B: along i
+            given speed(A) = speed(B)
+            find k
+            """
+        )
+    )
+    answer = solution["k"].answers[0]
+    assert answer.display == "1, for e > 0"
+    assert answer.condition == ("0 < e",)
+
+
 def test_where_a_least_value_is_reached_has_to_exist() -> None:
     """A goes on with (1 - ek)u cos(alpha)/(1 + k), which vanishes for no k where e = 0."""
     text = """sphere A: mass m, velocity u at alpha

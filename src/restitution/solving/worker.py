@@ -620,7 +620,14 @@ class Worker:
 
         line = None if step.place is None else step.place.line
         try:
-            result = show(self, step, now)
+            try:
+                result = show(self, step, now)
+            except StatementError:
+                # A tangent may have no value by the facts below, which the claim is not about.
+                above = self._above_facts(step, now)
+                if above is None:
+                    raise
+                result = above
             if result.undecided:
                 self.warn(f"{step.text}: this is not decided; nothing that was tried refutes it")
             return result
@@ -631,3 +638,21 @@ class Worker:
             return ItemResult(step, line, step.text, "show", error=error)
         except UNFORESEEN as error:
             return ItemResult(step, line, step.text, "show", error=unforeseen(error, line))
+
+    def _above_facts(self, step: Show, now: int) -> ItemResult | None:
+        """A claim as it holds without the facts below it in its part; None where it does not."""
+        from restitution.solving.showing import show
+
+        steps = self.part.steps
+        cut = next(n for n, each in enumerate(steps, 1) if each is step)
+        rest = tuple(each for each in steps[cut:] if not isinstance(each, Given | Find | Show))
+        if not any(isinstance(each, Given) for each in steps[cut:]):
+            return None
+        own = replace(self.part, steps=(*steps[:cut], *rest))
+        parts = tuple(own if each is self.part else each for each in self.problem.parts)
+        without = Worker(Desk(replace(self.problem, parts=parts), own, self.desk.carried))
+        try:
+            result = show(without, step, now)
+        except RestitutionError:
+            return None
+        return result if result.holds else None

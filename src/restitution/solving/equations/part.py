@@ -44,7 +44,8 @@ SAMPLES_FOR_SIGNS = 24
 class Outcome:
     """All that solving the unknowns of a part gave.
 
-    ``deciding`` are the letters in its equations, ``decisions`` what was decided on the way.
+    ``equations`` are those of the last telling that do not hold by themselves, ``deciding`` the
+    letters in all of them, ``decisions`` what was decided on the way.
     """
 
     setting: Setting
@@ -53,6 +54,7 @@ class Outcome:
     open_story: Story
     deciding: frozenset[str]
     decisions: tuple[Decision, ...]
+    equations: tuple[sp.Expr, ...] = ()
 
     @property
     def accepted(self) -> list[Trial]:
@@ -167,6 +169,7 @@ def work_out(setting: Setting) -> Outcome:
     """
     trials: list[Trial] = []
     last: tuple[Letters, Story] | None = None
+    equations: list[sp.Expr] = []
     deciding = {name for pair in equations_of_letters(setting) for name in letters_of_pair(pair)}
     decisions: list[Decision] = []
     failed: ImpossibleError | None = None
@@ -203,7 +206,8 @@ def work_out(setting: Setting) -> Outcome:
     if last is None or not trials:
         raise failed or _clash(setting)
     trials = _without_touching(_distinct(trials))
-    return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions))
+    left = tuple(each for each in equations if each != 0)
+    return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions), left)
 
 
 def _letters_of_zero(

@@ -14,7 +14,7 @@ from typing import Literal
 import sympy as sp
 
 from restitution import exact
-from restitution.errors import RestitutionError
+from restitution.errors import RestitutionError, UnsupportedError
 from restitution.oracle import (
     BeyondError,
     Formula,
@@ -27,6 +27,7 @@ from restitution.oracle.roles import Role
 from restitution.render.layout import Layout, Phrase, Words, from_set, relation
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms
+from restitution.solving.algebra.clearing import polynomial_of
 from restitution.solving.algebra.intervals import inside_of, to_set
 from restitution.solving.algebra.polynomials import factors
 from restitution.solving.equations.part import Outcome
@@ -38,6 +39,8 @@ from restitution.solving.story.admission import Demand, demands_for
 from restitution.solving.story.conditions import Condition
 
 MOST_LETTERS = 6
+# What is longer is not factorised.
+LONGEST_EQUATION = 400
 _SIGNS = {">": ">", ">=": "≥", "!=": "≠", "=": "="}
 
 
@@ -59,6 +62,7 @@ def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
     admission = trial.admission
     roles = outcome.letters.all_roles() if admission is None else admission.roles
     demands = _at_contacts(outcome, trial) if admission is None else admission.demands
+    demands = (*demands, *_at_equations(outcome, trial))
     base = Oracle(roles, presupposed(outcome)) if demands else Oracle(roles)
     rest = [
         demand
@@ -66,6 +70,24 @@ def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
         if _is_of_visible_letters(demand) and not base.decide(demand.formula)
     ]
     return tuple(_limits(outcome, trial, base, _needed(base, rest)))
+
+
+def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
+    """That no equation holds whatever the unknowns are: no factor of data alone is zero."""
+    sought = trial.root.values.keys()
+    if not sought or len(outcome.equations) > len(sought):
+        return
+    for equation in outcome.equations:
+        unknowns = {x for x in equation.free_symbols if x.name in sought}
+        if not unknowns or sp.count_ops(equation) > LONGEST_EQUATION:
+            continue
+        try:
+            each = factors(polynomial_of(equation, unknowns))
+        except (sp.PolynomialError, UnsupportedError):
+            continue
+        for factor in each:
+            if not factor.free_symbols & unknowns:
+                yield Demand(Relation(factor, "!="), "", "fact")
 
 
 def _at_contacts(outcome: Outcome, trial: Trial) -> tuple[Demand, ...]:
