@@ -48,6 +48,36 @@ find e in terms of f, alpha
 """,
         ("e = (3√(2f) − 2 cos α)/(2 cos α)",),
     ),
+    "a coefficient by the tangents of an angle and of its double": (
+        """
+sphere P: mass m, velocity u at 2theta to W
+wall W
+P hits W
+given angle(velocity(P), W) = theta
+find e in terms of theta
+""",
+        ("By the formulae for the double angle:", "e = (1 − tan²θ)/2"),
+    ),
+    "a square without a factor that is positive as the spheres approach": (
+        """
+sphere A: mass m, velocity u i + v j
+sphere B: mass k m, at rest
+A hits B: along i
+given energy_lost = 0
+find e
+""",
+        ("A and B approach each other before the impact:\n    e² = 1", "e = 1, as e ≥ 0"),
+    ),
+    "a component that stands in both equations as the law of restitution has it": (
+        """
+sphere P: mass m, velocity u at alpha to W
+wall W
+P hits W
+given angle(velocity(P), W) = 30°, energy_lost = 1/3 energy(0)
+find alpha, e
+""",
+        ("Substituting in (2):", "3 sin²α − cos²α = 1", "cos²α = ½", "α = 45°", "e = √3/3"),
+    ),
     "an angle that falls out": (
         """
 sphere A: mass 2m, velocity 4u at alpha

@@ -48,6 +48,14 @@ def test_all_roots_are_out_of_range() -> None:
     assert "as k is positive" not in shown
 
 
+def test_no_angle_between_directions_is_more_than_two_right_angles() -> None:
+    """The angle to the line of centres would be 150° + 45°."""
+    text = SPHERES.format(u="u at 45°", k="3", v="at rest", e="")
+    shown = working(text + "given deflection(A) = 150°\nfind e")
+    assert "195°" not in shown
+    assert "This cannot be, as e ≥ 0. So what is described cannot happen." in shown
+
+
 def test_a_value_in_letters() -> None:
     text = SPHERES.format(u="u at theta", k="", v="velocity c u at 90°", e=", e = 1/2")
     text += "given velocity(A) perpendicular to velocity(B)\nfind c in terms of theta"

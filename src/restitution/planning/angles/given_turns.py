@@ -199,8 +199,8 @@ def _one_angle(
         "rest of difference": sp.pi + rest - value if first else value + rest - sp.pi,
     }[turn.form]
     final = tree_of(tidy(worth), angle=True)
-    if not isinstance(final, Degrees):
-        return None
+    if not isinstance(final, Degrees) or not 0 <= worth <= sp.pi:
+        return None  # an angle between directions is at most 180°
     named: tuple[Ref, ...] = ()
     subject = side.angle
     if subject is None:

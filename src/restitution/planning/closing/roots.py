@@ -353,6 +353,7 @@ def in_standard_form(
     if refs is None and pure:
         # A given fact may tell that what it is divided by is not zero.
         given = [each for each in scene.judge.known(names_) if each in scene.facts]
+        given += [each for each in scene.facts if each.startswith(("approach ", "velocity "))]
         refs = scene.judge.enough(Move("cancel"), (number,), relation, given) if given else None
         if refs is not None:
             return scene.desk.write(Move("cancel"), refs, relation)

@@ -49,7 +49,10 @@ from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.angle_ratios import write_other_ratio
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
+    ONE,
+    TWO,
     ZERO,
+    difference,
     in_tangents,
     product,
     square,
@@ -426,6 +429,9 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
                 return None
     if not back:
         return None
+    halved = _by_double_tangents(scene, number)
+    if halved is not None:
+        return _by_tangents(scene, halved, symbol)
     poly = sp.Poly(numerator(sp.cancel(gap)), symbol)
     if poly.degree() != 1 or inside_functions(poly.as_expr()) or poly.as_expr().atoms(sp.cos):
         return None
@@ -433,6 +439,24 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     tree = rebuilt(tree_of(value), lambda each: back.get(each, each))
     line = rearranged(scene, number, chain(Letter(symbol.name), (tree, None)))
     return None if line is None else known_as(scene, symbol, scene.scalar(tree), line)
+
+
+def _by_double_tangents(scene: Scene, number: int) -> int | None:
+    """A line of the tangents of θ and of 2θ in that of θ alone; None of another line."""
+    link = scene.desk.last_link(number)
+    halves: dict[Expression, Expression] = {}
+    for node in (each for side in (link.left, link.right) for each in walk(side)):
+        match node:
+            case Apply("tan", Binary("*", whole, Letter() as angle)) if whole == TWO:
+                tangent = Apply("tan", angle)
+                below = difference(ONE, square(tangent))
+                halves[node] = Binary("/", product(TWO, tangent), below)
+    if not halves:
+        return None
+    left, right = (swept(_with(side, halves)) for side in (link.left, link.right))
+    move, relation = Move("identity", "double-angle"), chain(left, (right, None))
+    refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
+    return None if refs is None else scene.desk.write(move, refs, relation)
 
 
 def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:

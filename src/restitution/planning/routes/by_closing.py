@@ -124,9 +124,14 @@ class Closing(ByLaws):
             lines = [self._line(each) for each in (first, second)]
             if None in lines:
                 continue
-            x, y = sorted(unknowns, key=self._wanted_later)
+            pair: tuple[int, int] = (lines[0], lines[1])  # type: ignore[assignment]
+            # A component may stand in the lines as a law expresses it.
+            own = set[sp.Symbol]().union(
+                *(self.scene.unknown(residual(self.scene, each)) for each in pair)
+            )
+            x, y = sorted(own if len(own) == len(pair) else unknowns, key=self._wanted_later)
             try:
-                close_two(self.scene, (lines[0], lines[1]), (x, y))  # type: ignore[arg-type]
+                close_two(self.scene, pair, (x, y))
             except NotPlannedError as error:
                 self.reasons.append(error)
                 continue
