@@ -17,11 +17,13 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
     Letter,
     Negate,
+    Number,
     Quantity,
     letters,
     walk,
@@ -443,7 +445,26 @@ class _Search:
             return own[-1] if own else after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
-        return known or self._resolved_speed(name, scope)
+        return known or self._resolved_speed(name, scope) or self._asked_speed(name)
+
+    def _asked_speed(self, name: str) -> Candidate | None:
+        """The one speed that is asked, for ``v = √(4² + 5²)`` and ``v² = 16 + 25``.
+
+        A value that is no quantity at all is a mistake, and no letter of the student's own, where
+        no line has the letter beside others.
+        """
+        links = [pair for own in self.items.values() for pair in own if name in pair[1]]
+        alone = all(names == {name} for _, names in links)
+        if name not in _VELOCITIES or not alone:
+            return None
+        if not any(_is_of_squares(link.readings[0], name) for link, _ in links):
+            return None
+        speeds = [
+            each
+            for each in self.around.candidates
+            if each.asked and isinstance(each.quantity, Quantity) and each.quantity.kind == "speed"
+        ]
+        return speeds[0] if len(speeds) == 1 else None
 
     def _resolved_speed(self, name: str, scope: Scope) -> Candidate | None:
         """The speed after the impact of the only body there is, for the v of ``v cos 45``."""
@@ -706,6 +727,18 @@ def _is_along_the_line(tree: Expression) -> bool:
         and isinstance(inner.arguments[1], Quantity)
         and inner.arguments[1].kind == "line_of_centres"
     )
+
+
+def _is_of_squares(claim: Claim, name: str) -> bool:
+    """Whether a letter is given as the root of a sum, or its square as a sum."""
+    match claim:
+        case Claim(Letter(own), "=", Apply("sqrt", Binary("+"))):
+            return own == name
+        case Claim(
+            Binary("^", Letter(own), Number(Fraction(numerator=2, denominator=1))), "=", Binary("+")
+        ):
+            return own == name
+    return False
 
 
 def _defining(claim: Claim, name: str) -> Expression | None:
