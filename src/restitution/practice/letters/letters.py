@@ -17,13 +17,11 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Degrees,
     Expression,
     Letter,
     Negate,
-    Number,
     Quantity,
     letters,
     walk,
@@ -38,7 +36,11 @@ from restitution.practice.letters.inference import (
     search,
 )
 from restitution.practice.letters.interpretation import FixedLetter, Interpretation, Interpretations
-from restitution.practice.letters.named_vectors import NamedComponent, named_components
+from restitution.practice.letters.named_vectors import (
+    NamedComponent,
+    named_components,
+    vector_letters,
+)
 from restitution.practice.letters.options import (
     Usage,
     directions,
@@ -408,23 +410,11 @@ class _Search:
     def vectors(self) -> frozenset[str]:
         """The letters that are vectors in an equation of vectors: ``I = 2(v - 3i + 5j)``."""
         vectors: set[str] = set()
-        samples = self.around.world.samples
-        number, vector = np.ones(samples), Vector(np.ones(samples), 2 * np.ones(samples))
         for line in self.lines:
             frame = Frame(None, self.meanings(line.number))
             for link, names in self.items[line.number]:
                 claim = link.readings[0]
-                if len(names) == 1 and claim.sign == "=":
-                    (name,) = names
-                    sides = claim.left, claim.right
-                    as_number, as_vector = (
-                        [self.around.tester.value(side, {name: each}, frame) for side in sides]
-                        for each in (number, vector)
-                    )
-                    if all(isinstance(each, Vector) for each in as_vector) and not all(
-                        isinstance(each, Vector) for each in as_number
-                    ):
-                        vectors.add(name)
+                vectors.update(vector_letters(claim, names, self.around.tester, frame))
         return frozenset(vectors)
 
     def usual(self, name: str, scope: Scope) -> Candidate | None:
@@ -445,26 +435,7 @@ class _Search:
             return own[-1] if own else after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
-        return known or self._resolved_speed(name, scope) or self._asked_speed(name)
-
-    def _asked_speed(self, name: str) -> Candidate | None:
-        """The one speed that is asked, for ``v = √(4² + 5²)`` and ``v² = 16 + 25``.
-
-        A value that is no quantity at all is a mistake, and no letter of the student's own, where
-        no line has the letter beside others.
-        """
-        links = [pair for own in self.items.values() for pair in own if name in pair[1]]
-        alone = all(names == {name} for _, names in links)
-        if name not in _VELOCITIES or not alone:
-            return None
-        if not any(_is_of_squares(link.readings[0], name) for link, _ in links):
-            return None
-        speeds = [
-            each
-            for each in self.around.candidates
-            if each.asked and isinstance(each.quantity, Quantity) and each.quantity.kind == "speed"
-        ]
-        return speeds[0] if len(speeds) == 1 else None
+        return known or self._resolved_speed(name, scope)
 
     def _resolved_speed(self, name: str, scope: Scope) -> Candidate | None:
         """The speed after the impact of the only body there is, for the v of ``v cos 45``."""
@@ -727,18 +698,6 @@ def _is_along_the_line(tree: Expression) -> bool:
         and isinstance(inner.arguments[1], Quantity)
         and inner.arguments[1].kind == "line_of_centres"
     )
-
-
-def _is_of_squares(claim: Claim, name: str) -> bool:
-    """Whether a letter is given as the root of a sum, or its square as a sum."""
-    match claim:
-        case Claim(Letter(own), "=", Apply("sqrt", Binary("+"))):
-            return own == name
-        case Claim(
-            Binary("^", Letter(own), Number(Fraction(numerator=2, denominator=1))), "=", Binary("+")
-        ):
-            return own == name
-    return False
 
 
 def _defining(claim: Claim, name: str) -> Expression | None:

@@ -1,20 +1,31 @@
 """Which component a letter is, as a vector shows in which its value stands again.
 
 Behind ``p = 1.5`` the line ``velocity of A = 1.5i + j`` says that p is the component of A along i,
-whether it is right or wrong.
+whether it is right or wrong. So does ``velocity of A = p i + q j``, of both.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 import numpy as np
 
 from restitution.expression.evaluate import Angle
-from restitution.expression.tree import Expression, Letter, Name, Quantity, Unit, letters
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Pair,
+    Quantity,
+    Unit,
+    letters,
+)
 from restitution.practice.letters.candidates import Candidate
-from restitution.practice.letters.trial import NOWHERE, Tester
+from restitution.practice.letters.trial import NOWHERE, Frame, Tester
 from restitution.practice.script import Claim, Scope, ScriptLine
 from restitution.practice.worlds.arrays import Array
 from restitution.problem import Impact, Problem
@@ -53,6 +64,7 @@ def named_components(
             if claim.sign != "=" or claim.others or not isinstance(claim.left, Letter):
                 continue
             name = claim.left.name
+            yield from _lettered(line, claim.right, usual(name, line.scope), is_open)
             value = tester.value(claim.right, {}, NOWHERE) if not _own(claim, tester) else None
             if isinstance(value, Vector):
                 meant = usual(name, line.scope)
@@ -63,6 +75,65 @@ def named_components(
                         yield NamedComponent(line, alike[0], component)
             elif value is not None and not isinstance(value, Angle) and is_open(name):
                 values.setdefault(name, []).append(np.asarray(value, dtype=float))
+
+
+def _lettered(
+    line: ScriptLine,
+    vector: Expression,
+    meant: Candidate | None,
+    is_open: Callable[[str], bool],
+) -> Iterator[NamedComponent]:
+    """The letters of which a velocity is made: ``v = x i - y j``, ``v = (x, y)``."""
+    match meant:
+        case Candidate(quantity=Quantity("velocity") as velocity):
+            pass
+        case _:
+            return
+    for component, axis in _parts(vector):
+        inner = component.operand if isinstance(component, Negate) else component
+        if isinstance(inner, Letter) and is_open(inner.name):
+            along: Expression = Quantity("along", (velocity, axis))
+            value = Negate(along) if isinstance(component, Negate) else along
+            yield NamedComponent(line, inner.name, value)
+
+
+def _parts(vector: Expression) -> Iterator[tuple[Expression, Unit]]:
+    """The components of a vector as typed, each with its axis."""
+    match vector:
+        case Pair(x, y):
+            yield from ((x, Unit("i")), (y, Unit("j")))
+        case Binary("+", left, right):
+            yield from (*_parts(left), *_parts(right))
+        case Binary("-", left, right):
+            yield from (*_parts(left), *((Negate(size), axis) for size, axis in _parts(right)))
+        case Negate(operand):
+            yield from ((Negate(size), axis) for size, axis in _parts(operand))
+        case Binary("*", size, Unit() as axis) | Binary("*", Unit() as axis, size):
+            yield size, axis
+
+
+def vector_letters(
+    claim: Claim, names: AbstractSet[str], tester: Tester, frame: Frame
+) -> Iterator[str]:
+    """The letters that a claim makes vectors: ``I = 2(v - 3i + 5j)``, ``v = x i + y j``.
+
+    ``names`` are those whose meanings are open. Of several that is one alone on its side.
+    """
+    samples = tester.world.samples
+    number, vector = np.ones(samples), Vector(np.ones(samples), 2 * np.ones(samples))
+    sides = claim.left, claim.right
+    alone = {each.name for each in sides if isinstance(each, Letter)}
+    for name in names if len(names) == 1 else names & alone:
+        others = dict.fromkeys(names - {name}, number)
+        as_number, as_vector = (
+            [
+                isinstance(tester.value(side, {**others, name: value}, frame), Vector)
+                for side in sides
+            ]
+            for value in (number, vector)
+        )
+        if claim.sign == "=" and all(as_vector) and not all(as_number):
+            yield name
 
 
 def _own(claim: Claim, tester: Tester) -> bool:

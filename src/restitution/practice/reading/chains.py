@@ -537,6 +537,12 @@ class Chains:
         free = left.name in _SHORT_FOR and left.name not in self.usage.letters
         return free and isinstance(right, Apply) and isinstance(right.argument, Letter)
 
+    def _is_of_own_components(self, tree: Expression) -> bool:
+        """Whether a vector has letters of the student's own as components: ``v = x i + y j``."""
+        own = letters(tree) - self.usage.letters
+        moving = bool(own) and self._is_moving(tree)
+        return moving and not any(isinstance(each, Apply) for each in walk(tree))
+
     def _is_worth(self, phrase: str, letter: str) -> bool:
         """Whether a phrase of a speed, an energy or an impulse has a letter of the question."""
         heads = {HEADS.get(word) for word in phrase.split()}
@@ -569,6 +575,8 @@ class Chains:
             self.declared.declare_all(letters_before, token)
             return True
         defined = self.defines and not is_numeric(right)
+        if self._is_of_own_components(right):
+            return False
         if self.declares or defined or self._is_shorthand(left, right):
             text = self.line.text[sides[1][0].start : sides[1][-1].end]
             self.declared.add(Declaration(left.name, tuple(s.tree for s in read[1]), text))

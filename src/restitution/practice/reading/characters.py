@@ -61,11 +61,23 @@ _RAISED_PLAIN = str.maketrans(_RAISED, "0123456789+-()n")
 _LOWERED_PLAIN = str.maketrans(_LOWERED, "0123456789aex")
 
 _LATEX_BRACES = re.compile(r"\\(?:d|t)?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+# What stands without braces: \\frac12, \\frac{1}2, \\sqrt3, \\sqrt 3.
+_LATEX_BARE_FRACTION = re.compile(
+    r"\\(?:d|t)?frac\s*(\{[^{}]*\}|\\pi|[A-Za-z0-9])\s*(\{[^{}]*\}|\\pi|[A-Za-z0-9])"
+)
+_LATEX_BARE_ROOT = re.compile(r"\\sqrt\s*(\d+|[A-Za-z])")
+_LATEX_POWER = re.compile(r"\^\{([^{}]*)\}")
+_LATEX_BELOW = re.compile(r"_\{([A-Za-z0-9])\}(?=(\w)?)")
+_LATEX_WAY = re.compile(r"_\s*(?:\{\s*)?\\(perp|par)(?:allel)?\b\s*\}?")
+# What sets lines and says nothing.
+_LATEX_SETTING = re.compile(r"\\(?:begin|end)\{(?:align|aligned|equation|gather)\*?\}|\\\\\s*$")
 _LATEX_ROOT = re.compile(r"\\sqrt\s*\{([^{}]*)\}")
 _LATEX_COLUMN = re.compile(
     r"\\begin\{[pb]matrix\}(.*?)\\\\(.*?)\\end\{[pb]matrix\}|\\binom\s*\{([^{}]*)\}\s*\{([^{}]*)\}"
 )
-_LATEX_TEXT = re.compile(r"\\(?:text|mathrm|mathbf|mathit|underline|vec|hat|bar)\s*\{([^{}]*)\}")
+_LATEX_TEXT = re.compile(
+    r"\\(?:text|mathrm|mathbf|mathit|underline|vec|hat|bar|boxed)\s*\{([^{}]*)\}"
+)
 _LATEX_SIGNS = {
     "times": "*",
     "cdot": "·",
@@ -92,6 +104,13 @@ _LATEX_SIGNS = {
     "rvert": "|",
     "mid": "|",
     "prime": "'",
+    "Delta": "Δ",
+    "cdots": " ",
+    "dots": " ",
+    "parallel": "∥",
+    "perp": "⊥",
+    "lt": "<",
+    "gt": ">",
 }
 _LATEX_WORD = re.compile(r"\\([A-Za-z]+)")
 
@@ -179,13 +198,24 @@ def _without_latex(text: str) -> str:
     """The usual signs of LaTeX as plain text; columns are then those of the plain text."""
     text = text.replace("$", " ").replace("\\,", " ").replace("\\;", " ").replace("\\!", "")
     text = _LATEX_COLUMN.sub(_column_of, text)
+    text = _LATEX_WAY.sub(r"_\1 ", _LATEX_SETTING.sub(" ", text))
+    text = re.sub(r"&\s*(?=[=<>\\])", "", text)
     for _ in range(6):
+        text = _LATEX_POWER.sub(r"^(\1)", text)
+        text = _LATEX_BELOW.sub(lambda below: f"_{below[1]}{' ' if below[2] else ''}", text)
         text, first = _LATEX_TEXT.subn(r"\1", text)
+        text = _LATEX_BARE_ROOT.sub(r"\\sqrt{\1}", text)
+        text = _LATEX_BARE_FRACTION.sub(_with_braces, text)
         text, second = _LATEX_ROOT.subn(r"sqrt(\1)", text)
         text, third = _LATEX_BRACES.subn(r"((\1)/(\2))", text)
         if not first + second + third:
             break
     return _LATEX_WORD.sub(lambda match: _LATEX_SIGNS.get(match[1], f" {match[1]} "), text)
+
+
+def _with_braces(match: re.Match[str]) -> str:
+    above, below = (part if part.startswith("{") else f"{{{part}}}" for part in match.groups())
+    return rf"\frac{above}{below}"
 
 
 def _column_of(match: re.Match[str]) -> str:

@@ -340,7 +340,8 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
         return low == "a" or (low.isalpha() and token.text.isupper() and len(low) <= 3)
     if token.kind == "name":
         behind = tokens[end + 1] if end + 1 < len(tokens) else None
-        return before != "and" or behind is None or behind.kind not in ("relation", "+")
+        between = any(each.word == "between" for each in tokens[place:end])
+        return between or before != "and" or behind is None or behind.kind not in ("relation", "+")
     if token.kind in ("unit", "letter", "times") and token.text in ("i", "j", "x", "y"):
         return end == place or before in _BEFORE_AXIS or _has_axis_behind(tokens, end)
     if token.kind == "-":

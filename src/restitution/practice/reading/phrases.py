@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
-from itertools import chain
+from itertools import chain, combinations
 from typing import Literal
 
 from restitution.errors import StatementError
@@ -114,8 +114,7 @@ def read_phrase(
 
     Text of the statement language itself (``along(velocity(A), i)``) is read as it stands. Where
     no event is named, it is that of the heading above, ``event``; else the latest one comes first,
-    of those ``until`` the number that a part has come to. No candidates where the words name
-    nothing.
+    of those ``until`` the number that a part has come to. None where the words name nothing.
     """
     text = words.strip()[:400]
     if "(" in text:
@@ -215,6 +214,7 @@ class _Reader:
             elif "momentum" in heads:
                 yield from self.momentum(event)
             elif heads == {"distance"} and len(self.features.names) != 2:
+                yield from self.travelled()
                 yield from self.asked("distance")
             elif "change" in heads and heads & {"velocity", "component"}:
                 yield from self.change(event)
@@ -256,6 +256,15 @@ class _Reader:
             yield time
             for earlier in range(later - 1, 0, -1):
                 yield Binary("-", time, Quantity("time", (), earlier))
+
+    def travelled(self) -> Iterator[Expression]:
+        """The distances that a sphere moves between two events, where its place is known."""
+        placed = {each.name for each in self.problem.spheres if each.position is not None}
+        for body in placed & set(self.features.names):
+            if not self.features.wall and len(self.features.names) == 1:
+                at = [Quantity("position", (Name(body),), n) for n in range(len(self.events) + 1)]
+                for later, earlier in combinations(reversed(at), 2):
+                    yield Apply("abs", Binary("-", later, earlier))
 
     def asked(self, kind: str) -> Iterator[Expression]:
         """The quantities of a kind for which the question asks."""
@@ -612,6 +621,8 @@ class _Reader:
             own = Quantity("angle", (line, features.axis))
             yield own
             yield Binary("-", Degrees(Fraction(180)), own)
+        if not spheres:
+            yield from self.angle_of_wall(event)
         for body in self.bodies(event):
             velocity = self.of("velocity", body, event)
             other = self.other_direction(event, line)
@@ -633,6 +644,15 @@ class _Reader:
             own = Quantity("angle", (line, Unit("i")))  # angle of the line of centres
             yield own
             yield Binary("-", Degrees(Fraction(90)), own)
+
+    def angle_of_wall(self, event: int) -> Iterator[Expression]:
+        """The angles of a wall to i or j, where the words name both: ``angle of W with i``."""
+        wall = self.wall(event)
+        named = self.features.wall or not set(self.features.names).isdisjoint(self.walls)
+        if named and wall is not None and isinstance(self.features.axis, Unit):
+            own = Quantity("angle", (wall, self.features.axis))
+            yield own
+            yield Binary("-", Degrees(Fraction(180)), own)
 
     def inclinations(self, event: int) -> Iterator[Expression]:
         """The angles of velocities to the line of centres, measured either way."""

@@ -84,8 +84,7 @@ def beyond_formula(before: Link, behind: Link) -> Link:
     """What the start of a chain says of its end, the formula between them left out."""
     left = before.readings[0].left
     readings = tuple(dict.fromkeys(replace(each, left=left) for each in behind.readings))
-    decimals = (*before.decimals, *behind.decimals)
-    return replace(behind, readings=readings, start=before.start, decimals=decimals)
+    return replace(behind, readings=readings, start=before.start)
 
 
 def without_quoted(script: Script, known: Collection[str]) -> Script:

@@ -38,6 +38,20 @@ _AT_AN_END = re.compile(r"\b(KE|Ek|ke)\s+([if])(?=\s*[=:])(?!.*\b(?:KE|Ek|ke)\s+
 _DIRECTION = re.compile(r"(^\s*|[,;]\s*)([A-Z])\s+dir(?:n|ection)?(?=\s*[:=])")
 _SHARE = r"\d[\d./]*(?:[A-Za-z]{1,2}(?:\^?2|²)?)*"
 _OUT_OF = re.compile(rf"({_SHARE})\s+out\s+of\s+(?:the\s+)?({_SHARE})(?![A-Za-z])", re.IGNORECASE)
+_MAKES_AN_ANGLE = re.compile(
+    r"(?:\bthe\s+)?\b(wall|line\s+of\s+centres|LOC|[A-Z]\w*)\s+(?:makes|is\s+at|lies\s+at|is)\s+"
+    r"(?:an?\s+)?angle\s+(?:of\s+)?([^,;=]*\d[^,;]*?|\w+)\s+(?:with|to)\s+(?:the\s+)?"
+    r"(i|j|horizontal|vertical|[xy][-\s]axis|wall|line\s+of\s+centres|[A-Z]\w*)(?![\w(])"
+)
+_ANGLE_OF_A_VELOCITY = re.compile(
+    r"\b(angle\s+(?:between|of)\s+)([uv])\s+(?=(?:and|to|with)\s+(?:the\s+)?(?:[ij]|wall|[A-Z])\b)"
+)
+_TIME_TO = re.compile(
+    r"\b(time)(?:\s+taken)?\s+(?:for\s+)?(?:([A-Z])\w*\s+|it\s+)?(?:takes?\s+)?(?:to|until|till)\s+"
+    r"(?:reach|hit|meet|strike|get\s+to|collide\s+with|catch(?:\s+up(?:\s+with)?)?)\s+"
+    r"(?:the\s+)?(wall|[A-Z])\b",
+    re.IGNORECASE,
+)
 _PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
 
 
@@ -119,6 +133,24 @@ def _at_the_end(match: re.Match[str], _: Problem) -> str:
     return f"{'initial' if match[2] == 'i' else 'final'} KE "
 
 
+def _angle(match: re.Match[str], problem: Problem) -> str:
+    """The angle of what a sentence begins with to what it ends with."""
+    names = {each.name for each in problem.spheres} | {each.name for each in problem.walls}
+    known = {"wall", "LOC", "i", "j"} | names
+    subject, value, other = match.groups()
+    if not all(name in known or len(name) > 3 for name in (subject, other)):
+        return match[0]
+    axis = {"h": "i", "x": "i", "v": "j", "y": "j"}.get(other[0], other)
+    return f"angle of {subject} to {axis} = {value}"
+
+
+def _of_a_velocity(match: re.Match[str], problem: Problem) -> str:
+    """The velocity before or after that a letter is, of the only sphere."""
+    known = len(problem.spheres) == 1
+    when = "before" if match[2] == "u" else "after"
+    return f"{match[1]}velocity {when} " if known else match[0]
+
+
 _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
@@ -128,5 +160,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_AT_AN_END, _at_the_end),
     (_DIRECTION, _direction),
     (_OUT_OF, lambda match, _: f"({match[1]})/({match[2]})"),
+    (_MAKES_AN_ANGLE, _angle),
+    (_ANGLE_OF_A_VELOCITY, _of_a_velocity),
+    (_TIME_TO, lambda match, _: f"time for {match[2] or 'it'} to {match[3]}"),
     (_PART, lambda match, _: f"{match[1]} component"),
 )

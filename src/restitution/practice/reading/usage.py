@@ -61,6 +61,10 @@ _LATIN_FOR = {
     "o": "theta",
 }
 
+# Between these a letter is a unit: time = 4 s, and 1 m from W.
+_BEFORE_A_UNIT = re.compile(r"\d\s+$")
+_BEHIND_A_UNIT = re.compile(r"$|[,;=)]|\.(?:\s|$)|[A-Za-z]{2,}")
+
 
 def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     """How the lines of a script (in plain characters) and its question use their letters."""
@@ -158,6 +162,9 @@ def _alone(lines: Sequence[str]) -> set[str]:
             word = re.match(r"[A-Za-z]{3,}", behind)
             if match[1] in "aI" and word and word[0].lower() in PROSE | PHRASE_WORDS:
                 continue
+            measures = match[1] in "ms" and _BEFORE_A_UNIT.search(line[: match.start(1)])
+            if measures and _BEHIND_A_UNIT.match(behind):
+                continue  # t = 4 s
             alone.add(match[1])
     return alone - {"x", "X"}
 

@@ -27,6 +27,7 @@ HEADS: Mapping[str, str] = {
     "direction": "direction",
     "distance": "distance",
     "dist": "distance",
+    "gap": "distance",
     "time": "time",
 }
 
@@ -112,6 +113,7 @@ ABBREVIATED = frozenset(
 FILLERS = frozenset(
     ("of", "the", "in", "to", "from", "for", "on", "with", "its", "by", "between", "at", "and")
     + ("just", "immediately", "line", "direction", "total", "overall", "system", "whole", "plane")
+    + ("travelled", "traveled", "moved", "covered", "apart")
     + ("surface", "moment", "makes", "made", "relative", "combined", "through", "s", "axis", "dir")
     + ("dirn", "moves", "moving", "actual", "resultant", "sum", "which", "it", "that", "their")
     + ("motion", "given", "exerted", "received", "common", "full", "into", "wrt", "joining", "rel")
