@@ -278,6 +278,15 @@ def test_components_answer_for_a_velocity_whose_other_component_is_zero():
     assert wrong.marks.earned == wrong.marks.of - 1
 
 
+def test_the_letter_of_a_component_answers_as_that_of_the_velocity():
+    """``vB = 1, va = -1``, and at the end ``v_A = -i + 2j``: one letter is both."""
+    typed = ["6 - 4 = 2va + 4vb", "vb - va = 2", "vb = 1, va = -1", "v_A = -i + 2j", "vB = i + j"]
+    marks = restitution.mark(solution(PAIR), typed).marks
+    assert marks.earned == marks.of
+    wrong = restitution.mark(solution(PAIR), [*typed[:4], "vB = i + 2j"]).marks
+    assert wrong.earned == wrong.of - 1
+
+
 def test_two_components_answer_for_a_velocity():
     statement = UNNAMED + "find velocity(P)"
     typed = "x component after = 6\ny component after = 1/4*8 = 2"

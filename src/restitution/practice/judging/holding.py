@@ -31,6 +31,7 @@ from restitution.practice.judging.judged_link import (
 )
 from restitution.practice.judging.other_forms import (
     are_alike,
+    as_vectors,
     has_bars,
     is_oblique,
     is_signed,
@@ -240,13 +241,18 @@ class Holding:
         return replace(line, links=tuple(links))
 
     def _with_sizes(self, line: ScriptLine) -> ScriptLine:
-        """A line with bars around letters for components, ``|v_A|``: as velocities, if so need be.
+        """A line with letters of components for velocities: ``v_A = 3i + 2j``, ``|v_A| = 4``.
 
         The letter of a component and that of the velocity are often one.
         """
+        meanings = self.meanings(line.number)
+        links = (
+            replace(each, readings=tuple(as_vectors(claim, meanings) for claim in each.readings))
+            for each in line.links
+        )
+        line = replace(line, links=tuple(links))
         if not any(has_bars(claim) for link in line.links for claim in link.readings):
             return line
-        meanings = self.meanings(line.number)
 
         def put(link: Link) -> Link:
             plain = any(

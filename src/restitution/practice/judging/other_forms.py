@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judging.entries import Meanings, is_numeric
+from restitution.practice.reading.grammar import is_vector
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
@@ -90,6 +91,16 @@ def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
     for exchange in [put, *(single if len(put) > 1 else [])] if put else []:
         left, right = (exchanged(side, exchange) for side in (claim.left, claim.right))
         yield replace(claim, left=left, right=right)
+
+
+def as_vectors(claim: Claim, meanings: Meanings) -> Claim:
+    """A claim that equates a letter for a component with a vector, of the velocity in its place."""
+    meant = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else None
+    whole = None if meant is None else _of_other_nature(meant)
+    moving = isinstance(whole, Quantity) and whole.kind == "velocity"
+    if whole is None or not moving or not is_vector(claim.right, frozenset()):
+        return claim
+    return replace(claim, left=whole)
 
 
 def has_bars(claim: Claim) -> bool:

@@ -231,19 +231,27 @@ def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int]
 
 
 def _directed(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
-    """``v perp`` and ``u parallel`` as the component of a velocity, after and before."""
-    if place + 2 >= len(tokens):
+    """``v perp`` and ``uA along loc`` as the component of a velocity, after and before."""
+    letter = tokens[place]
+    base, _, owner = letter.name.partition("_")
+    if letter.kind != "letter" or base not in ("u", "v", "U", "V") or owner[:1].islower():
         return None
-    letter, word, behind = tokens[place : place + 3]
-    way = DIRECTIONS.get(word.word) if word.kind == "word" else None
-    if letter.kind != "letter" or letter.name not in ("u", "v", "U", "V"):
+    end = place + 1
+    while end < len(tokens) and tokens[end].kind == "word" and _is_of_a_way(tokens[end].word):
+        end += 1
+    words = [each.word for each in tokens[place + 1 : end]]
+    ways = _OF_COMPONENTS | ({"along"} if owner else set())
+    if owner.isdigit() or not words or DIRECTIONS.get(words[0]) not in ways or end == len(tokens):
         return None
-    if way not in _OF_COMPONENTS:
+    if (tokens[end].kind, tokens[end].name) not in (("relation", "="), (":", ":")):
         return None
-    if (behind.kind, behind.name) not in (("relation", "="), (":", ":")):
-        return None
-    when = " before" if letter.name in "uU" else ""
-    return replace(letter, kind="phrase", name=f"velocity {way}{when}", end=word.end), place + 2
+    when = ["before"] if base in "uU" else []
+    name = " ".join(["velocity", *(["of", owner] if owner else []), *words, *when])
+    return replace(letter, kind="phrase", name=name, end=tokens[end - 1].end), end
+
+
+def _is_of_a_way(word: str) -> bool:
+    return word in DIRECTIONS or word in ("to", "the", "line", "of", "wall")
 
 
 def _has_stage(tokens: Sequence[Token], place: int) -> bool:

@@ -9,10 +9,12 @@ from itertools import pairwise, permutations
 
 from restitution.expression.tree import (
     Binary,
+    Expression,
     Letter,
     Name,
     Negate,
     Number,
+    Quantity,
     walk,
 )
 from restitution.practice.reading.angles import without_marks
@@ -85,6 +87,16 @@ def read_statements(
                 reader.statements.column = error.column
     reader.finish()
     return reader.statements
+
+
+def _is_share(tree: Expression) -> bool:
+    """Whether a quantity that is asked is a share of an energy."""
+    return (
+        isinstance(tree, Binary)
+        and tree.op == "/"
+        and isinstance(tree.left, Quantity)
+        and tree.left.kind in ("energy", "energy_lost", "total_energy_lost")
+    )
 
 
 class _Reader(Chains):
@@ -308,7 +320,7 @@ class _Reader(Chains):
         if not first or goes_on or words:
             return None
         asked = any(
-            isinstance(item, Value) and item.percentage
+            isinstance(item, Value) and (item.percentage or _is_share(item.expression))
             for _, step in self.problem.steps()
             for item in (step.items if isinstance(step, Find) else ())
         )
