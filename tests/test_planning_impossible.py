@@ -56,6 +56,19 @@ def test_no_angle_between_directions_is_more_than_two_right_angles() -> None:
     assert "This cannot be, as e ≥ 0. So what is described cannot happen." in shown
 
 
+@pytest.mark.parametrize(
+    ("speed", "lines"),
+    [
+        ("10", "100 = 25 + 24 cos θ DM1 cos θ = 25/8 ≈ 3.13 A1 This cannot be, as cos θ is at most 1."),
+        ("1/2", "cos θ = −33/32 ≈ −1.03 A1 This cannot be, as cos θ is at least −1."),
+    ],
+)
+def test_a_cosine_of_no_angle(speed: str, lines: str) -> None:
+    """Squares of a sine and a cosine that are 1 together stand in the equation."""
+    text = f"sphere P: mass 1, velocity 4i\nP receives 3 at theta\ngiven speed(P) = {speed}\n"
+    assert lines in working(text + "find theta")
+
+
 def test_a_value_in_letters() -> None:
     text = SPHERES.format(u="u at theta", k="", v="velocity c u at 90°", e=", e = 1/2")
     text += "given velocity(A) perpendicular to velocity(B)\nfind c in terms of theta"

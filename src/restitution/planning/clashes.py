@@ -241,6 +241,9 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
         return line
     for kept, other in ((sp.cos(angle), sp.sin(angle)), (sp.sin(angle), sp.cos(angle))):
         square = sp.Dummy()
+        alone = sp.expand(sp.expand(above).xreplace({other**2: 1 - kept**2}))
+        if not alone.has(other) and alone.is_polynomial(kept) and sp.degree(alone, kept) == 1:
+            return _of_no_square(scene, line, kept, alone)
         plain = sp.expand(above).xreplace({other**2: 1 - square, kept**2: square})
         if plain.has(angle) or sp.degree(plain, square) != 1:
             continue
@@ -250,6 +253,28 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
         refs = scene.judge.enough(move, (line,), relation, background(scene, {angle.name}))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
+    return line
+
+
+def _of_no_square(scene: Scene, line: int, ratio: sp.Expr, above: sp.Expr) -> int:
+    """The cosine or the sine of an angle, where sin² + cos² = 1 leaves no square of it."""
+    link = scene.desk.last_link(line)
+    own = sp.Poly(above, ratio)
+    other = {sp.sin: sp.cos, sp.cos: sp.sin}[ratio.func](*ratio.args)
+    sides = (
+        tree_of(sp.expand(sp.expand(scene.scalar(e)).xreplace({other**2: 1 - ratio**2})))
+        for e in (link.left, link.right)
+    )
+    value = tree_of(tidy(-own.nth(0) / own.nth(1)))
+    known = background(scene, {str(each) for each in ratio.free_symbols})
+    for move, relation in (
+        (Move("identity", "pythagoras"), equation(*sides)),
+        (Move("rearrange"), equation(tree_of(ratio), value)),
+    ):
+        refs = scene.judge.enough(move, (line,), relation, known)
+        if refs is None:
+            return line
+        line = scene.desk.write(move, refs, relation)
     return line
 
 

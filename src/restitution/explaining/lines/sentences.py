@@ -694,6 +694,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "note.no-solution": "This has no solution. So what is described cannot happen.",
     "no-root.square": "a square is not negative",
     "no-root.unit": "{square} is at most 1",
+    "no-root.least": "{ratio} is at least −1",
     "no-root.discriminant": (
         "the discriminant of this quadratic in {ratio}, {discriminant}, is negative"
     ),

@@ -19,7 +19,9 @@ def reason_of_no_root(relation: Relation, naming: Naming) -> Sentence | None:
     if len(relation.options) != 1 or len(relation.only) != 1:
         return None
     (link,) = relation.only
-    return _of_a_square(link, naming) or _of_a_quadratic(link, naming)
+    return (
+        _of_a_square(link, naming) or _of_a_ratio(link, naming) or _of_a_quadratic(link, naming)
+    )
 
 
 def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
@@ -37,6 +39,20 @@ def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
     unit = isinstance(base, Apply) and base.function in _UNIT
     if unit and (value - 1).is_positive:
         return say("no-root.unit", square=naming.layout(link.left))
+    return None
+
+
+def _of_a_ratio(link: Link, naming: Naming) -> Sentence | None:
+    """cos α = 25/8 is above 1, and −5/4 below −1."""
+    match link.left:
+        case Apply(function) if function in _UNIT:
+            value = _number(link.right)
+        case _:
+            return None
+    if value is not None and (value - 1).is_positive:
+        return say("no-root.unit", square=naming.layout(link.left))
+    if value is not None and (value + 1).is_negative:
+        return say("no-root.least", ratio=naming.layout(link.left))
     return None
 
 
