@@ -78,6 +78,26 @@ find alpha, e
 """,
         ("Substituting in (2):", "3 sin²α − cos²α = 1", "cos²α = ½", "α = 45°", "e = √3/3"),
     ),
+    "an equation that holds of itself for one coefficient, which is left out": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, velocity u at 180° - alpha
+A hits B: along i
+given speed(A) = speed(B)
+find k
+""",
+        ("k² = 1, as e > 0", "k = 1, as k is positive"),
+    ),
+    "a share of the energy that is lost, where any is": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given energy_lost = (1-e^2)/3 energy(A, 0)
+find k
+""",
+        ("k = ½, as 0 ≤ e < 1",),
+    ),
     "an angle that falls out": (
         """
 sphere A: mass 2m, velocity 4u at alpha

@@ -201,6 +201,21 @@ def test_an_equation_that_holds_of_itself_for_some_data_says_nothing_there() -> 
     assert answer.condition == ("0 < e",)
 
 
+def test_one_value_that_is_left_out_of_all_is_told_alone() -> None:
+    solution = solve(
+        parse(
+            """
+            sphere A: mass m, velocity u i + v j
+            sphere B: mass m, at rest
+            A hits B: along i
+            given tan(angle(velocity(A), i)) = 4 tan(angle(velocity(A, 0), i))
+            find e
+            """
+        )
+    )
+    assert solution["e"].answers[0].display == "½, for v ≠ 0"
+
+
 def test_where_a_least_value_is_reached_has_to_exist() -> None:
     """A goes on with (1 - ek)u cos(alpha)/(1 + k), which vanishes for no k where e = 0."""
     text = """sphere A: mass m, velocity u at alpha

@@ -421,6 +421,10 @@ def _write_items(scene: Scene, statuses: dict[str, int], last: int) -> None:
                     scene.desk.forget_components(standing.desk)
             except UNPLANNED:
                 solver.back(standing)
+                if statuses[name] == _PLANNED and _write_conditional(
+                    scene, solver, item, result, now, name
+                ):
+                    break
                 in_its_letters = _in_letters_of(scene, index)
                 if in_its_letters is not None:
                     scene, solver = in_its_letters, Solver(in_its_letters)
@@ -431,6 +435,22 @@ def _write_items(scene: Scene, statuses: dict[str, int], last: int) -> None:
                 statuses[name] += 1
     scene, solver = whole
     scene.desk.waiting = dict(solver.waiting) if scene.desk.withheld else {}
+
+
+def _write_conditional(
+    scene: Scene, solver: Solver, item: Item | Show, result: ItemResult, now: int, name: str
+) -> bool:
+    """Writes a value where its condition holds, under that; False for any other item."""
+    if not isinstance(item, Value) or result.error is not None or scene.others:
+        return False
+    (answer, *more) = result.distinct
+    return not more and write_form(
+        scene,
+        solver,
+        lambda: _write_end(scene, solver, item, result, now, name),
+        answer,
+        name,
+    )
 
 
 def _write_axes_asked(scene: Scene) -> None:
@@ -541,8 +561,12 @@ def _write_range(
 ) -> None:
     """A range, of several forms perhaps under the condition of the one that has letters."""
     answer = general_answer(result)
-    if answer is None or not write_form(scene, solver, asked, relation, answer, name):
+
+    def write() -> None:
         write_range(scene, solver, asked, relation, name)
+
+    if answer is None or not write_form(scene, solver, write, answer, name):
+        write()
 
 
 def _write_one_value(

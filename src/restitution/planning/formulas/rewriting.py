@@ -18,7 +18,11 @@ def in_another_form(scene: Scene, number: int, relation: Relation) -> int | None
         refs = scene.judge.enough(move, (number,), relation, background(scene, names))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
-    return None
+    # A given fact may tell that what it is divided by is not zero.
+    given = [each for each in scene.judge.known(names) if each in scene.facts]
+    known = (*background(scene, names), *given)
+    refs = scene.judge.enough(Move("cancel"), (number,), relation, known) if given else None
+    return None if refs is None else scene.desk.write(Move("cancel"), refs, relation)
 
 
 __all__ = ["in_another_form"]

@@ -1,4 +1,5 @@
-"""A range of several forms in the one that has letters in its ends, where that takes its condition.
+"""A range of several forms in the one that has letters in its ends, or another answer that has a
+condition, where that takes this.
 
 What is divided by has its sign only there: *e < 3/(2k − 1), as k ≥ 2*.
 """
@@ -6,16 +7,15 @@ What is divided by has its sign only there: *e < 3/(2k − 1), as k ≥ 2*.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
 from restitution.components.models import Model
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Relation
 from restitution.explaining.lines.notation import read_relation
-from restitution.expression.tree import Apply, Expression, Letter, has_quantity, letters
+from restitution.expression.tree import Apply, Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Formula, compared
-from restitution.planning.inequalities.ranges import write_range
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk
@@ -28,16 +28,16 @@ _ARCS = re.compile(r"\ba(sin|cos|tan)\(")
 
 
 def write_form(
-    scene: Scene, solver: Solver, asked: Expression, relation: Relation, answer: Answer, name: str
+    scene: Scene, solver: Solver, write: Callable[[], None], answer: Answer, name: str
 ) -> bool:
-    """Writes a range in a form that holds under a condition; False where that is not possible."""
+    """Writes an answer that holds under a condition; False where that is not possible."""
     condition = None if len(answer.condition) != 1 else _condition(answer.condition[0])
     if condition is None:
         return False
     standing, facts, assumed = solver.mark(), scene.desk.facts, scene.desk.assumed
     with suppress(*UNPLANNED, RestitutionError, BeyondError):
         with _assumed(scene, Fact(f"case {name}", "case", condition, scene.desk.part)):
-            write_range(scene, solver, asked, relation, name)
+            write()
             lines = scene.desk.lines
             require_true(scene.model, lines[standing.desk.lines :], lines, scene.desk.facts)
         return True

@@ -383,6 +383,9 @@ def bounds_of(name: str, values: sp.Set, roles: Mapping[str, Role]) -> Limitatio
             high = sp.oo
         values = sp.Interval(low, high, values.left_open, values.right_open)
     layout = from_set(values, symbol, degrees=role.kind == "angle")
+    holes = sp.Complement(sp.S.Reals, values, evaluate=True)
+    if isinstance(holes, sp.FiniteSet) and len(holes) == 1:
+        layout = relation(symbol, "≠", *holes)  # and not *for all real v, v ≠ 0*
     return Limitation(" or ".join(_chains(name, values)), layout)
 
 

@@ -19,9 +19,7 @@ def reason_of_no_root(relation: Relation, naming: Naming) -> Sentence | None:
     if len(relation.options) != 1 or len(relation.only) != 1:
         return None
     (link,) = relation.only
-    return (
-        _of_a_square(link, naming) or _of_a_ratio(link, naming) or _of_a_quadratic(link, naming)
-    )
+    return _of_a_square(link, naming) or _of_a_ratio(link, naming) or _of_a_quadratic(link, naming)
 
 
 def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
@@ -43,7 +41,7 @@ def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
 
 
 def _of_a_ratio(link: Link, naming: Naming) -> Sentence | None:
-    """cos α = 25/8 is above 1, and −5/4 below −1."""
+    """A ratio above 1, as cos α = 25/8, or below −1."""
     match link.left:
         case Apply(function) if function in _UNIT:
             value = _number(link.right)
