@@ -229,7 +229,7 @@ def test_the_side_of_a_deflection_is_told_or_taken() -> None:
 
 def test_the_sense_of_a_line_that_is_asked_is_that_of_the_statement() -> None:
     text = printed("a line of centres typed against the approach")
-    assert "the line of centres is parallel to −𝐣" in text
+    assert "unit vector along the line of centres = −𝐣" in text
     assert "component of 𝐯_A along −𝐣 = " in text
 
 
