@@ -11,6 +11,7 @@ from restitution.practice.judgement import Accuracy, Verdict
 from restitution.practice.judging.bounds import Bounds
 from restitution.practice.judging.support import Wanted
 from restitution.practice.script import Claim
+from restitution.practice.worlds.world import World
 
 COARSE = "coarse"
 OTHER_ROOT = "other-root"
@@ -22,7 +23,7 @@ class Question:
     """What a part prints and asks, the letters that it has to find, and those that it gives.
 
     ``bounds`` are what it says of sizes; ``extreme`` tells that it asks for a greatest or least
-    value.
+    value, and ``at_extremes`` are the worlds in which it is reached.
     """
 
     wanted: Wanted
@@ -30,6 +31,7 @@ class Question:
     given: frozenset[str] = frozenset()
     bounds: Bounds = field(default_factory=Bounds)
     extreme: bool = False
+    at_extremes: tuple[World, ...] = ()
 
 
 @dataclass(frozen=True)

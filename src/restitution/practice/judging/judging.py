@@ -34,6 +34,7 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
 from restitution.practice.judging.bounds import bounds_of
 from restitution.practice.judging.entries import Meanings
+from restitution.practice.judging.extremes import worlds_at_extremes
 from restitution.practice.judging.judged_link import Question
 from restitution.practice.judging.misreading import (
     left_for_lost,
@@ -162,7 +163,8 @@ class Bench:
             if isinstance(step, Find | Show)
         )
         extreme = any(isinstance(each, Extremum | Range) for items in asked for each in items)
-        return Question(self.wanted, frozenset(unknown), self.given, bounds, extreme)
+        reached = worlds_at_extremes(self.solution, self.solved, self.worlds) if extreme else ()
+        return Question(self.wanted, frozenset(unknown), self.given, bounds, extreme, reached)
 
     @cached_property
     def wanted(self) -> Wanted:

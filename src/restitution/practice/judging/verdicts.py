@@ -306,6 +306,13 @@ class Judge(Following):
         held = self._holds(link, line, worlds) if worlds else None
         return None if held is None else JudgedLink("true", held[1], held[0])
 
+    def _at_an_extreme(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """An equation that holds where what is asked is greatest or least: ``5 - 30t² = 0``."""
+        equal = all(claim.sign == "=" for claim in link.readings)
+        worlds = self.question.at_extremes if equal else ()
+        held = self._holds(link, line, worlds) if worlds else None
+        return None if held is None else JudgedLink("true", held[1], held[0])
+
     def _becoming(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A component that changes its size: ``4 becomes 2``."""
         claim = link.readings[0]
@@ -532,6 +539,7 @@ class Judge(Following):
             or self._in_units(line, link, self.worlds, "true")
             or self._in_other_sense(line, link)
             or self._under_condition(line, link)
+            or self._at_an_extreme(line, link)
             or self._becoming(line, link)
             or self._following(line, link)
             or self._refused(line, link)

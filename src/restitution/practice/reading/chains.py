@@ -48,7 +48,7 @@ from restitution.problem import Impact, Problem
 
 MAX_CLAIMS = 24
 # Letters that stand for a sine, a cosine or a tangent where they are equated with one.
-_SHORT_FOR = frozenset("cstCST")
+_SHORT_FOR = frozenset("cstkpqxyzfCSTKXY")
 # Words behind which a relation without a left side goes on from the last right one.
 _CONNECTING = frozenset(
     ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
@@ -307,6 +307,10 @@ class Chains:
                 raise UnreadableError("an expression on both sides of the sign", column)
         if self.declaration(segment, sides, read, signs):
             return
+        short = len(signs) > 1 and is_letter(read[0][0].tree) and is_function(read[1][0].tree)
+        if short and self.declaration(segment, sides[:2], read[:2], signs[:1]):
+            # y = tan δ = 5t/(1 + 6t²) says first what y is.
+            sides, read, signs = sides[1:], read[1:], signs[1:]
         read = self.with_owner(_in_hundredths(self.with_factor(read), sides))
         if self._describes(read):
             self.statements.values += tuple(each[0].tree for each in read[1:])

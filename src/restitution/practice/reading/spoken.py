@@ -52,6 +52,11 @@ _TIME_TO = re.compile(
     r"(?:the\s+)?(wall|[A-Z])\b",
     re.IGNORECASE,
 )
+# What a derivative is of, and that it is one, which no claim says: dy/dt, d/dt(...), d(tan δ)/dα.
+_DERIVATIVE = re.compile(
+    r"\bd\s*(?:\([^()]*\)|(?:tan\s*)?[A-Za-zα-ω]{0,5})\s*/\s*d\s*(?:[a-zα-ω]|alpha|theta)(?![\w])"
+    r"\s*(?:\([^=]*\)|\[[^=]*\])?\s*[=:]"
+)
 _PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
 
 
@@ -163,5 +168,6 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_MAKES_AN_ANGLE, _angle),
     (_ANGLE_OF_A_VELOCITY, _of_a_velocity),
     (_TIME_TO, lambda match, _: f"time for {match[2] or 'it'} to {match[3]}"),
+    (_DERIVATIVE, lambda _, __: "derivative: "),
     (_PART, lambda match, _: f"{match[1]} component"),
 )
