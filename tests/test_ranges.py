@@ -216,6 +216,20 @@ def test_one_value_that_is_left_out_of_all_is_told_alone() -> None:
     assert solution["e"].answers[0].display == "½, for v ≠ 0"
 
 
+def test_a_letter_is_fixed_though_one_value_of_another_leaves_it_open() -> None:
+    """Where e = 1 no energy is lost, whatever k is: the reason of that is not k > 0."""
+    text = """
+        sphere A: mass m, velocity u i
+        sphere B: mass k m, velocity -w i
+        A hits B: along i
+        given energy_lost = m (1-e^2) u^2
+        find k"""
+    shown = "2u²/(2uw − u² + w²), for e ≠ 1 and 2uw − u² + w² > 0"
+    for terms in ("", " in terms of u, w", " in terms of e, u, w"):
+        assert solve(parse(text + terms))["k"].answers[0].display == shown
+    assert "As k > 0" not in to_text(explain(solve(parse(text))))
+
+
 def test_where_a_least_value_is_reached_has_to_exist() -> None:
     """A goes on with (1 - ek)u cos(alpha)/(1 + k), which vanishes for no k where e = 0."""
     text = """sphere A: mass m, velocity u at alpha

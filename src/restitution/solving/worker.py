@@ -448,6 +448,7 @@ class Worker:
         if not outcome.accepted:
             branches = without_impossible(branches, outcome.setting, [item.expression], now)
         answers: list[Answer] = []
+        branches = self._that_fix(item, branches, outcome)
         for branch in branches:
             trial = outcome.accepted[branch.number - 1] if outcome.accepted else None
             samples = (branch.sample,) if trial is None else outcome.witnesses(trial)
@@ -466,6 +467,25 @@ class Worker:
             kind = "vector"
         rejected = self._rejected(item, outcome, answers, now, kind, angle)
         return ItemResult(item, line, item.text, kind, tuple(answers), rejected=rejected)
+
+    def _that_fix(self, item: Value, branches: list[Branch], outcome: Outcome) -> list[Branch]:
+        """The solutions without those in which a letter is open by the value of an eliminated one.
+
+        Where ``(1 − e²)(3k − 1 − k) = 0`` gives k, the other solution is that of e = 1 alone.
+        """
+        own = letters(item.expression) & outcome.setting.asked
+        fixed = [each for each in branches if own <= each.values.keys()]
+        if not own or not fixed or has_quantity(item.expression):
+            return branches
+        eliminated = outcome.setting.extra_unknown - outcome.setting.asked
+        special = [
+            each
+            for each in branches
+            if not own & each.values.keys()
+            and any(each.values[name].is_number for name in eliminated & each.values.keys())
+            and all(eliminated & each.values.keys() - one.values.keys() for one in fixed)
+        ]
+        return [each for each in branches if each not in special]
 
     def _limited(
         self, answer: Answer, item: Value, kind: ItemKind, outcome: Outcome, trial: Trial

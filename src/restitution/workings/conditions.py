@@ -11,14 +11,16 @@ import sympy as sp
 from restitution.components.letters import protected_letters
 from restitution.components.models import Model
 from restitution.components.telling import model
+from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Derivation, Link, Meaning, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.evaluate import in_letters
+from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Apply, Letter, has_quantity, is_zero, letters
-from restitution.oracle import All, BeyondError, Formula, Oracle
+from restitution.oracle import All, BeyondError, Formula, Oracle, compared
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE
+from restitution.planning.inequalities.forms_of_ranges import relation_of_condition
 from restitution.planning.inequalities.ranges import general_answer
 from restitution.planning.writing.forms import tree_of
 from restitution.problem import Find, Given, Range, Value
@@ -235,6 +237,8 @@ def _sentence(
         for names in (known.anywhere, known.above)
     )
     reasons = reasons_that_bind(own, unknowns, above)
+    if not all(_is_of_what_is_found(own, text) for text in answer.condition):
+        reasons = ()  # it is one of the equation, which holds of itself otherwise
     tied = {each.name for each in own.final}
     if any(tied.intersection(_names_in(text)) for text in answer.condition):
         # The condition is one of the coefficient itself.
@@ -245,6 +249,20 @@ def _sentence(
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)
+
+
+def _is_of_what_is_found(model: Model, text: str) -> bool:
+    """Whether no values that the letters may have, by those that were found, break a condition."""
+    try:
+        links = relation_of_condition(text).only
+    except (RestitutionError, ValueError):
+        return True  # it is none of one relation
+    letter = model.unknowns.letter
+    claims = (compared(evaluate(e.left, letter), e.sign, evaluate(e.right, letter)) for e in links)
+    try:
+        return not any(model.oracle.decide(each).answer == "refuted" for each in claims)
+    except BeyondError:
+        return True
 
 
 def _by_case(item: ItemResult, general: Answer) -> Sentence:

@@ -51,11 +51,15 @@ def is_in_a_form(desk: Desk, name: str) -> bool:
     return f"case {name}" in desk.assumed
 
 
+def relation_of_condition(text: str) -> Relation:
+    """A condition of an answer as a relation. Raises StatementError for a text that says none."""
+    return read_relation(_ARCS.sub(r"arc\1(", text).replace("**", "^"), {})
+
+
 def _condition(text: str) -> Relation | None:
     """A condition of an answer as a relation of letters; None of one that has several parts."""
-    own = _ARCS.sub(r"arc\1(", text).replace("**", "^")
     try:
-        condition = read_relation(own, {})
+        condition = relation_of_condition(text)
     except RestitutionError:
         return None
     if len(condition.options) > 1 or any(each.sign not in FLIPPED for each in condition.only):
