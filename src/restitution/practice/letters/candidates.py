@@ -79,7 +79,9 @@ class Candidate:
     @property
     def sensed(self) -> bool:
         """Whether it has a sense that may be turned."""
-        if self.kind in ("component", "relative", "velocity", "direction"):
+        if self.kind == "velocity":  # as a vector it has its sense by itself
+            return self.nature != "vector"
+        if self.kind in ("component", "relative", "direction"):
             return True
         return (self.kind == "impulse" and self.axis is not None) or self.nature == "vector"
 

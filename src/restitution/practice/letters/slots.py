@@ -61,6 +61,7 @@ def slot_of(
     turns: list[int] = []
     values: dict[Nature, list[tuple[int, Value]]] = defaultdict(list)
     seen: set[Any] = set()
+    ways: dict[Any, Any] = {}
     for candidate in sorted(candidates, key=lambda each: each.cost):
         value = tester.value(candidate.quantity, {})
         key = _key(tester, value)
@@ -70,7 +71,10 @@ def slot_of(
         if same in seen:
             continue
         seen.add(same)
-        awaited = may_vanish or (candidate.stopped and not candidate.unchanged)
+        if candidate.kind == "component":
+            ways.setdefault(same[:3], same)
+        right_angle = candidate.asked and isinstance(value, Angle)
+        awaited = may_vanish or (candidate.stopped and not candidate.unchanged) or right_angle
         if not awaited and makes_idle(value, tester):
             candidate = replace(candidate, cost=candidate.cost + _IDLE)
         for sense in (1, -1) if candidate.sensed else (1,):
@@ -83,6 +87,11 @@ def slot_of(
             values[nature].append((len(options) - 1, value if sense > 0 else -value))
     if not options:
         return None
+    # The speed of a sphere that moves along one line is its component there.
+    roots = [
+        ways.get(root[:3], root) if option.kind == "speed" else root
+        for root, option in zip(roots, options, strict=True)
+    ]
     known = {
         nature: (tuple(place for place, _ in each), stacked(tester, each))
         for nature, each in values.items()
