@@ -618,6 +618,21 @@ def linear_pair(
     claim: Claim, names: Sequence[str], tester: Tester, frame: Frame
 ) -> LinearPair | None:
     """Two letters as they stand in a linear equation with a constant; None in any other."""
+    coefficients = linear_coefficients(claim, names, tester, frame)
+    if coefficients is None:
+        return None
+    a, b, size = coefficients
+    equal = np.abs(np.abs(a) - np.abs(b)) < 1e-9 * size
+    return LinearPair((names[0], names[1]), 0 if np.any(equal) else int(np.sign(a[0] * b[0])))
+
+
+def linear_coefficients(
+    claim: Claim, names: Sequence[str], tester: Tester, frame: Frame
+) -> tuple[Array, Array, Array] | None:
+    """The coefficients a, b of two letters in a v + b w = c, and |a| + |b| + |c|, at all samples.
+
+    All on the left side; None where it is no such equation, or c is zero.
+    """
     if len(names) != 2 or claim.sign != "=":
         return None
     # At (0, 0), (1, 0), (0, 1), (1, 1), (2, 3): shape (5, 1), as the samples are on the last axis.
@@ -636,5 +651,4 @@ def linear_pair(
     linear = np.abs(gap[3] - a - b - c) + np.abs(gap[4] - 2 * a - 3 * b - c) < 1e-9 * size
     if not (np.all(linear) and np.all(np.abs(a * b * c) > 1e-9 * size**3)):
         return None
-    equal = np.abs(np.abs(a) - np.abs(b)) < 1e-9 * size
-    return LinearPair((names[0], names[1]), 0 if np.any(equal) else int(np.sign(a[0] * b[0])))
+    return a, b, size

@@ -52,6 +52,7 @@ from restitution.practice.letters.options import (
     scaled,
     usual,
 )
+from restitution.practice.letters.shapes import Equation, components_by_shape, is_of_squares
 from restitution.practice.letters.slots import Slot, slot_of
 from restitution.practice.letters.surroundings import (
     DeclaredLetter,
@@ -435,7 +436,46 @@ class _Search:
             return own[-1] if own else after[0] if len(after) == 1 else None
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
-        return known or self._resolved_speed(name, scope)
+        known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
+        return known or self._by_shape(name)
+
+    def _asked_speed(self, name: str) -> Candidate | None:
+        """The one speed that is asked, for ``v = √(4² + 5²)`` and ``v² = 16 + 25``.
+
+        A value that is no quantity at all is a mistake, and no letter of the student's own, where
+        no line has the letter beside others.
+        """
+        links = [pair for own in self.items.values() for pair in own if name in pair[1]]
+        alone = all(names == {name} for _, names in links)
+        squares = any(is_of_squares(link.readings[0], name) for link, _ in links)
+        if name not in _VELOCITIES or not alone or not squares:
+            return None
+        asked = [each for each in self.around.candidates if each.asked]
+        speeds = [each for each in asked if getattr(each.quantity, "kind", "") == "speed"]
+        return speeds[0] if len(speeds) == 1 else None
+
+    def _by_shape(self, name: str) -> Candidate | None:
+        """The component that a letter is by the shapes of two laws, right or wrong."""
+        quantity = self.shapes.get(name)
+        alike = (each for each in self.around.candidates if each.quantity == quantity)
+        return None if quantity is None else next(alike, None)
+
+    @cached_property
+    def shapes(self) -> dict[str, Expression]:
+        """The components along the line of centres that letters are by the shapes of laws."""
+        equations = (
+            Equation(
+                link.readings[0],
+                (one, other),
+                line.scope,
+                Frame(self.around.world.now(line.scope), self.meanings(line.number)),
+            )
+            for line in self.lines
+            for link, names in self.items[line.number]
+            if len(names) == 2
+            for one, other in (sorted(names),)
+        )
+        return components_by_shape(equations, self.around.events, self.around.tester)
 
     def _resolved_speed(self, name: str, scope: Scope) -> Candidate | None:
         """The speed after the impact of the only body there is, for the v of ``v cos 45``."""
