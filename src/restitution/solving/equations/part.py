@@ -44,8 +44,8 @@ SAMPLES_FOR_SIGNS = 24
 class Outcome:
     """All that solving the unknowns of a part gave.
 
-    ``equations`` are those of the last telling that do not hold by themselves, ``deciding`` the
-    letters in all of them, ``decisions`` what was decided on the way.
+    ``equations`` are those that do not hold by themselves, where the story is told once, with
+    ``deciding`` as the letters in all that were told; ``decisions`` is what was decided on the way.
     """
 
     setting: Setting
@@ -173,7 +173,8 @@ def work_out(setting: Setting) -> Outcome:
     deciding = {name for pair in equations_of_letters(setting) for name in letters_of_pair(pair)}
     decisions: list[Decision] = []
     failed: ImpossibleError | None = None
-    for values, angles in letter_branches(setting):
+    told = letter_branches(setting)
+    for values, angles in told:
         letters_ = Letters(setting.roles, values, angles, sought=setting.sought)
         try:
             story = setting.tell(letters_)
@@ -206,7 +207,7 @@ def work_out(setting: Setting) -> Outcome:
     if last is None or not trials:
         raise failed or _clash(setting)
     trials = _without_touching(_distinct(trials))
-    left = tuple(each for each in equations if each != 0)
+    left = tuple(each for each in equations if each != 0 and len(told) == 1)
     return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions), left)
 
 
