@@ -31,8 +31,10 @@ P hits L: e = {e}
                 "e": "e",
             },
             "u cos(alpha) (d/(e u sin(alpha))) = d/(e tan(alpha))",
-            "sqrt((d/(e tan(alpha)))^2 + d^2) = d sqrt(1 + e^2 tan^2(alpha))/(e tan(alpha))"
-            " = d sqrt(cos^2(alpha) + e^2 sin^2(alpha))/(e sin(alpha))",
+            (
+                "sqrt((d/(e tan(alpha)))^2 + d^2) = d sqrt(1 + e^2 tan^2(alpha))/(e tan(alpha))"
+                " = d sqrt(cos^2(alpha) + e^2 sin^2(alpha))/(e sin(alpha))"
+            ),
         ),
         (
             {
