@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.script import Claim, Decimal, column_of
+from restitution.practice.worlds.agreement import looseness
 from restitution.practice.worlds.arrays import FIELD, Array, angle, is_bare
 from restitution.practice.worlds.telling import NO_MEANINGS, Meanings, Telling
 from restitution.practice.worlds.world import World
@@ -84,6 +85,8 @@ class Tester:
     def __init__(self, world: World) -> None:
         self.world = world
         self.exact = numbers_of(world)
+        # Where an angle of the statement is rounded, its sine is as well.
+        self._near = max(_NEAR, looseness(world))
 
     def value(
         self,
@@ -134,7 +137,7 @@ class Tester:
         with np.errstate(all="ignore"):
             if sign in _ORDER:
                 return _ORDER[sign](*sides[0]) if len(sides) == 1 else None
-            near = _all(np.abs(a - b) <= _room(a, b) for a, b in sides)
+            near = _all(np.abs(a - b) <= _room(a, b, self._near) for a, b in sides)
             halves = self._halves(left, right, decimals) if not np.all(near) else {}
             if halves:
                 near = near | self._rounded(sides, left, right, put, halves, frame)
@@ -224,9 +227,9 @@ def numbers_of(world: World) -> frozenset[Fraction]:
     )
 
 
-def _room(a: Array, b: Array) -> Array:
+def _room(a: Array, b: Array, near: float = _NEAR) -> Array:
     """The largest difference of two numbers that are equal up to the rounding of doubles."""
-    return _NEAR * np.maximum(np.abs(a), np.abs(b)) + _ZERO
+    return near * np.maximum(np.abs(a), np.abs(b)) + _ZERO
 
 
 def _all(held: Iterable[Array]) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
@@ -179,6 +180,10 @@ def _grades(
     equal = claim.sign in ("<", ">") and np.any(np.abs(apart) <= tolerance)
     if not by_sample.any() or equal or claim.sign == "!=":
         return by_sample
+    if claim.sign == "=" and (loose := looseness(world)):
+        room = loose * np.maximum(size, scale(claim, world, meanings, scope))
+        near = _holding(claim.sign, apart, room, closed=True)
+        by_sample = np.where(near, np.minimum(by_sample, 1), by_sample)
     angular = degrees and any(tree is claim.left or tree is claim.right for tree in noted)
     fine, coarse = _half_units(claim, world, decimals, angular)
     tolerance = np.zeros_like(apart)
@@ -190,6 +195,23 @@ def _grades(
             close = _holding(claim.sign, apart, tolerance * _SLACK, closed=True)
             by_sample = np.where(close, np.minimum(by_sample, grade), by_sample)
     return by_sample
+
+
+@lru_cache(maxsize=64)
+def looseness(world: World) -> float:
+    """How far a rounded angle of the statement, 36.87°, moves its sine: half its last place.
+
+    Zero where all angles are whole numbers of degrees, or 22.5.
+    """
+    rounded = (
+        Fraction(1, 2 * 10 ** len(digits))
+        for tree in trees(world.problem)
+        for node in walk(tree)
+        if isinstance(node, Degrees)
+        for digits in [f"{float(node.value):g}".partition(".")[2]]
+        if digits not in ("", "5")
+    )
+    return math.radians(max(rounded, default=Fraction(0)))
 
 
 def _moved(
