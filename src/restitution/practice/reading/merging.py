@@ -59,8 +59,8 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
     merged: list[Token] = []
     place = 0
     tokens = [
-        each
-        for n, each in enumerate(tokens)
+        _as_body(tokens, n, problem)
+        for n in range(len(tokens))
         if not (_is_kind_of_body(tokens, n) or _is_copula(tokens, n))
     ]
     while place < len(tokens):
@@ -171,6 +171,20 @@ def _is_kind_of_body(tokens: Sequence[Token], place: int) -> bool:
     """Whether a word only says what a named body is: ``sphere A``."""
     behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
     return behind == "name" and tokens[place].word in ("sphere", "ball", "particle", "disc")
+
+
+def _as_body(tokens: Sequence[Token], place: int, problem: Problem) -> Token:
+    """A token; the v_B of ``angle vB makes with i`` as the name of its body."""
+    token = tokens[place]
+    base, _, body = token.name.partition("_")
+    moving = token.kind == "letter" and base in ("v", "V")
+    if not moving or body not in {sphere.name for sphere in problem.spheres}:
+        return token
+    before = [each.word for each in tokens[max(0, place - 2) : place]]
+    behind = tokens[place + 1].word if place + 1 < len(tokens) else ""
+    if "angle" in {HEADS.get(word) for word in before} and behind in ("makes", "with", "to"):
+        return replace(token, kind="name", name=body, text=body)
+    return token
 
 
 def _is_copula(tokens: Sequence[Token], place: int) -> bool:
