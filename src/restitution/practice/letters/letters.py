@@ -644,6 +644,12 @@ class _Search:
             if len(each.trees) == 1
         ]
         unknown: set[str] = set()
+        other_shape = any(
+            option >= 0
+            and name in self.shapes
+            and slot.options[option].quantity not in (self.shapes[name], Negate(self.shapes[name]))
+            for option, slot, (name, _) in zip(state.options, slots, firsts, strict=True)
+        )
         score = state.score
         for option, slot, (name, line) in zip(state.options, slots, firsts, strict=True):
             since = line.number if slot.segment else 0
@@ -651,6 +657,8 @@ class _Search:
                 chosen: Candidate | None = slot.options[max(option, 0)]
             else:
                 chosen = self.usual(name, line.scope)
+                if name in self.shapes and other_shape:
+                    chosen = None  # lines tell that the shapes mislead
             if chosen is None:
                 unknown.add(name)
                 score -= _UNKNOWN if name in self.definitions else 0.0
