@@ -113,8 +113,10 @@ class SourceLeads(LinesAround):
                     yield say("derived.since", facts=facts)
                 elif letters and equations and source.last:
                     yield say("derived.put-last", equation=equations[0])
-                elif letters and equations:
+                elif letters and equations and self._stand_in(source):
                     yield say("derived.put-in", letters=letters, equation=equations[0])
+                elif equations and not facts:
+                    yield say("derived.add", equations=equations)
                 elif letters and not source.last:
                     yield say("derived.put", letters=letters)
                 elif equations:
@@ -171,6 +173,15 @@ class SourceLeads(LinesAround):
         if source.kind != "divide":
             numbers.sort()
         return tuple(say("derived.number", number=str(number)) for number in numbers)
+
+    def _stand_in(self, source: Source) -> bool:
+        """Whether what is put in stands in the equation into which it is."""
+        line = self._derivation.line(source.numbered[0])
+        own = [each.name for each in source.letters if isinstance(each, Letter)]
+        if line is None or len(own) < len(source.letters):
+            return True
+        nodes = (node for tree in trees_of(line.relation) for node in walk(tree))
+        return any(isinstance(node, Letter) and node.name in own for node in nodes)
 
     def _spoken_of(self, source: Source) -> frozenset[Expression]:
         """The quantities of which the given facts speak that are put in: no word more is needed."""
