@@ -365,11 +365,15 @@ def test_ctrl_c_in_a_terminal(tmp_path):
     script = tmp_path / "long.py"
     script.write_text(
         dedent("""
+        import signal
         import sys
         import time
         from pathlib import Path
         from restitution import ensemble
         from restitution.batch.ensemble import EnsembleInterrupt
+
+        # What runs in the background of a script ignores Ctrl-C; a terminal does not.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
         def slow(case):
             if case >= 4:

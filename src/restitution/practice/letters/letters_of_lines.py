@@ -1,0 +1,308 @@
+"""The letters of the lines of a script: how they are used, and what they usually mean."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.practice.letters.candidates import Candidate, earlier, suffix
+from restitution.practice.letters.named_vectors import (
+    vector_letters,
+)
+from restitution.practice.letters.options import (
+    Usage,
+    is_direction,
+    of_trees,
+    usual,
+)
+from restitution.practice.letters.shapes import Equation, components_by_shape, is_of_squares
+from restitution.practice.letters.surroundings import (
+    DeclaredLetter,
+    Surroundings,
+)
+from restitution.practice.letters.trial import Frame, inside_angles, resolved_in
+from restitution.practice.reading.angles import is_angle
+from restitution.practice.script import Claim, Link, Scope, Script
+from restitution.vector import Vector
+
+_VELOCITIES = frozenset("vVwW")
+_EARLIER = frozenset("uU")
+
+
+class LettersOfLines:
+    """The letters of a script in one world: where they stand, and what they usually mean."""
+
+    def __init__(
+        self, script: Script, around: Surroundings, declared: Sequence[DeclaredLetter]
+    ) -> None:
+        self.lines = [line for line in script.lines if line.kind in ("relations", "declaration")]
+        self.around = around
+        self.declared = declared
+        self.angular = self._angular()
+        self.items: dict[int, list[tuple[Link, frozenset[str]]]] = {}
+        for line in self.lines:
+            links = [(link, self._open(link, line.number)) for link in line.links]
+            self.items[line.number] = [(link, names) for link, names in links if names]
+        self.certain = {
+            each.letter: each for each in declared if len(each.trees) == 1 and not each.since
+        }
+        self.defined: set[str] = set()
+        self.definitions = dict(self._definitions())
+        self.dotted = self._dotted()
+        self.vanishing = frozenset(self._vanishing())
+
+    # --- where they stand -------------------------------------------------------------------------
+
+    def _angular(self) -> frozenset[str]:
+        """The letters that stand inside a trigonometric function, or are equated with an angle."""
+        claims = [
+            claim for line in self.lines for link in line.links for claim in link.readings[:1]
+        ]
+        angular = frozenset[str]().union(
+            *(inside_angles(side) for claim in claims for side in (claim.left, claim.right))
+        )
+        for claim in claims:
+            known = angular | self.around.world.angles
+            for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+                angle = is_angle(other, known) and letters(other) <= known
+                if isinstance(one, Letter) and angle:
+                    angular |= {one.name}
+        return angular
+
+    def meanings(self, number: int) -> dict[str, Expression]:
+        """The trees of letters whose declaration is certain, in a line."""
+        force: dict[str, Expression] = {}
+        for each in sorted(self.declared, key=lambda each: each.since):
+            if each.since <= number and len(each.trees) == 1:
+                force[each.letter] = each.trees[0]
+        return force
+
+    def _open(self, link: Link, number: int) -> frozenset[str]:
+        """The letters of a link whose meaning is not certain, those inside meanings included."""
+        force = self.meanings(number)
+        names: set[str] = set()
+        for claim in link.readings:
+            for side in (claim.left, claim.right, *claim.others):
+                names |= letters(side)
+        pending, seen = list(names), set[str]()
+        while pending:
+            name = pending.pop()
+            if name not in seen:
+                seen.add(name)
+                pending.extend(letters(force[name]) if name in force else ())
+        return frozenset(seen - force.keys() - self.around.letters)
+
+    def _definitions(self) -> Iterator[tuple[str, tuple[int, Expression]]]:
+        """Letters whose first line gives them a known value."""
+        seen: set[str] = set()
+        for line in self.lines:
+            for link, names in self.items[line.number]:
+                fresh = names - seen
+                seen |= names
+                if len(names) == 1 and fresh and not any(" " in name for name in names):
+                    (name,) = names
+                    self.defined.add(name)
+                    for claim in link.readings[:1]:
+                        tree = _defining(claim, name)
+                        if tree is not None:
+                            yield name, (line.number, tree)
+
+    def _vanishing(self) -> Iterator[str]:
+        """Letters of which a line says that they are zero: ``v = 0``, ``2(-w) = 2 × 0``."""
+        for line in self.lines:
+            frame = Frame(None, self.meanings(line.number))
+            for link, names in self.items[line.number]:
+                claim = link.readings[0]
+                if len(names) == 1 and claim.sign == "=":
+                    (name,) = names
+                    zero, one = (self._holds_at(claim, name, x, frame) for x in (0.0, 1.0))
+                    if zero and not one:
+                        yield name
+
+    def _holds_at(self, claim: Claim, name: str, number: float, frame: Frame) -> bool:
+        """Whether a claim holds at all samples where its letter is a number."""
+        value = np.full(self.around.world.samples, number)
+        held = self.around.tester.holds(claim, {name: value}, (), frame)
+        return held is not None and bool(np.all(held))
+
+    def _dotted(self) -> frozenset[str]:
+        """The letters in scalar products with n or t, these among them, that no line defines."""
+        factors: set[str] = set()
+        for line in self.lines:
+            for link in line.links:
+                for claim in link.readings:
+                    for side in (claim.left, claim.right):
+                        for tree in walk(side):
+                            factors |= self._factors(tree)
+        return frozenset(factors - self.definitions.keys() - self.certain.keys())
+
+    def _factors(self, tree: Expression) -> frozenset[str]:
+        """The letters of a scalar product of which one stands alone and is a direction."""
+        if not isinstance(tree, Quantity) or tree.kind != "dot":
+            return frozenset()
+        alone = {each.name for each in tree.arguments if isinstance(each, Letter)}
+        named = any(is_direction(name) and name not in self.around.letters for name in alone)
+        return frozenset(alone) if named else frozenset()
+
+    # --- slots
+
+    # --- what they usually mean -------------------------------------------------------------------
+
+    def _event_numbered(self, name: str) -> int | None:
+        """The event of which a velocity has the number: v₂ behind the second, or the first of v₁.
+
+        Velocities are counted from that at the start where the first of them is that one.
+        """
+        base, _, number = name.partition("_")
+        if not number.isdigit():
+            return None
+        line, tree = self.definitions.get(f"{base}_1", (0, None))
+        first = None
+        if tree is not None:
+            first = self.around.tester.value(tree, {}, Frame(None, self.meanings(line)))
+        at_start = first is not None and self.around.of_the_start(first)
+        return int(number) - at_start
+
+    def _is_velocity(self, name: str) -> bool:
+        """Whether a letter is one for velocities, and a vector by its first line: v = 3i + 2j."""
+        base = name.partition("_")[0]
+        if base not in _VELOCITIES | _EARLIER:
+            return False
+        if name not in self.definitions:
+            return name in self.vectors
+        if base in "wW" and any(each.position for each in self.around.problem.spheres):
+            return False  # it may be a place
+        number, tree = self.definitions[name]
+        value = self.around.tester.value(tree, {}, Frame(None, self.meanings(number)))
+        return isinstance(value, Vector) and not self.around.of_the_start(value)
+
+    @cached_property
+    def vectors(self) -> frozenset[str]:
+        """The letters that are vectors in an equation of vectors: ``I = 2(v - 3i + 5j)``."""
+        vectors: set[str] = set()
+        for line in self.lines:
+            frame = Frame(None, self.meanings(line.number))
+            for link, names in self.items[line.number]:
+                claim = link.readings[0]
+                vectors.update(vector_letters(claim, names, self.around.tester, frame))
+        return frozenset(vectors)
+
+    def usual(self, name: str, scope: Scope) -> Candidate | None:
+        """What a letter or phrase means where no line tells."""
+        phrase = self.around.phrase(name, scope.event)
+        if phrase:
+            trees_ = [self.around.staged(tree, scope) for tree in phrase[:1]]
+            return next(of_trees(trees_))
+        if self._is_velocity(name):
+            moving = [each for each in self.around.candidates if each.kind == "velocity"]
+            after = [each for each in moving if each.event and scope.event in (None, each.event)]
+            if earlier(name):
+                after = [each for each in moving if each.event == 0]
+            own = [each for each in after if each.body == suffix(name)]
+            if not own:
+                own = [each for each in after if each.event == self._event_numbered(name)]
+                own = own if len(own) == 1 else []
+            return own[-1] if own else after[0] if len(after) == 1 else None
+        usage = Usage(name, name in self.angular, scope)
+        known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
+        known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
+        return known or self._by_shape(name)
+
+    def _asked_speed(self, name: str) -> Candidate | None:
+        """The one speed that is asked, for ``v = √(4² + 5²)`` and ``v² = 16 + 25``.
+
+        A value that is no quantity at all is a mistake, and no letter of the student's own, where
+        no line has the letter beside others.
+        """
+        links = [pair for own in self.items.values() for pair in own if name in pair[1]]
+        alone = all(names == {name} for _, names in links)
+        squares = any(is_of_squares(link.readings[0], name) for link, _ in links)
+        if name not in _VELOCITIES or not alone or not squares:
+            return None
+        asked = [each for each in self.around.candidates if each.asked]
+        speeds = [each for each in asked if getattr(each.quantity, "kind", "") == "speed"]
+        return speeds[0] if len(speeds) == 1 else None
+
+    def _by_shape(self, name: str) -> Candidate | None:
+        """The component that a letter is by the shapes of two laws, right or wrong."""
+        quantity = self.shapes.get(name)
+        alike = (each for each in self.around.candidates if each.quantity == quantity)
+        return None if quantity is None else next(alike, None)
+
+    @cached_property
+    def shapes(self) -> dict[str, Expression]:
+        """The components along the line of centres that letters are by the shapes of laws."""
+        equations = (
+            Equation(
+                link.readings[0],
+                (one, other),
+                line.scope,
+                Frame(self.around.world.now(line.scope), self.meanings(line.number)),
+            )
+            for line in self.lines
+            for link, names in self.items[line.number]
+            if len(names) == 2
+            for one, other in (sorted(names),)
+        )
+        return components_by_shape(equations, self.around.events, self.around.tester)
+
+    def _resolved_speed(self, name: str, scope: Scope) -> Candidate | None:
+        """The speed after the impact of the only body there is, for the v of ``v cos 45``."""
+        if name not in _VELOCITIES or name not in self.resolved:
+            return None
+        events = len(self.around.events)
+        number = scope.event or (events if events == 1 else None)
+        after = [
+            each for each in self.around.candidates if each.kind == "speed" and each.event == number
+        ]
+        return after[0] if len(after) == 1 and number else None
+
+    @cached_property
+    def resolved(self) -> frozenset[str]:
+        """The letters that stand before sines and cosines."""
+        claims = [
+            claim for line in self.lines for link in line.links for claim in link.readings[:1]
+        ]
+        return frozenset[str]().union(
+            *(resolved_in(side) for claim in claims for side in (claim.left, claim.right))
+        )
+
+    @cached_property
+    def turned_speeds(self) -> frozenset[str]:
+        """The letters that an angle of the student's own resolves, alone on a side: ``V cos β``."""
+        alone = (
+            side.operand if isinstance(side, Negate) else side
+            for line in self.lines
+            for link in line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+        )
+        return frozenset(
+            name
+            for side in alone
+            if isinstance(side, Binary) and side.op == "*"
+            if inside_angles(side) and not inside_angles(side) & self.around.letters
+            for name in resolved_in(side) - self.around.letters
+        )
+
+    # --- searching
+
+
+def _defining(claim: Claim, name: str) -> Expression | None:
+    """The value that a claim gives a letter: ``n = (-3i + 4j)/5``."""
+    if claim.sign != "=" or claim.others:
+        return None
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        if isinstance(one, Letter) and one.name == name and name not in letters(other):
+            return other
+    return None
