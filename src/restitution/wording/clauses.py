@@ -32,7 +32,6 @@ from restitution.wording.nouns import (
     moment,
     noun,
     of_bodies,
-    part,
     place,
     same_event,
     sensed_line,
@@ -210,14 +209,14 @@ def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
     special = _special(scene, left, sign, right)
     if special is not None:
         return special
-    subject = part(scene, left)
+    subject = noun(scene, left)
     verb = _VERBS[sign]
     if has_quantity(right):
         if sign == "=" and _is_opposite(right):
             verb, right = "is equal in magnitude and opposite in direction to ", right.operand
         elif sign == "=" and isinstance(right, Quantity):
             verb = "is equal to "
-        other = part(scene, right)
+        other = noun(scene, right)
         if subject.when == other.when and subject.when:
             if not subject.kind:
                 return words(subject.head, " ", subject.when, f" {verb}", other.head)

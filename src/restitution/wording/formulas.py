@@ -32,7 +32,6 @@ from restitution.wording.nouns import (
     ends,
     noun,
     of_bodies,
-    part,
     terms,
     times_until,
     until,
@@ -94,7 +93,7 @@ def cost(scene: Scene, tree: Expression) -> float:
             return inner[0] + (0.5 if turned else 3 if isinstance(tree, Negate) else 1)
         case Binary("+"):
             added = terms(tree)
-            nouns = [part(scene, each) for each in added if isinstance(each, Quantity)]
+            nouns = [noun(scene, each) for each in added if isinstance(each, Quantity)]
             if len(nouns) == len(added) and (alike(nouns) or times_until(scene, added)):
                 return 1 + len(added) / 4
             costs = [cost(scene, each) if has_quantity(each) else 2 for each in added]
@@ -163,7 +162,7 @@ def _is_one(scene: Scene, tree: Expression) -> bool:
 
 
 def _key(scene: Scene, tree: Expression) -> Words:
-    return part(scene, tree).words()
+    return noun(scene, tree).words()
 
 
 def _kind(tree: Expression) -> str:
@@ -202,7 +201,7 @@ def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
         free = [each for each in bases if each not in taken]
         if len(free) >= len(group):
             return free[: len(group)]
-    bodies = [body for each in group if len(body := part(scene, each).body) == 1]
+    bodies = [body for each in group if len(body := noun(scene, each).body) == 1]
     ends = [str(number) for number in range(1, len(group) + 1)]
     if len(set(bodies)) == len(group):
         ends = bodies
@@ -277,7 +276,7 @@ def _together(scene: Scene, quantities: Sequence[Expression]) -> int:
     """How many at the beginning can be told at once."""
     for number in range(len(quantities), 1, -1):
         first = quantities[:number]
-        if alike([part(scene, each) for each in first]) or times_until(scene, first):
+        if alike([noun(scene, each) for each in first]) or times_until(scene, first):
             return number
         if _before_and_after(scene, first) is not None:
             return number
@@ -285,7 +284,7 @@ def _together(scene: Scene, quantities: Sequence[Expression]) -> int:
 
 
 def _meaning(scene: Scene, quantities: Sequence[Expression]) -> Words:
-    each = [part(scene, one) for one in quantities]
+    each = [noun(scene, one) for one in quantities]
     if len(each) == 1:
         return each[0].words()
     if alike(each):
@@ -304,7 +303,7 @@ def _before_and_after(scene: Scene, quantities: Sequence[Expression]) -> Words |
     """``the speeds of P immediately before and immediately after the impact``."""
     if len(quantities) != 2:
         return None
-    one, other = (part(scene, quantity) for quantity in quantities)
+    one, other = (noun(scene, quantity) for quantity in quantities)
     if not (one.kind and one.kind == other.kind and one.body == other.body and one.when):
         return None
     if one.when == other.when or not other.when or one.tail:

@@ -75,7 +75,7 @@ _OF_BODY = {
     "energy": ("kinetic energy", "kinetic energies"),
     "momentum": ("momentum", "momenta"),
     "mass": ("mass", "masses"),
-    "position": ("coordinates", "coordinates"),
+    "position": ("position vector", "position vectors"),
 }
 _INITIAL = "initial "
 _LINE = "line_of_centres"
@@ -113,27 +113,20 @@ def noun(scene: Scene, tree: Expression) -> Noun:
         case Negate(Binary("*" | "/" as op, factor, rest)) if not has_quantity(factor):
             return noun(scene, Binary(op, Negate(factor), rest))
         case Negate(operand):
-            return _led("the negative of ", part(scene, operand))
+            return _led("the negative of ", noun(scene, operand))
         case Apply("abs", argument) if (between := ends(scene, argument)) is not None:
             return _distance(scene, Quantity("distance", between))
         case Apply(name, argument):
-            return _led(_FUNCTIONS[name], part(scene, argument))
+            return _led(_FUNCTIONS[name], noun(scene, argument))
         case Binary():
             return _binary(scene, tree)
         case Pair(x, y):
-            return _pair("the vector with components ", part(scene, x), " and ", part(scene, y))
+            return _pair("the vector with components ", noun(scene, x), " and ", noun(scene, y))
         case Polar(size, angle, origin, wall):
             if wall is not None:
                 return _polar(scene, size, angle, "clockwise", wall)
             return _polar(scene, size, angle, "anticlockwise", origin)
     raise AssertionError(tree)  # a quantity stands in no other node
-
-
-def part(scene: Scene, tree: Expression) -> Noun:
-    """An expression inside another, where a place is a vector."""
-    if isinstance(tree, Quantity) and tree.kind == "position":
-        return _placed(scene, tree, "position vector")
-    return noun(scene, tree)
 
 
 def _polar(
@@ -167,16 +160,16 @@ def _binary(scene: Scene, tree: Binary) -> Noun:
         case "-":
             return _difference(scene, left, right)
         case "*" if not has_quantity(left):
-            return _led(values.times(left), part(scene, right))
+            return _led(values.times(left), noun(scene, right))
         case "*" if not has_quantity(right):
-            return _led(values.times(right), part(scene, left))
+            return _led(values.times(right), noun(scene, left))
         case "*":
-            return _pair("the product of ", part(scene, left), " and ", part(scene, right))
+            return _pair("the product of ", noun(scene, left), " and ", noun(scene, right))
         case "/":
             return _ratio(scene, left, right)
     if right == Number(Fraction(2)):
-        return _led("the square of ", part(scene, left))
-    return _pair("", part(scene, left), " to the power ", part(scene, right))
+        return _led("the square of ", noun(scene, left))
+    return _pair("", noun(scene, left), " to the power ", noun(scene, right))
 
 
 def terms(tree: Expression) -> list[Expression]:
@@ -209,7 +202,7 @@ def until(last: Sequence[Words]) -> Words:
 
 
 def _sum(scene: Scene, added: Sequence[Expression]) -> Noun:
-    each = [part(scene, one) for one in added]
+    each = [noun(scene, one) for one in added]
     if alike(each):
         return Noun(
             words("the sum of ", of_bodies(each[0].kind, [x.body for x in each])), each[0].when
@@ -242,7 +235,7 @@ def _difference(scene: Scene, left: Expression, right: Expression) -> Noun:
     change = _change(scene, left, right)
     if change is not None:
         return change
-    one, other = part(scene, left), part(scene, right)
+    one, other = noun(scene, left), noun(scene, right)
     if values.is_vector(left) or values.is_vector(right):
         return _pair("", one, " minus ", other)
     return Noun(words("the amount by which ", one.words(), " exceeds ", other.words()))
@@ -284,10 +277,10 @@ def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
             whole, lost = whole_energy(scene, left, right), lost_where(scene, left)
             return Noun(words("the fraction of ", whole, " that is lost", lost))
     if isinstance(right, Number) and right.value:
-        return _led(values.times(rational(1 / right.value)), part(scene, left))
+        return _led(values.times(rational(1 / right.value)), noun(scene, left))
     if not has_quantity(right):
-        return _divided(part(scene, left), right)
-    return _pair("the ratio of ", part(scene, left), " to ", part(scene, right))
+        return _divided(noun(scene, left), right)
+    return _pair("the ratio of ", noun(scene, left), " to ", noun(scene, right))
 
 
 def _divided(above: Noun, below: Expression) -> Noun:
@@ -300,7 +293,7 @@ def share(scene: Scene, tree: Expression) -> Noun | None:
         case Binary("/", left, right) if has_quantity(left) and has_quantity(right):
             lost = isinstance(left, Quantity) and left.kind.endswith("energy_lost")
             if not (lost and isinstance(right, Quantity) and right.kind == "energy"):
-                return _pair("", part(scene, left), " as a percentage of ", part(scene, right))
+                return _pair("", noun(scene, left), " as a percentage of ", noun(scene, right))
     return None
 
 
@@ -631,7 +624,7 @@ def _event_of(when: Words) -> Words:
 
 def _along(scene: Scene, tree: Quantity) -> Noun:
     vector, axis = tree.arguments
-    of = part(scene, vector)
+    of = noun(scene, vector)
     axis_noun = _axis(scene, axis, across=tree.kind == "across")
     if has_quantity(axis) and not _is_line(axis):
         return Noun(words("the component of ", of.words(), " in ", axis_noun.words()))
@@ -691,11 +684,11 @@ def sensed_line(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _position(scene: Scene, tree: Quantity) -> Noun:
-    return _placed(scene, tree, "coordinates")
+    return _placed(scene, tree, "position vector")
 
 
 def _placed(scene: Scene, tree: Quantity, kind: str) -> Noun:
-    """``the coordinates of S when it hits W``, ``the initial position of S``."""
+    """``the position vector of S when it hits W``, ``the initial position of S``."""
     at = place(scene, tree)
     if at.when == INITIALLY:
         return Noun(words(f"the {_INITIAL}{kind} of ", at.head))
@@ -784,7 +777,7 @@ def _vector(scene: Scene, tree: Expression) -> Noun:
     return (
         Noun(values.direction_of(scene.style, tree))
         if not has_quantity(tree)
-        else part(scene, tree)
+        else noun(scene, tree)
     )
 
 
