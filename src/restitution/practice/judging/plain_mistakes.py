@@ -5,7 +5,7 @@ And what kind of claim a line is: of an energy, of squares, of a coefficient.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
@@ -58,28 +58,9 @@ def plainly(
     """A misconception in a line that is an instance of no law, altered or not."""
     if entry.claim.sign != "=":
         return None
-    if _is_other_component(entry, world):
-        return "sine-cosine"
-    if is_speed_by_energies(entry, world) or _is_share_by_speeds(entry, world):
-        return "energy-ratio-as-speed"
-    if _is_ratio_of_relative_speeds(entry, world):
-        return "restitution-whole-speed"
-    if _is_momentum_of_speeds(entry, world):
-        return "speed-for-component"
-    if _is_energy_of_one(entry, world):
-        return "energy-one-sphere"
-    if _is_share_of_line(entry, world):
-        return "energy-fraction-of-line"
-    if _is_without_mass(entry, world):
-        return "mass-omitted"
-    if _is_of_other_masses(entry, world):
-        return "masses-exchanged"
-    if _is_other_function(entry, world):
-        return "sine-cosine"
-    if _is_relative_speed_across(entry, world):
-        return "restitution-parallel"
-    if _is_without_across(entry, world):
-        return "across-changed"
+    name = next((name for shows, name in _SHOWN if shows(entry, world)), None)
+    if name is not None:
+        return name
     changes = {each.change for each in mended}
     squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
     above = (each for each in entries if each.claim.left == entry.claim.left)
@@ -95,8 +76,7 @@ def _is_other_component(entry: Entry, world: World) -> bool:
         for each in walk(entry.claim.right)
     ):
         return False  # a number may be one by a slip
-    left = entry.claim.left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    meant = _meant(entry)
     meant = meant.operand if isinstance(meant, Negate) else meant
     if not isinstance(meant, Quantity) or meant.kind not in ("along", "across"):
         return False
@@ -108,8 +88,7 @@ def _is_other_component(entry: Entry, world: World) -> bool:
 
 def is_speed_by_energies(entry: Entry, world: World) -> bool:
     """Whether a speed is that before in the ratio of the energies: V = kU where V² = kU²."""
-    left = entry.claim.left
-    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    meant = _meant(entry)
     if not isinstance(meant, Quantity) or meant.kind != "speed":
         return False
     number = len(world.events) if meant.stage is None else meant.stage
@@ -515,3 +494,20 @@ def holds_in(entry: Entry, world: World) -> bool:
     except RestitutionError:
         return False
     return grade in ("exact", "rounded")
+
+
+# What a line shows by itself, the first that fits; a name may have several signs.
+_SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
+    (_is_other_component, "sine-cosine"),
+    (is_speed_by_energies, "energy-ratio-as-speed"),
+    (_is_share_by_speeds, "energy-ratio-as-speed"),
+    (_is_ratio_of_relative_speeds, "restitution-whole-speed"),
+    (_is_momentum_of_speeds, "speed-for-component"),
+    (_is_energy_of_one, "energy-one-sphere"),
+    (_is_share_of_line, "energy-fraction-of-line"),
+    (_is_without_mass, "mass-omitted"),
+    (_is_of_other_masses, "masses-exchanged"),
+    (_is_other_function, "sine-cosine"),
+    (_is_relative_speed_across, "restitution-parallel"),
+    (_is_without_across, "across-changed"),
+)
