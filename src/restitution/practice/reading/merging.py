@@ -229,9 +229,9 @@ def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int]
     end = place + 2
     while end < len(tokens) and tokens[end].word in _OF_AN_EVENT:
         end += 1
-    told = not _OF_ONE_EVENT.isdisjoint(each.word for each in tokens[place + 2 : end])
-    told = told and end < len(tokens) and tokens[end].kind in ("relation", ":")
-    if told and name in ("u", "v", "w", "V"):
+    of_one_event = not _OF_ONE_EVENT.isdisjoint(each.word for each in tokens[place + 2 : end])
+    of_one_event = of_one_event and end < len(tokens) and tokens[end].kind in ("relation", ":")
+    if of_one_event and name in ("u", "v", "w", "V"):
         phrase = _phrase(tokens[place:end], text)
         return replace(phrase, name=f"velocity {phrase.name.partition(' ')[2]}"), end
     stages = {
@@ -254,8 +254,13 @@ def _directed(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
     while end < len(tokens) and tokens[end].kind == "word" and _is_of_a_way(tokens[end].word):
         end += 1
     words = [each.word for each in tokens[place + 1 : end]]
-    ways = _OF_COMPONENTS | ({"along"} if owner else set())
-    if owner.isdigit() or not words or DIRECTIONS.get(words[0]) not in ways or end == len(tokens):
+    allowed = _OF_COMPONENTS | ({"along"} if owner else set())
+    if (
+        owner.isdigit()
+        or not words
+        or DIRECTIONS.get(words[0]) not in allowed
+        or end == len(tokens)
+    ):
         return None
     if (tokens[end].kind, tokens[end].name) not in (("relation", "="), (":", ":")):
         return None

@@ -173,8 +173,8 @@ def work_out(setting: Setting) -> Outcome:
     deciding = {name for pair in equations_of_letters(setting) for name in letters_of_pair(pair)}
     decisions: list[Decision] = []
     failed: ImpossibleError | None = None
-    told = letter_branches(setting)
-    for values, angles in told:
+    branches = letter_branches(setting)
+    for values, angles in branches:
         letters_ = Letters(setting.roles, values, angles, sought=setting.sought)
         try:
             story = setting.tell(letters_)
@@ -207,7 +207,7 @@ def work_out(setting: Setting) -> Outcome:
     if last is None or not trials:
         raise failed or _clash(setting)
     trials = _without_touching(_distinct(trials))
-    left = tuple(each for each in equations if each != 0 and len(told) == 1)
+    left = tuple(each for each in equations if each != 0 and len(branches) == 1)
     return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions), left)
 
 

@@ -158,12 +158,12 @@ def _made_negative(
             if len(line.premises) != 2 or not isinstance(root, Letter) or root == other:
                 return None
             try:
-                value, made = (
+                value, worth = (
                     in_letters(each[-1].right, positive=True) for each in (dropped, links)
                 )
             except (RestitutionError, TypeError):
                 return None
-            if made.subs(sp.Symbol(root.name, positive=True), value).is_negative:
+            if worth.subs(sp.Symbol(root.name, positive=True), value).is_negative:
                 return dropped, Link(other, "<", Number(Fraction(0)))
     return None
 
