@@ -35,6 +35,7 @@ from restitution.planning.writing.either_side import angle_of_centres
 from restitution.planning.writing.forms import (
     difference,
     in_tangents,
+    is_in_degrees,
     tree_of,
 )
 from restitution.planning.writing.frames import Frame
@@ -190,7 +191,7 @@ def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
 
 def in_degrees_of(angle: sp.Expr, value: sp.Expr) -> Expression:
     """An inverse tangent: in degrees where it is plain, else as it is."""
-    if not angle.free_symbols and angle.has(sp.sin, sp.cos, sp.tan):
+    if is_in_degrees(angle):
         plain = tidy_angle(angle)  # arctan(tan 50°) is 50°
         angle = plain if (plain / sp.pi).is_Rational else angle
     degrees = sp.nsimplify(angle * 180 / sp.pi) if not angle.has(sp.atan, sp.acos) else None

@@ -13,7 +13,6 @@ from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
 from restitution.planning.closing.in_tangents import write_in_tangents
 from restitution.planning.closing.roots import by_roots, known_as
-from restitution.planning.closing.squares_in_degrees import is_in_degrees
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
@@ -21,6 +20,7 @@ from restitution.planning.writing.forms import (
     ONE,
     ZERO,
     difference,
+    is_in_degrees,
     number,
     product,
     square,

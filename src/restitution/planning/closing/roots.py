@@ -28,12 +28,13 @@ from restitution.planning.closing.square_roots import (
     is_square_of_sum,
     linear_factors,
 )
-from restitution.planning.closing.squares_in_degrees import is_in_degrees, square_in_degrees
+from restitution.planning.closing.squares_in_degrees import square_in_degrees
 from restitution.planning.formulas.impacts import momentum, residual, restitution, scene_value
 from restitution.planning.formulas.velocity_formulas import velocity_source
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     ZERO,
+    is_in_degrees,
     outer_terms,
     product,
     square,

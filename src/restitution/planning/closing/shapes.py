@@ -49,14 +49,13 @@ from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.angle_ratios import write_other_ratio
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
-    ONE,
     TWO,
     ZERO,
-    difference,
     in_tangents,
     product,
     square,
     swept,
+    tangents_opened,
     total,
     tree_of,
 )
@@ -441,19 +440,21 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     return None if line is None else known_as(scene, symbol, scene.scalar(tree), line)
 
 
+def _is_double_tangent(tree: Expression) -> bool:
+    """Whether a tree is tan 2θ of a letter."""
+    match tree:
+        case Apply("tan", Binary("*", whole, Letter())):
+            return whole == TWO
+    return False
+
+
 def _by_double_tangents(scene: Scene, number: int) -> int | None:
     """A line of the tangents of θ and of 2θ in that of θ alone; None of another line."""
     link = scene.desk.last_link(number)
-    halves: dict[Expression, Expression] = {}
-    for node in (each for side in (link.left, link.right) for each in walk(side)):
-        match node:
-            case Apply("tan", Binary("*", whole, Letter() as angle)) if whole == TWO:
-                tangent = Apply("tan", angle)
-                below = difference(ONE, square(tangent))
-                halves[node] = Binary("/", product(TWO, tangent), below)
-    if not halves:
+    doubles = (node for side in (link.left, link.right) for node in walk(side))
+    if not any(_is_double_tangent(node) for node in doubles):
         return None
-    left, right = (swept(_with(side, halves)) for side in (link.left, link.right))
+    left, right = tangents_opened(link.left), tangents_opened(link.right)
     move, relation = Move("identity", "double-angle"), chain(left, (right, None))
     refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
     return None if refs is None else scene.desk.write(move, refs, relation)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.planning.formulas.impacts import scene_value
+from restitution.planning.writing.forms import is_in_degrees
 from restitution.planning.writing.polynomials import expanded, one_fraction
 from restitution.planning.writing.scene import Scene
 
@@ -26,9 +27,4 @@ def square_in_degrees(scene: Scene, number: int, generator: sp.Expr) -> sp.Expr 
     return -above / -below if scene.model.sign(below) < 0 else above / below
 
 
-def is_in_degrees(value: sp.Expr) -> bool:
-    """Whether a number has ratios of angles such as 37°."""
-    return not value.free_symbols and value.has(sp.sin, sp.cos, sp.tan)
-
-
-__all__ = ["is_in_degrees", "square_in_degrees"]
+__all__ = ["square_in_degrees"]

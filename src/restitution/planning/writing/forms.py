@@ -486,3 +486,8 @@ def tangents_opened(tree: Expression) -> Expression:
         return each
 
     return swept(rebuilt(tree, change))
+
+
+def is_in_degrees(value: sp.Expr) -> bool:
+    """Whether a number has ratios of angles such as 37°."""
+    return not value.free_symbols and value.has(sp.sin, sp.cos, sp.tan)

@@ -88,13 +88,26 @@ class Sides:
         """Whether a letter for a velocity after an impact stands in a line."""
         return any(self.velocities_in(claim, line) for each in chains(line) for claim in each)
 
+    @staticmethod
+    def _both(
+        world: World,
+        side: Expression,
+        quantity: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> tuple[Value, Value] | None:
+        """What a side of a line and a quantity are worth in a world; None without a value."""
+        try:
+            return world.value(side, meanings, line.line.scope), world.value(quantity)
+        except UnvaluedError:
+            return None
+
     def _is_angle(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
         """Whether a number, in degrees, is the size of an angle to three figures."""
-        try:
-            own = self._base.value(side, self._meanings(line), line.line.scope)
-            asked = self._base.value(quantity)
-        except UnvaluedError:
+        pair = self._both(self._base, side, quantity, self._meanings(line), line)
+        if pair is None:
             return False
+        own, asked = pair
         if isinstance(own, Vector) or not isinstance(asked, Angle):
             return False
         return is_rounded(self._base, own, asked)
@@ -140,10 +153,10 @@ class Sides:
         line: JudgedLine,
     ) -> bool:
         world = self._base
-        try:
-            own, asked = world.value(vector, meanings, line.line.scope), world.value(direction)
-        except UnvaluedError:
+        pair = self._both(world, vector, direction, meanings, line)
+        if pair is None:
             return False
+        own, asked = pair
         if not (isinstance(own, Vector) and isinstance(asked, Vector)):
             return False
         crossed = own.x * asked.y - own.y * asked.x
@@ -266,11 +279,10 @@ class Sides:
                 continue
             if not self._changes(first, meanings, line):
                 continue  # 3/√5 is a multiple of any number
-            try:
-                own = world.value(first, meanings, line.line.scope)
-                asked = world.value(quantity)
-            except UnvaluedError:
+            pair = self._both(world, first, quantity, meanings, line)
+            if pair is None:
                 continue
+            own, asked = pair
             if isinstance(own, Vector | Angle) or isinstance(asked, Vector | Angle):
                 continue
             a, b = spread_of(world, own), spread_of(world, asked)
@@ -293,11 +305,10 @@ class Sides:
             nameless = self._is_nameless(first, meanings, line, open_)
             if not nameless and not impulse:
                 continue
-            try:
-                worth = self._base.value(last, meanings, line.line.scope)
-                asked = self._base.value(quantity)
-            except UnvaluedError:
+            pair = self._both(self._base, last, quantity, meanings, line)
+            if pair is None:
                 continue
+            worth, asked = pair
             rounded = line.line.links[-1].decimals and line.accuracy != "coarse"
             near = is_rounded if rounded else are_same
             if near(self._base, worth, asked) and not is_zero(self._base, asked):
@@ -406,11 +417,10 @@ class Sides:
     ) -> bool:
         """Whether a side is worth what a quantity is, up to a sign, whatever happens."""
         world = self._scattered
-        try:
-            own = world.value(side, meanings, line.line.scope)
-            asked = world.value(quantity)
-        except UnvaluedError:
+        pair = self._both(world, side, quantity, meanings, line)
+        if pair is None:
             return False
+        own, asked = pair
         return are_same(world, own, asked) or self._is_size_of(side, quantity, meanings)
 
     def _is_size_of(
