@@ -426,6 +426,23 @@ find along(velocity(A), i), dot(velocity(A), line_of_centres)
 a: 5 v = 1
 b: 6 dot(velocity(A, 1), line_of_centres(1)) = 1
 """,
+    # The momentum is zero in all.
+    "no-momentum": """
+sphere A: mass m, velocity u i
+sphere B: mass m, velocity -u i
+A hits B: along i, e = 1/3
+find along(velocity(A), i), along(velocity(B), i)
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | m u - m u = m v + m w
+4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 1/3 (u + u)
+5 a | rearrange | 3 | w = -v
+6 a | put | 4, 5 | v = -1/3 u
+7 b | put | 5, 6 | w = 1/3 u
+a: 6 v = -1/3 u
+b: 7 w = 1/3 u
+""",
     # The relative speed is the same at every time.
     "two-times": """
 sphere A: mass 2, velocity 3i - 4j
@@ -465,6 +482,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("impulse", "both-moving", 13, "M1 A1ft", "M1 A1ft", "M1 A1ft"),
     ("principle-of-vectors", "unknown-wall", 2, "M1", "M1", "M1"),
     ("solved-together", "show-tangent", 6, "DM1 A1", "DM1 A1", ""),
+    ("solved-by-putting", "no-momentum", 6, "DM1 A1", "DM1 A1", "A1"),
     ("put-together-with-a-law", "parallel-afterwards", 8, "DM1", "DM1", ""),
     ("two-values-of-a-letter", "both", 7, "DM1", "DM1", "DM1"),
     ("another-value", "both-reversed", 6, "A1", "A1", "A1"),

@@ -307,3 +307,27 @@ def lines_under(derivation: Derivation, number: int) -> set[object]:
         if isinstance(ref, int):
             found |= lines_under(derivation, ref)
     return found
+
+
+# --- no momentum in all ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("masses", "speed", "tie", "end"),
+    [
+        (("m", "m"), "u", "w = -v", "v = -u/3"),
+        (("m", "2m"), "1/2 u", "v = -2w", "w = u/6"),
+    ],
+)
+def test_where_the_momentum_is_zero_one_component_is_a_multiple_of_the_other(
+    masses: tuple[str, str], speed: str, tie: str, end: str
+) -> None:
+    text = f"""
+sphere A: mass {masses[0]}, velocity u i
+sphere B: mass {masses[1]}, velocity -{speed} i
+A hits B: along i, e = 1/3
+find velocity(A), velocity(B)
+"""
+    told = said(text)
+    assert told.index(tie) < told.index(end)
+    assert not any(line.move.id == "combine" for line in planned(text).lines)

@@ -101,8 +101,32 @@ class ByLaws(ByFacts):
             for kind in ("momentum", "restitution")
         ]
         lines = laws[0], laws[1]
+        tied = self._tied_by_no_momentum(lines[0], tuple(bodies))
         for symbol in bodies:
-            self.waiting[symbol] = frame, lines, tuple(bodies)
+            if symbol != tied:
+                self.waiting[symbol] = frame, lines, tuple(bodies)
+
+    def _tied_by_no_momentum(self, momentum: int, pair: Sequence[sp.Symbol]) -> sp.Symbol | None:
+        """The component that is a multiple of the other one, where the whole momentum is zero.
+
+        Its line is written. None where the momentum is not zero, or the multiple is no integer.
+        """
+        scene, own = self.scene, residual(self.scene, momentum)
+        if scene.others or len(pair) != 2 or not self._letters.keys() >= set(pair):
+            return None
+        if sp.expand(own.subs(dict.fromkeys(pair, 0))) != 0:
+            return None
+        one, other = pair
+        for symbol, rest in ((other, one), (one, other)):
+            factor = tidy(-sp.diff(own, rest) / sp.diff(own, symbol))
+            if not factor.is_Integer:
+                continue
+            relation = chain(Letter(symbol.name), (tree_of(factor * rest), None))
+            line = scene.judge.write((Move("rearrange"),), (momentum,), relation)
+            if line is not None:
+                scene.desk.know(Letter(symbol.name), factor * rest, (line,))
+                return symbol
+        return None
 
     def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A law of two spheres with one component open after it: that is expressed."""

@@ -222,11 +222,31 @@ class Course:
 
     def _express_waiting(self, values: Sequence[sp.Expr]) -> None:
         """Expresses the components in some values of which the laws are written."""
-        if not self.waiting:
-            return
         wanted = [symbol for each in values for symbol in self.scene.unknown(each)]
         for symbol in [each for each in self.waiting if each in wanted]:
             self._express(symbol, {s for each in values for s in each.free_symbols})
+        self._settle_tied(values)
+
+    def _settle_tied(self, values: Sequence[sp.Expr]) -> None:
+        """A component in some values that is a multiple of another one, which is known, is a line.
+
+        Of two components the momentum is zero then: the second follows from the first.
+        """
+        scene, free = self.scene, {s for each in values for s in each.free_symbols}
+        for symbol in sorted(self._letters.keys() & free, key=str):
+            tied = scene.desk.known(Letter(symbol.name))
+            others = set() if tied is None else tied.value.free_symbols & self._letters.keys()
+            if tied is None or others != tied.value.free_symbols or len(others) != 1:
+                continue
+            (other,) = others
+            source = scene.desk.known(Letter(other.name))
+            if source is None or source.value.free_symbols & self._letters.keys():
+                continue
+            value = tidy(tied.value.subs(other, source.value))
+            relation = chain(Letter(symbol.name), (tree_of(value), None))
+            line = scene.judge.write((Move("put"),), (*tied.refs, *source.refs), relation)
+            if line is not None:
+                scene.desk.know(Letter(symbol.name), value, (line,))
 
     def _express(self, symbol: sp.Symbol, wanted: Iterable[sp.Basic]) -> None:
         """A component from both laws: by leaving out the other, or by putting in what that is.
