@@ -428,14 +428,14 @@ b: 6 dot(velocity(A, 1), line_of_centres(1)) = 1
 """,
     # The momentum is zero in all.
     "no-momentum": """
-sphere A: mass m, velocity u i
-sphere B: mass m, velocity -u i
+sphere A: mass 1, velocity u i
+sphere B: mass 1, velocity -u i
 A hits B: along i, e = 1/3
 find along(velocity(A), i), along(velocity(B), i)
 ---
 1 a | let | | let v = c(A, 1)
 2 a | let | | let w = c(B, 1)
-3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | m u - m u = m v + m w
+3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | u - u = v + w
 4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 1/3 (u + u)
 5 a | rearrange | 3 | w = -v
 6 a | put | 4, 5 | v = -1/3 u

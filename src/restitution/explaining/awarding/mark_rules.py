@@ -100,9 +100,7 @@ RULES: tuple[Rule, ...] = (
     _rule("principle-of-vectors", ("law",), "M V", _VECTORS),
     # Solving.
     _rule("solved-together", ("combine",), "M A", when=("of-laws", "first"), caie=""),
-    _rule(
-        "solved-by-putting", ("put",), "M A", when=("of-laws", "first", "of-a-letter"), caie=""
-    ),
+    _rule("solved-by-putting", ("put",), "M A", when=("of-laws", "first", "of-a-letter"), caie=""),
     _rule("put-together-with-a-law", ("put",), "M", when=("of-laws", "first"), caie=""),
     _rule("two-values-of-a-letter", ("put",), "M", when=("of-one-letter",)),
     _rule("another-value", ("combine",), "A", when=("of-laws", "another")),
