@@ -246,6 +246,48 @@ find e, direction(A)
 """,
         ["tan θ = ", "θ = 105°, as v < 0"],
     ),
+    "a direction beyond 90° has that of a velocity put together": (
+        """
+wall C: circle centre (0, 0) radius a
+sphere P: at (a/2, 0), velocity u at 90°
+P hits C: e = 1/2
+find direction(P)
+""",
+        ["= −(3√3 u/8)𝐢 − (u/8)𝐣", "≈ −169°, as the component of 𝐯_P along 𝐢 is negative"],
+    ),
+    "a direction that the statement has a letter for has its reason": (
+        """
+sphere A: mass 2, velocity 3i - 2j
+sphere B: mass 8, velocity -5i + j
+B hits A: along i, e = 1/2
+let theta = direction(B)
+find theta
+""",
+        ["tan θ = 1/(−13/5) = −5/13", "≈ 159°, as v < 0"],
+    ),
+    "a tangent by the direction across the line of centres says so": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along beta, e = 1
+given direction(A) = -60°
+find beta
+""",
+        [
+            "v = 0",
+            "−60°, and A moves perpendicular to\nthe line of centres:",
+            "tan(−60°) = −1/tan β",
+        ],
+    ),
+    "a velocity that points back has the sign below the line": (
+        """
+sphere A: mass 1, velocity 10i, radius 1
+sphere B: mass 4, at rest, radius 1
+A hits B: offset 6/5, e = 1
+find velocity(A), deflection(A)
+""",
+        ["tan δ = (192/25)/(−6/25)"],
+    ),
     "a bound of cos 2α names the formula": (
         WALL.format(e=": e = 2/3")
         + "given energy_lost/energy(0) >= 20%\nfind range of sin(alpha), range of cos(2alpha)",

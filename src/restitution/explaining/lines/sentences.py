@@ -476,6 +476,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.sine": "An angle with sine {value} has cosine {cosine}.",
     "given.cosine": "An angle with cosine {value} has sine {sine}.",
     "given.fact-along": ("It is given that {fact}, and {body} moves along the line of centres:"),
+    "given.fact-across": (
+        "It is given that {fact}, and {body} moves perpendicular to the line of centres:"
+    ),
     "given.fact": "It is given that {fact}:",
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",

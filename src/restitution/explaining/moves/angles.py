@@ -231,8 +231,7 @@ def _in_its_quadrant(step: Step, ratio_: Apply, angle: sp.Expr) -> bool:
     Of the two directions with one tangent, the component in the direction of **i** tells which; of
     the two with one cosine, that in the direction of **j**.
     """
-    meaning = step.setting.meanings.get(getattr(ratio_.argument, "name", ""))
-    match meaning.quantity if meaning is not None else None:
+    match _meaning_of(step, ratio_.argument):
         case Quantity("direction", (Name() as body,), int(stage)) if ratio_.function != "sin":
             velocity = step.world.value(Quantity("velocity", (body,), stage))
         case _:
@@ -248,6 +247,20 @@ def _in_its_quadrant(step: Step, ratio_: Apply, angle: sp.Expr) -> bool:
         return False
     share = step.world.expression(after, step.roles)
     return step.oracle.proves(Claim(share * side, ">"))
+
+
+def _meaning_of(step: Step, angle: Expression) -> Expression | None:
+    """What a letter stands for: one of the working, or of the statement where that is cited."""
+    meaning = step.setting.meanings.get(getattr(angle, "name", ""))
+    if meaning is not None:
+        return meaning.quantity
+    for each in step.cited:
+        match each.ref, each.relation:
+            case str(ref), Relation(((Link(quantity, "=", named),),)) if (
+                named == angle and ref.startswith("let ")
+            ):
+                return quantity
+    return None
 
 
 def is_ratio_of(step: Step, value: Link, end: Link) -> bool:

@@ -12,7 +12,7 @@ from restitution.planning.formulas.velocity_formulas import (
     velocity_source,
 )
 from restitution.planning.writing.desk import chain, together
-from restitution.planning.writing.forms import swept, tree_of
+from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
@@ -50,10 +50,8 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
         return None  # of roots the scalar product with a speed that is known is plainer
     letter, meaning = letter_of(scene, asked)
     move = Move("define", "tan-from-axis", event, (body,))
-    subject, right = (
-        Apply("tan", Letter(letter)),
-        swept(Binary("/", tree_of(aside), tree_of(ahead))),
-    )
+    # A negative component ahead keeps its sign below the line: it makes the angle obtuse.
+    subject, right = Apply("tan", Letter(letter)), Binary("/", tree_of(aside), tree_of(ahead))
     whole = together((meaning,), rest, *(each.whole for each in early))
     refs = scene.judge.needed(move, whole, chain(subject, (right, None)))
     if refs is None:

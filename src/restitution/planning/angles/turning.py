@@ -229,9 +229,12 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
     named: tuple[Ref, ...] = ()
     if isinstance(right, Binary) and isinstance(right.right, Letter):
         named = (range_of(scene, right.right.name),)  # of 90° − α
+    pool = background(scene, letters(right))
+    if f"let {own.letter}" in scene.facts:
+        pool = (*pool, f"let {own.letter}")  # what the letter stands for tells its quadrant
     refs = together((own.line, own.extent), own.side, named)
     relation, move = chain(Letter(own.letter), (right, None)), Move("inverse")
-    refs = scene.judge.enough(move, refs, relation, background(scene, letters(right))) or refs
+    refs = scene.judge.enough(move, refs, relation, pool) or refs
     return scene.desk.write(move, refs, relation)
 
 

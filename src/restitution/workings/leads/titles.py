@@ -169,6 +169,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return (say("given.and", fact=sentence), say(name))
         if line.move.record == "scalar-angle" and (lead := self._cosine_told(line, facts[0])):
             return lead
+        if line.move.record == "tan-direction" and (still := self._standing(line).get("along")):
+            return (say("given.fact-across", fact=sentence, body=still),)
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 

@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle.roles import Role
-from restitution.planning.writing.forms import factors, tree_of
+from restitution.planning.writing.forms import coordinates, factors, tree_of
 
 _ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
 _ORDER = ("<", "<=", ">", ">=")
@@ -131,18 +131,22 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
     """Which way a body moves along **i**, where its direction is not between 0° and 90°."""
     assert isinstance(line.relation, Relation)
     link = line.relation.only[0]
-    meaning = derivation.meanings.get(link.left.name) if isinstance(link.left, Letter) else None
-    if meaning is None or not isinstance(meaning.quantity, Quantity):
-        return
+    named = _meant(derivation, link.left)
     angle = line.relation.only[-1].right
     beyond = _is_beyond(angle)
-    if meaning.quantity.kind != "direction" or not (beyond or _is_negative(angle)):
+    if not isinstance(named, Quantity) or named.kind != "direction":
+        return
+    if not (beyond or _is_negative(angle)):
         return
     for ref in line.premises:
         relation = _relation(derivation, ref)
         if relation is None or len(relation.options) > 1:
             continue
         component, value = relation.only[0].left, relation.only[-1].right
+        # A vector shows that a direction is ahead; that it is behind a reader has to be told.
+        parts = coordinates(value) if beyond and _is_velocity(component) else None
+        if parts is not None:
+            component, value = Quantity("along", (component, Unit("i"))), parts[0]
         if _is_along_i(derivation, component) and _is_negative(value if beyond else Negate(value)):
             yield Relation(((Link(component, "<" if beyond else ">", _ZERO),),))
             return
@@ -177,6 +181,29 @@ def _half_plane(derivation: Derivation, line: Line) -> Iterator[Relation]:
             yield Relation(((Link(component, "<", _ZERO),),))
         elif _is_negative(Negate(value)):
             yield Relation(((Link(component, ">", _ZERO),),))
+
+
+def _meant(derivation: Derivation, angle: Expression) -> Expression | None:
+    """What a letter stands for: one of the working, or one that the statement has."""
+    if not isinstance(angle, Letter):
+        return None
+    meaning = derivation.meanings.get(angle.name)
+    if meaning is not None:
+        return meaning.quantity
+    for fact in derivation.facts:
+        match fact.relation.options:
+            case ((Link(quantity, "=", own),),) if own == angle and _is_name(fact):
+                return quantity
+    return None
+
+
+def _is_name(fact: Fact) -> bool:
+    """Whether a fact says what a letter of the statement stands for."""
+    return fact.id.partition(" ")[0] == "let"
+
+
+def _is_velocity(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "velocity"
 
 
 def _is_beyond(angle: Expression) -> bool:

@@ -132,7 +132,7 @@ class Reasons:
             reasons = reasons or tuple(self._given_ranges(line))
         if line.move.id == "inverse":
             # An angle of up to 90° is what the arc functions give.
-            reasons = self._beyond_a_right_angle(line, reasons)
+            reasons = () if grounds else self._beyond_a_right_angle(line, reasons)
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         reasons = (*(each for each in grounds if each not in reasons), *reasons)
