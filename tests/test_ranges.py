@@ -24,6 +24,12 @@ sphere B: mass {}, at rest
 A hits B: along i
 """
 
+FREE = """sphere A: mass 1, velocity {}
+sphere B: mass k, at rest
+A hits B: along i
+unknown e, k
+"""
+
 CASES = {
     # tan(delta) = 3t/(1 + 4t^2) < 3√2/8 where 4t^2 - 4√2 t + 1 > 0.
     "a tangent that leaves a gap": REST.format("m", "m").rstrip()
@@ -176,6 +182,33 @@ A hits B: along i
 given energy_lost = 1/3 energy(0)
 find range of v/u
 #= range of v/u -> -√15/3 <= v/u <= √15/3""",
+    # v = 3(1 - ek)/(1 + k) takes all values from -3 to 3, neither included.
+    "two letters that leave a gap": FREE.format("3i")
+    + """given abs(along(velocity(A), i)) >= 1
+find range of along(velocity(A), i)
+#= range of along(velocity(A), i) -> -3 < X <= -1 or 1 <= X < 3""",
+    # tan = 1/v with the same v.
+    "a pole among the values of two letters": FREE.format("3i + j")
+    + """find range of tan(direction(A))
+#= range of tan(direction(A)) -> X < -1/3 or X > 1/3""",
+    # v = 1 - 2e passes 0.
+    "a pole among the values of one letter": """sphere A: mass 1, velocity 3i + j
+sphere B: mass 2, at rest
+A hits B: along i
+find range of tan(direction(A)), range of direction(A)
+#= range of tan(direction(A)) -> X <= -1 or X >= 1
+#= range of direction(A) -> 45° <= X <= 135°""",
+    # v = (3 - 3ek)/(1 + k) is 0 at e = 1/k, where nothing has a direction.
+    "a direction that is along a line in either sense": FREE.format("3i")
+    + """find range of direction(A), range of deflection(A)
+#= range of direction(A) -> X = 0° or X = 180°
+#= range of deflection(A) -> X = 0° or X = 180°""",
+    # A goes on with -3i + (2 - 4e)/3 j.
+    "a direction that passes 180°": """sphere A: mass 1, velocity -3i + 2j
+sphere B: mass 2, at rest
+A hits B: along j
+find range of direction(A)
+#= range of direction(A) -> -180° < X <= arctan(2/9) - 180° or 180° - arctan(2/9) <= X <= 180°""",
 }
 
 

@@ -226,6 +226,8 @@ def _within_a_turn(value: Angle, samples: Samples) -> sp.Expr:
         return sp.Integer(0) if sx > 0 else sp.pi
     if sx == 0 and sy is not None:
         return sy * sp.pi / 2
+    if sy == 0:
+        return sp.atan2(sp.Integer(0), _deciding_sign(tidy(x), samples))
     measured = value.measure()
     if isinstance(measured, sp.Symbol) or (
         measured.is_Add and not measured.has(sp.atan2) and not measured.has(sp.Abs)
@@ -244,6 +246,17 @@ def _within_a_turn(value: Angle, samples: Samples) -> sp.Expr:
         others = _turned(x, y, samples) if sy == 1 else ()
         return min((result, *others), key=exact.cost)
     return sp.atan2(tidy(y), tidy(x))
+
+
+def _deciding_sign(x: sp.Expr, samples: Samples) -> sp.Expr:
+    """The factors of an expression that can change sign, with the sign of the others."""
+    above, below = sp.together(x).as_numer_denom()
+    kept: list[sp.Expr] = []
+    for factor in (*sp.Mul.make_args(sp.factor(above)), *sp.Mul.make_args(sp.factor(below))):
+        base = factor.base if factor.is_Pow and factor.exp.is_Integer and factor.exp % 2 else factor
+        own = sign_of(base, samples)
+        kept.append(base if own is None else sp.Integer(own))
+    return tidy(sp.Mul(*kept))
 
 
 def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:

@@ -29,7 +29,7 @@ from restitution.solving.equations.part import Desk, Outcome
 from restitution.solving.equations.setting import Setting, Trial, declared
 from restitution.solving.equations.solution import Answer, ItemResult
 from restitution.solving.ranges.cases import Case, cases
-from restitution.solving.ranges.images import Image, in_pieces
+from restitution.solving.ranges.images import Image
 from restitution.solving.ranges.limits import limit
 from restitution.solving.ranges.regions import Region
 from restitution.solving.ranges.validity import (
@@ -307,21 +307,6 @@ def values_of_trials(
     return images
 
 
-def _image_in_pieces(
-    outcome: Outcome, value: sp.Expr, name: str, angle: bool
-) -> tuple[sp.Set, Proof] | None:
-    """The image of a letter that may be in several pieces; None where it is in one."""
-    try:
-        images = in_pieces(outcome, value, name, angle)
-        sets = [to_set(image.pieces()) for image in images]
-    except RestitutionError:
-        return None
-    proofs: list[Proof] = [image.proof for image in images]
-    if not sets:
-        return None
-    return sp.Union(*sets), next((each for each in proofs if each != "algebra"), "algebra")
-
-
 def _image(
     outcome: Outcome, values: list[tuple[Trial, sp.Expr]], free: list[str], angle: bool
 ) -> tuple[list[Form], Proof]:
@@ -338,12 +323,6 @@ def _image(
             continue
         image = Image(own, value, used, angle)
         one, several = _forms(image)
-        if image.proof == "undecided" and len(used) == 1:
-            parts = _image_in_pieces(own, value, used[0], angle)
-            if parts is not None:
-                sets.append(parts[0])
-                proofs.append(parts[1])
-                continue
         if len(values) == 1 and not always_exist(one, Oracle(image.roles, image.given)):
             several = [] if len(own_cases := cases(image)) < 2 else own_cases
             limits = defined(outcome, trial, one.args[:2])

@@ -117,19 +117,28 @@ def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:
             verdict = region.proved(pieces, (inside,))
             if verdict.answer != "proved":
                 return []
-            plain = tuple(_without_bars(region, inside, piece) for piece in pieces)
+            put = {role.symbol(name): where[0].value} if where[0].value == where[1].value else {}
+            plain = tuple(_plainer(region, inside, piece, put) for piece in pieces)
             cases_.append(Case(name, where, plain, verdict.proof))
         elif not _empty(region, inside):
             return []
     return cases_
 
 
-def _without_bars(region: Family, inside: Formula, piece: Piece) -> Piece:
-    """The ends of an interval without bars around what has one sign where this form holds."""
+def _plainer(
+    region: Family, inside: Formula, piece: Piece, put: Mapping[sp.Symbol, sp.Expr]
+) -> Piece:
+    """The ends of an interval with a value put in, which the letter of this form alone has.
+
+    There are no bars around what has one sign where the form holds.
+    """
     oracle = Oracle(region.roles, (*region.given, inside))
     low, high = (
-        End(forms.tidy(end.value.xreplace(forms.bars_of(end.value, oracle))), end.closed)
-        if end.value.has(sp.Abs)
+        End(
+            forms.tidy(end.value.xreplace(forms.bars_of(end.value, oracle)).xreplace(put)),
+            end.closed,
+        )
+        if end.value.has(sp.Abs, *put) and not end.value.is_infinite
         else end
         for end in piece
     )

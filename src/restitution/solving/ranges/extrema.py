@@ -36,7 +36,7 @@ from restitution.solving.ranges.allowed_values import (
     values_of_trials,
 )
 from restitution.solving.ranges.images import Candidate, is_near, is_reached
-from restitution.solving.ranges.limits import limit_at, limits, turning
+from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.ranges.validity import defined, with_condition
 from restitution.solving.story.letters import is_angle
@@ -198,13 +198,17 @@ def _roles(outcome: Outcome) -> dict[str, Role]:
 
 def _candidates(region: Region, value: sp.Expr) -> list[Candidate]:
     """What a quantity comes to where it may be greatest or least: it turns, or is at an end."""
-    points = turning(value, region.symbol, _roles(region.outcome))
+    roles = _roles(region.outcome)
+    broken = breaks(value, region.symbol, roles)
+    points = turning(value, region.symbol, roles) + broken
     points += region.critical
     points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
     return [
         Candidate(at_point, {region.letter: point}, sides)
         for point in dict.fromkeys(points)
-        for at_point, sides in limits(value, region.symbol, point, region.role)
+        for at_point, sides in limits(
+            value, region.symbol, point, region.role, broken=point in broken
+        )
     ]
 
 

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise, product
 
 import sympy as sp
 
@@ -25,10 +28,17 @@ from restitution.oracle import (
     letters_of,
 )
 from restitution.oracle.roles import DIRECTION, REAL, TO_180, Role
-from restitution.solving.algebra.intervals import End, Piece, inside_of, reconcile
+from restitution.solving.algebra.intervals import (
+    INFINITE,
+    End,
+    Piece,
+    inside_of,
+    joined_cells,
+    reconcile,
+)
 from restitution.solving.algebra.numbers import Sample, at, draw, number_of, sample
 from restitution.solving.equations.part import Outcome
-from restitution.solving.ranges.limits import limit_at, limits, turning
+from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, ROUNDS, Region
 from restitution.solving.ranges.zeros import zeros
 
@@ -45,8 +55,26 @@ class Candidate:
     sides: Mapping[str, int] = field(default_factory=dict)
 
 
+TRIED = 60
+"""Random places at which a value is worked out."""
+
+
+PAIRS = 6
+HALVINGS = 40
+CLOSE = 10**6
+"""So many ways between two places are halved, each so often, to find a value between two others."""
+
+
+Seen = tuple[Enclosed, Sample]
+"""A value that occurs, and the running letters there."""
+
+
+Border = tuple[Enclosed, sp.Expr, bool]
+"""A value that may bound an image, in numbers and as it is, and whether it occurs."""
+
+
 class Image:
-    """The values of an expression: one interval, sought at a few values of the data, then proved.
+    """The values of an expression: intervals, sought at a few values of the data, then proved.
 
     ``proof`` tells after `pieces` what it rests on.
     """
@@ -57,13 +85,14 @@ class Image:
         value: sp.Expr,
         free: list[str],
         angle: bool,
-        region: Region | None = None,
     ) -> None:
         self.value, self.free = value, free
-        self.region = region or Region(outcome, free[0], tuple(free[1:]))
+        self.region = Region(outcome, free[0], tuple(free[1:]))
+        self.region.free = tuple(free[1:])  # to the value all of them matter
         self.candidates = list(_candidates(outcome, value, free, self.region))
         self.angle = angle
         self.proof: Proof = "undecided"
+        self.known: list[Point] = []  # places that are known to be possible
         self.role, self.roles = REAL, self.region.roles
         self.data, self.given = self.region.data, self.region.given
         self.formula = self.region.formula
@@ -72,7 +101,7 @@ class Image:
         self.critical = [end for end in ends if not end.free_symbols & running]
 
     def pieces(self) -> list[Piece]:
-        """The interval. Raises ContradictionError where nothing is possible."""
+        """The intervals. Raises ContradictionError where nothing is possible."""
         shapes = self.shapes
         if not shapes:
             raise ContradictionError("no values satisfy all that is told")
@@ -82,20 +111,23 @@ class Image:
             self.proof = verdict.proof if verdict else "undecided"
             if verdict.answer != "refuted" or verdict.witness is None:
                 break
-            shape = self._shape(self.region._drawn(verdict.witness), verdict.witness)
+            self.known.append(verdict.witness)
+            drawn = self.region._drawn(verdict.witness)
+            shape = self._shape(drawn)
             if shape is None or shape in shapes:
                 break
-            shapes.append(shape)
+            # With no data, all that is known is of the same values.
+            shapes = [*shapes, shape] if drawn else [shape]
         return reconcile(shapes)
 
     @cached_property
     def shapes(self) -> list[tuple[list[Piece], Sample]]:
-        """The interval for some values of the data."""
+        """The intervals for some values of the data."""
         data = self.region.data()
         rng = random.Random(23)
         shapes: list[tuple[list[Piece], Sample]] = []
         for _ in range(DRAWS_TRIED if data else 1):
-            shape = self._shape(sample(data, self.region.roles, rng), {})
+            shape = self._shape(sample(data, self.region.roles, rng))
             if shape is not None:
                 shapes.append(shape)
             if len(shapes) == DRAWS:
@@ -105,28 +137,150 @@ class Image:
         possible = Oracle(self.region.roles, (self.region.formula,)).possible
         if possible.witness is None:
             return []
-        shape = self._shape(self.region._drawn(possible.witness), possible.witness)
+        self.known.append(possible.witness)
+        shape = self._shape(self.region._drawn(possible.witness))
         return [] if shape is None else [shape]
 
     def pieces_at(self, drawn: Sample) -> list[Piece]:
-        """The interval for these values of the data, or none."""
-        shape = self._shape(drawn, {})
+        """The intervals for these values of the data, or none."""
+        shape = self._shape(drawn)
         return [] if shape is None else shape[0]
 
-    def _shape(self, drawn: Sample, point: Point) -> tuple[list[Piece], Sample] | None:
-        """The interval for some values of the data; ``point`` has values that do occur."""
-        inside = _seen(self.region, self.value, self.free, drawn, point)
-        if not inside:
+    def _shape(self, drawn: Sample) -> tuple[list[Piece], Sample] | None:
+        """The intervals for some values of the data, between candidates next to each other."""
+        seen = self._seen(drawn)
+        if not seen:
             return None
-        ends = []
-        for sign, bound in ((-1, min(inside)), (1, max(inside))):
-            best = _bounding(self.region, self.candidates, drawn, sign, bound)
-            if best is None:
-                raise UnsupportedError(
-                    "the ends of this range have no exact form that is found here"
-                )
-            ends.append(End(best.value, is_reached(self.region, best, drawn)))
-        return [(ends[0], ends[1])], drawn
+        borders = self._borders(seen, drawn)
+        numbers = [number for number, _, _ in borders]
+        values = [value for value, _ in seen]
+        if not borders or min(values) < numbers[0] or max(values) > numbers[-1]:
+            raise UnsupportedError("the ends of this range have no exact form that is found here")
+        gaps = [
+            any(low < value < high for value in values) or self._meets(low, high, seen, drawn)
+            for low, high in pairwise(numbers)
+        ]
+        around = [False, *gaps, False]
+        cells: list[tuple[sp.Expr | None, bool]] = [(None, False)]
+        for n, (number, end, reached) in enumerate(borders):
+            within = around[n] and around[n + 1] and not end.is_infinite
+            inside = reached or (within and self._occurs(number, end, seen, drawn))
+            cells += [(end, inside), (None, around[n + 1])]
+        return joined_cells(cells), drawn
+
+    def _borders(self, seen: Sequence[Seen], drawn: Sample) -> list[Border]:
+        """The candidates in order, and which of them are reached."""
+        borders: list[Border] = []
+        for candidate in self.candidates:
+            number = limit_at(candidate.value, drawn)
+            if number is None or not is_near(self.region, candidate, drawn):
+                continue
+            reached = self._reaches(candidate, number, drawn) or any(
+                not (value - number).sign for value, _ in seen
+            )
+            end = sp.oo * number.sign if abs(number) == INFINITE else candidate.value
+            for n, (other, value, already) in enumerate(borders):
+                if not (number - other).sign:
+                    borders[n] = (other, end if reached else value, reached or already)
+                    break
+            else:
+                borders.append((number, end, reached))
+        return sorted(borders, key=lambda each: each[0])
+
+    def _seen(self, drawn: Sample) -> list[Seen]:
+        """Values that do occur, and where: at many random points, and at those that are known."""
+        rng = random.Random(29)
+        roles = self.region.setting.roles
+        points = [{name: draw(roles[name], rng) for name in self.free} for _ in range(TRIED)]
+        points += [
+            {name: number_of(point[name]) for name in self.free}
+            for point in self.known
+            if set(self.free) <= set(point)
+        ]
+        seen = []
+        for point in points:
+            value = self._value_at({**drawn, **point})
+            if value is not None:
+                seen.append((value, point))
+        return seen
+
+    def _value_at(self, values: Sample) -> Enclosed | None:
+        """The value at some values of all letters; None where they are not possible."""
+        if not self.region._possible(values):
+            return None
+        try:
+            return at(self.value, values)
+        except (UndefinedError, KeyError):
+            return None
+
+    def _reaches(self, candidate: Candidate, number: Enclosed, drawn: Sample) -> bool:
+        """Whether a candidate's value occurs at its place, and is not only come near to there."""
+        if not is_reached(self.region, candidate, drawn):
+            return False
+        for known in _others(self.region, candidate, drawn):
+            values = _numbers(self.region, candidate, known)
+            try:
+                if values is not None and not (at(self.value, values) - number).sign:
+                    return True
+            except (UndefinedError, KeyError):
+                return not candidate.sides
+        return False
+
+    def _meets(self, low: Enclosed, high: Enclosed, seen: Sequence[Seen], drawn: Sample) -> bool:
+        """Whether a value between two occurs on the way from a place of less to one of more."""
+        return any(
+            low < value < high
+            for pair in _nearest_pairs(seen, low, high)
+            for value, _ in self._halved(pair, low, high, drawn)
+        )
+
+    def _occurs(self, number: Enclosed, end: sp.Expr, seen: Sequence[Seen], drawn: Sample) -> bool:
+        """Whether a value occurs that has others close to it on both sides."""
+        facts = (*self.given, Relation(self.value - end, "="))
+        if self.formula is not None:
+            with suppress(BeyondError):
+                possible = Oracle(self.roles, (*facts, self.formula)).possible
+                if possible.answer != "undecided":
+                    return possible.answer == "proved"
+        for pair in _nearest_pairs(seen, number, number):
+            met = [*pair, *self._halved(pair, number, number, drawn)]
+            value, place = met[-1]
+            if len(met) < HALVINGS + 2 and (value - number).sign:
+                continue  # not every place on the way is possible
+            least, most = (
+                min(abs(value - number) for value, _ in met if side * (value - number) >= 0)
+                for side in (1, -1)
+            )
+            if least + most < abs(pair[1][0] - pair[0][0]) / CLOSE and not any(
+                self._is_close(candidate, place, drawn) for candidate in self.candidates
+            ):
+                return True
+        return False
+
+    def _is_close(self, candidate: Candidate, place: Sample, drawn: Sample) -> bool:
+        """Whether a place is the candidate's, or next to it."""
+        values = _numbers(self.region, candidate, {**place, **drawn})
+        return values is not None and all(
+            abs(values[name] - place[name]) < Fraction(1, CLOSE) for name in self.free
+        )
+
+    def _halved(
+        self, pair: tuple[Seen, Seen], low: Enclosed, high: Enclosed, drawn: Sample
+    ) -> Iterator[Seen]:
+        """Values on the way from a place of less than two numbers to one of more."""
+        (_, start), (_, end) = pair
+        for _ in range(HALVINGS):
+            middle = {name: (start[name] + end[name]) / 2 for name in self.free}
+            value = self._value_at({**drawn, **middle})
+            if value is None:
+                return
+            yield value, middle
+            if value <= low:
+                start = middle
+            elif value >= high:
+                end = middle
+            else:
+                return
 
     def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict:
         """Whether just these values occur, whatever the data are; ``more`` are facts of them."""
@@ -162,49 +316,6 @@ class Image:
         except BeyondError:
             return Verdict("undecided", "undecided")
         return inner
-
-
-@dataclass
-class Within(Region):
-    """The values of a letter in one of the pieces of its range, of which the ends are numbers."""
-
-    piece: Piece = (End(sp.Integer(0), True), End(sp.Integer(0), True))
-
-    def _atoms(self) -> list[sp.Expr]:
-        ends = [each.value for each in self.piece if each.value.is_finite]
-        return [*super()._atoms(), *(self.symbol - end for end in ends)]
-
-    @cached_property
-    def formula(self) -> Formula | None:
-        """What is asked of the letter: what the region does, and that it is in the piece."""
-        whole = Region(self.outcome, self.letter, self.free).formula
-        return None if whole is None else joined((whole, inside_of(self.symbol, [self.piece])))
-
-    def _possible(self, values: Sample) -> bool:
-        own = values.get(self.letter)
-        if own is None:
-            return False
-        for end, sense in zip(self.piece, (1, -1), strict=True):
-            if not end.value.is_finite:
-                continue
-            beyond = sense * (own - at(end.value, {}))
-            if beyond.sign < 0 or (beyond.sign == 0 and not end.closed):
-                return False
-        return super()._possible(values)
-
-
-def in_pieces(outcome: Outcome, value: sp.Expr, name: str, angle: bool) -> list[Image]:
-    """The images of the pieces in which a letter may be, where there are several.
-
-    Of all values at once the image would be one interval, and what is left out would not be seen.
-    """
-    pieces = Region(outcome, name).pieces()
-    ends = [end.value for piece in pieces for end in piece]
-    if len(pieces) < 2 or any(end.free_symbols for end in ends):
-        return []
-    return [
-        Image(outcome, value, [name], angle, Within(outcome, name, piece=piece)) for piece in pieces
-    ]
 
 
 _NAME = "value sought"  # no name that a letter can have
@@ -248,46 +359,16 @@ def _tangent_of(value: sp.Expr, pieces: Sequence[Piece]) -> tuple[sp.Expr, list[
     return tangent, parts[::factor]
 
 
-def _bounding(
-    region: Region, candidates: list[Candidate], drawn: Sample, sign: int, bound: Enclosed
-) -> Candidate | None:
-    """The candidate next beyond the values seen, above (sign 1) or below (-1) them."""
-    best: tuple[Enclosed, Candidate] | None = None
-    for candidate in candidates:
-        number = limit_at(candidate.value, drawn)
-        if number is None:
-            continue
-        if sign * number < sign * bound or not is_near(region, candidate, drawn):
-            continue
-        nearer = best is None or sign * number < sign * best[0]
-        if nearer or (
-            best is not None
-            and not (number - best[0]).sign
-            and is_reached(region, candidate, drawn)
-        ):
-            best = (number, candidate)
-    return None if best is None else best[1]
+def _nearest_pairs(seen: Sequence[Seen], low: Enclosed, high: Enclosed) -> list[tuple[Seen, Seen]]:
+    """Places of values up to one number and from another on, the nearest pairs first."""
+    below = [each for each in seen if each[0] <= low]
+    above = [each for each in seen if each[0] >= high]
 
+    def distance(pair: tuple[Seen, Seen]) -> float:
+        (_, one), (_, other) = pair
+        return sum((float(one[name]) - float(other[name])) ** 2 for name in one)
 
-def _seen(
-    region: Region, value: sp.Expr, free: list[str], drawn: Sample, known: Point
-) -> list[Enclosed]:
-    """Values that do occur: at many random points, and at one that is known."""
-    rng = random.Random(29)
-    seen = []
-    points = [{name: draw(region.setting.roles[name], rng) for name in free} for _ in range(60)]
-    if known:
-        points.append({name: number_of(known[name]) for name in free if name in known})
-    for point in points:
-        values = {**drawn, **point}
-        if not set(free) <= set(values):
-            continue
-        if region._possible(values):
-            try:
-                seen.append(at(value, values))
-            except (UndefinedError, KeyError):
-                continue
-    return seen
+    return sorted(product(below, above), key=distance)[:PAIRS]
 
 
 def _candidates(
@@ -306,6 +387,8 @@ def _candidates(
                 after.append(candidate)
                 continue
             points = turning(expression, symbol, roles)
+            broken = breaks(expression, symbol, roles)
+            points += broken
             role = roles[name]
             points += [-sp.oo if role.low is None else role.low]
             points += [sp.oo if role.high is None else role.high]
@@ -325,7 +408,8 @@ def _candidates(
                     n: sp.sympify(v, strict=True).xreplace({symbol: point})
                     for n, v in candidate.where.items()
                 }
-                for reduced, sides in limits(expression, symbol, point, role):
+                sided = limits(expression, symbol, point, role, broken=point in broken)
+                for reduced, sides in sided:
                     after.append(
                         Candidate(reduced, {**where, name: point}, {**candidate.sides, **sides})
                     )

@@ -15,6 +15,30 @@ from restitution.solving.algebra.intervals import INFINITE
 from restitution.solving.algebra.numbers import Sample, at, sign_at
 from restitution.solving.ranges.zeros import zeros
 
+_INFINITIES = {sp.oo: sp.Integer(1), -sp.oo: sp.Integer(-1)}
+
+
+def breaks(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -> list[sp.Expr]:
+    """Where an expression can jump: its poles, and where the angle of a vector passes 180°."""
+    parts: dict[sp.Expr, None] = {}
+    for node in sp.preorder_traversal(exact.in_sines(expression)):
+        if isinstance(node, sp.Pow) and node.exp.is_negative:
+            parts[node.base] = None
+        elif isinstance(node, sp.atan2):
+            above, along = node.args
+            parts[along if above == 0 else above] = None
+        elif isinstance(node, sp.tan | sp.cot):
+            parts[(sp.cos if isinstance(node, sp.tan) else sp.sin)(node.args[0])] = None
+    numerators = [sp.together(part).as_numer_denom()[0] for part in parts]
+    return list(
+        dict.fromkeys(
+            point
+            for each in numerators
+            if each.has(symbol)
+            for point in zeros([each], [symbol], roles, symbol.name)
+        )
+    )
+
 
 def turning(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -> list[sp.Expr]:
     """Where an expression can turn: its stationary points, and the kinks where a bar vanishes."""
@@ -57,14 +81,12 @@ def limit(
 
 
 def limits(
-    expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, role: Role
+    expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, role: Role, *, broken: bool
 ) -> list[tuple[sp.Expr, dict[str, int]]]:
-    """The limit at a point, or one for each side of a pole, with the side that it belongs to."""
-    value = limit(expression, symbol, point, point == role.high)
-    if value is None:
-        return []
-    if value not in (sp.oo, -sp.oo) or point in (sp.oo, -sp.oo, role.low, role.high):
-        return [(value, {})]
+    """The limit at a point, or one for each side of a break, with the side that it belongs to."""
+    if not broken or point in (sp.oo, -sp.oo, role.low, role.high):
+        value = limit(expression, symbol, point, point == role.high)
+        return [] if value is None else [(value, {})]
     both = ((limit(expression, symbol, point, side < 0), side) for side in (1, -1))
     return [(each, {symbol.name: side}) for each, side in both if each is not None]
 
@@ -84,6 +106,15 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
         if inner in (sp.oo, -sp.oo):
             return sp.pi / 2 if inner == sp.oo else -sp.pi / 2
         return None if inner is None else sp.atan(inner)
+    if isinstance(x, sp.atan2):
+        above, along = (_approached(argument, symbol, point, below) for argument in x.args)
+        if above is None or along is None or not (above.is_finite and along.is_finite):
+            return None
+        if above != 0:
+            return sp.atan2(above, along)
+        ahead = _sign_near(x.args[1], symbol, point, below)
+        side = 1 if x.args[0] == 0 else _sign_near(x.args[0], symbol, point, below)
+        return None if ahead is None or side is None else (1 - ahead) * side * sp.pi / 2
     top, bottom = sp.together(x).as_numer_denom()
     try:
         value, under = (each.xreplace({symbol: point}) for each in (top, bottom))
@@ -96,20 +127,30 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
         return value / under
     if value == 0:
         return None
+    sign = _sign_near(bottom, symbol, point, below, value)
+    return None if sign is None else sign * sp.oo
+
+
+def _sign_near(
+    x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool, factor: sp.Expr = sp.S.One
+) -> int | None:
+    """The sign of an expression close to a point, times a factor; None where there is not one."""
     step = sp.Rational(-1 if below else 1, 10**8)
-    near = bottom.xreplace({symbol: point + step})
+    near = factor * x.xreplace({symbol: point + step})
     rng = random.Random(47)
-    names = sorted(s.name for s in (value * near).free_symbols)
+    names = sorted(s.name for s in near.free_symbols)
     points = [{name: Enclosed.of(rng.uniform(0.1, 0.9)) for name in names} for _ in range(4)]
-    sign = sign_at(value * near, points)
-    return None if sign in (None, 0) else sign * sp.oo
+    return sign_at(near, points) or None
 
 
 def limit_at(value: sp.Expr, drawn: Sample) -> Enclosed | None:
     """A limit as a number at some values of the data; None where it has none."""
-    if value in (sp.oo, -sp.oo):
-        return Enclosed.of(INFINITE if value == sp.oo else -INFINITE)
+    infinite = value.has(*_INFINITIES)
+    if infinite:  # with a sign that may hang on the data
+        terms = [term for term in sp.Add.make_args(value) if term.has(*_INFINITIES)]
+        value = sp.Add(*terms).xreplace(_INFINITIES).replace(sp.sign, lambda x: x)
     try:
-        return at(value, drawn)
+        number = at(value, drawn)
+        return Enclosed.of(INFINITE * number.sign) if infinite else number
     except (UndefinedError, KeyError):
         return None
