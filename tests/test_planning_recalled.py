@@ -560,3 +560,39 @@ def test_a_place_that_is_asked_stands_once() -> None:
     text = printed(REACHED)
     assert text.count("6𝐢") == 1
     assert text.index("= 6𝐢 m A1") < text.index("Distance, from the coordinates")
+
+
+def test_a_component_that_is_given_as_zero_is_zero_in_a_later_part() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given direction(A) = 90°
+part a
+show e = 1/k
+part b
+given energy_lost = 1/4 energy(0), k = 2
+find alpha
+"""
+    told = said(text)
+    assert "m (u cos(alpha)) = 2m w" in told
+    assert told.index("v = 0") < told.index("m (u cos(alpha)) = 2m w")
+    assert "As the angle from 𝐢 to 𝐯_A is 90°, 𝐯_A has no component" in printed(text)
+
+
+def test_a_speed_that_is_given_is_compared_with_what_standing_laws_make_of_it() -> None:
+    text = """
+sphere A: mass 3m, velocity 2u i
+sphere B: mass m, at rest
+sphere C: mass 2m, at rest
+A hits B: along i
+B hits C: along i
+part a
+show A hits B again
+part b
+given speed(C) = u
+find e
+"""
+    told = said(text)
+    assert "w_2 = (1 + e)^2 u/2" in told
+    assert "u = (1 + e)^2 u/2" in told

@@ -8,7 +8,7 @@ import pytest
 from answers import _differs
 
 from restitution.explaining.following.follower import follow
-from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.derivation import Derivation, Meaning
 from restitution.explaining.lines.notation import write_relation
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
@@ -312,22 +312,35 @@ def lines_under(derivation: Derivation, number: int) -> set[object]:
 # --- no momentum in all ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("masses", "speed", "tie", "end"),
-    [
-        (("m", "m"), "u", "w = -v", "v = -u/3"),
-        (("m", "2m"), "1/2 u", "v = -2w", "w = u/6"),
-    ],
-)
-def test_where_the_momentum_is_zero_one_component_is_a_multiple_of_the_other(
-    masses: tuple[str, str], speed: str, tie: str, end: str
-) -> None:
-    text = f"""
-sphere A: mass {masses[0]}, velocity u i
-sphere B: mass {masses[1]}, velocity -{speed} i
+def test_equal_spheres_without_momentum_in_all_go_on_opposite_to_each_other() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass m, velocity -u i
 A hits B: along i, e = 1/3
 find velocity(A), velocity(B)
 """
     told = said(text)
-    assert told.index(tie) < told.index(end)
+    assert told.index("w = -v") < told.index("v = -u/3") < told.index("w = u/3")
     assert not any(line.move.id == "combine" for line in planned(text).lines)
+
+
+# --- the letters and the sense of components -----------------------------------------------------
+
+
+def test_beside_a_speed_that_is_named_v_in_capitals_no_component_is_v() -> None:
+    text = PAIR + "let V = speed(B)\nfind V"
+    assert "V = 1/3 (1 + e) u cos(alpha)" in said(text)
+    lets = [e.relation for e in planned(text).lines if isinstance(e.relation, Meaning)]
+    assert [each.letter for each in lets] == ["w", "x"]
+
+
+def test_components_count_in_the_sense_in_which_the_line_of_centres_is_given() -> None:
+    text = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 1, at rest
+A hits B: along 3i - 4j, e = 1/2
+find velocity(A), velocity(B)
+"""
+    told = said(text)
+    assert "2(-7/5) = 2v + w" in told
+    assert "v - w = 1/2 (7/5)" in told

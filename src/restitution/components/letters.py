@@ -33,7 +33,8 @@ def letters_in_use(problem: Problem) -> set[str]:
                 names.add(node.name.partition("_")[0])
     for _, step in problem.steps():
         if isinstance(step, Let):
-            names.add(step.letter)
+            # Beside a speed V that is named a component v would be taken for that.
+            names |= {step.letter, step.letter.lower()}
     return names
 
 

@@ -249,7 +249,12 @@ def _frame(
             n = -n
         if model.sign(u.dot(t)) < 0 and not _of_either_sign(tidy(u.dot(t))):
             t = -t
-    elif axis is None and model.sign((u - happening.before[step.second]).dot(n)) < 0:
+    elif (
+        # A direction that is given is taken in the sense in which it is given.
+        axis is None
+        and step.along is None
+        and model.sign((u - happening.before[step.second]).dot(n)) < 0
+    ):
         n, t = -n, -t
     return Frame(number, wall, n, t, axis, by_values)
 

@@ -497,6 +497,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.no-negative-product": "It is given that {fact}, so the scalar product is not negative:",
     "given.no-positive-product": "It is given that {fact}, so the scalar product is not positive:",
     "given.none-in": "So {velocity} has no component in the direction of {axis}:",
+    "given.none-as-given": "As {fact}, {velocity} has no component in the direction of {axis}:",
     "given.none-along": "So {velocity} has no component along {line}:",
     "given.product": "It is given that {fact}, so the scalar product is zero:",
     "sense.towards-wall": (

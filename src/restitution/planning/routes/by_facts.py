@@ -13,15 +13,15 @@ from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning.angles.unknown_blows import take_blow
 from restitution.planning.axes.by_changes import take_impulse, take_opposite
 from restitution.planning.axes.given_momenta import take_mass, take_momentum
-from restitution.planning.closing.roots import senses
+from restitution.planning.closing.roots import senses, written_law
 from restitution.planning.formulas.impacts import _given_after, after, residual
 from restitution.planning.formulas.ties import tied
 from restitution.planning.routes.course import Course
 from restitution.planning.routes.given_directions import wall_of, write_resolved
-from restitution.planning.routes.givens import write_given
+from restitution.planning.routes.givens import candidate, write_given
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError, chain, together
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.polynomials import factored
 from restitution.planning.writing.scene import GivenEquation
 from restitution.planning.writing.vectors import common_velocity, velocity_given
@@ -162,6 +162,46 @@ class ByFacts(Course):
                     return (own,)
         return None
 
+    def _take_zeros(self) -> set[int]:
+        """The lines of components that are 0 by facts of which an earlier part used the equations.
+
+        What these say of letters stands there: from then on such a component is 0, and not what
+        the laws made of it in these letters.
+        """
+        lines = map(self._zero, self.scene.given)
+        return {line for line in lines if line is not None}
+
+    def _zero(self, given: GivenEquation) -> int | None:
+        """The line in which a fact says that a component is 0; None where it is no such fact."""
+        scene, own = self.scene, candidate(given)
+        if given.link.sign != "=" or len(own.residuals) != 1 or scene.others:
+            return None
+        symbols = own.residuals[0].free_symbols & self._letters.keys()
+        if len(symbols) != 1:
+            return None
+        (symbol,) = symbols
+        letter, slope = Letter(symbol.name), sp.diff(own.residuals[0], symbol)
+        known = scene.desk.known(letter)
+        linear = sp.expand(own.residuals[0] - slope * symbol) == 0
+        if known is None or known.value == 0 or symbol in slope.free_symbols or not linear:
+            return None
+        used = (e.number for e in scene.desk.lines if given.fact.id in e.premises)
+        if not any(not scene.desk.is_of_this_part(n) and scene.desk.holds(n) for n in used):
+            return None
+        standing = self.mark()
+        scene.desk.forget_value(letter, known)
+        try:
+            link = scene.desk.last_link(line := write_given(scene, given))
+        except NotPlannedError:
+            self.back(standing)
+            return None
+        if (link.left, link.right) != (letter, ZERO):
+            self.back(standing)
+            return None
+        scene.desk.know(letter, sp.Integer(0), (line,))
+        self.equations.used.add(own.id)
+        return line
+
     def _fact_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A fact that says how many times one component after an impact the other one is."""
         ids = {each.id for each in left}
@@ -237,8 +277,11 @@ class ByFacts(Course):
             if is_sense or str(ref).startswith("sense"):
                 return False
         number, _ = self._letters[symbol]
+        laws = {f"momentum {number}", f"restitution {number}"}
         ids = {each.id for each in left}
-        if not {f"momentum {number}", f"restitution {number}"} <= ids:
+        # One that an earlier part has used is there too.
+        standing = {each for each in laws - ids if written_law(self.scene, each.split()[0], number)}
+        if not laws & ids or not laws <= ids | standing:
             return False
         if self._comes_by_the_coefficient(number, left):
             return True

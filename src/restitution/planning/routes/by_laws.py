@@ -21,6 +21,8 @@ from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
 
+_PAIR = 2
+
 
 class ByLaws(ByFacts):
     """Steps that the laws offer."""
@@ -107,26 +109,23 @@ class ByLaws(ByFacts):
                 self.waiting[symbol] = frame, lines, tuple(bodies)
 
     def _tied_by_no_momentum(self, momentum: int, pair: Sequence[sp.Symbol]) -> sp.Symbol | None:
-        """The component that is a multiple of the other one, where the whole momentum is zero.
+        """The second component where it is that of the other sphere turned round: w = −v.
 
-        Its line is written. None where the momentum is not zero, or the multiple is no integer.
+        So it is where equal masses have no momentum in all; that is a line. None elsewhere.
         """
         scene, own = self.scene, residual(self.scene, momentum)
-        if scene.others or len(pair) != 2 or not self._letters.keys() >= set(pair):
-            return None
-        if sp.expand(own.subs(dict.fromkeys(pair, 0))) != 0:
+        if scene.others or len(pair) != _PAIR or not self._letters.keys() >= set(pair):
             return None
         one, other = pair
-        for symbol, rest in ((other, one), (one, other)):
-            factor = tidy(-sp.diff(own, rest) / sp.diff(own, symbol))
-            if not factor.is_Integer:
-                continue
-            relation = chain(Letter(symbol.name), (tree_of(factor * rest), None))
-            line = scene.judge.write((Move("rearrange"),), (momentum,), relation)
-            if line is not None:
-                scene.desk.know(Letter(symbol.name), factor * rest, (line,))
-                return symbol
-        return None
+        apart = own.subs(dict.fromkeys(pair, 0)), sp.diff(own, one) - sp.diff(own, other)
+        if any(sp.expand(each) != 0 for each in apart):
+            return None
+        relation = chain(Letter(other.name), (tree_of(-one), None))
+        line = scene.judge.write((Move("rearrange"),), (momentum,), relation)
+        if line is None:
+            return None
+        scene.desk.know(Letter(other.name), -one, (line,))
+        return other
 
     def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A law of two spheres with one component open after it: that is expressed."""

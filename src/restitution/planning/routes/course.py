@@ -228,10 +228,7 @@ class Course:
         self._settle_tied(values)
 
     def _settle_tied(self, values: Sequence[sp.Expr]) -> None:
-        """A component in some values that is a multiple of another one, which is known, is a line.
-
-        Of two components the momentum is zero then: the second follows from the first.
-        """
+        """A component in some values that is known by another one, which is known, is a line."""
         scene, free = self.scene, {s for each in values for s in each.free_symbols}
         for symbol in sorted(self._letters.keys() & free, key=str):
             tied = scene.desk.known(Letter(symbol.name))

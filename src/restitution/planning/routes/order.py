@@ -8,6 +8,7 @@ unknown and it holds no letter that is asked; else it is the last equation of it
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from itertools import chain as chained
 
 import sympy as sp
@@ -36,6 +37,18 @@ class Solver(Closing):
         The cheapest equations are tried first. Raises NotPlannedError where none of them can be
         written in an order, or solved.
         """
+        standing, start = self.mark(), len(self.scene.desk.lines)
+        zeros = self._take_zeros()
+        if zeros:
+            with suppress(NotPlannedError):
+                self._determine(goals)
+                if any(zeros & set(line.premises) for line in self.scene.desk.lines[start:]):
+                    return
+            self.back(standing)
+        self._determine(goals)
+
+    def _determine(self, goals: Sequence[sp.Expr]) -> None:
+        """The same with what is known by now."""
         self.goals = goals
         self._express_waiting(goals)
         write_blows(self.scene)

@@ -331,9 +331,13 @@ class Desk:
 
     def loosen(self, letter: Expression, source: Source) -> None:
         """A letter that is known by a line is open again, and the line is an equation for it."""
+        self.forget_value(letter, source)
+        self.shown += [ref for ref in source.refs if isinstance(ref, int)]
+
+    def forget_value(self, letter: Expression, source: Source) -> None:
+        """What a letter is known to be is forgotten; the lines stay."""
         self.version += 1
         self._sources[letter] = [each for each in self._sources[letter] if each is not source]
-        self.shown += [ref for ref in source.refs if isinstance(ref, int)]
 
     def forget_components(self, mark: Mark) -> None:
         """Forgets what components have come to since a mark, of which the lines stay."""

@@ -14,9 +14,11 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
+    Negate,
     Quantity,
     Unit,
     is_zero,
@@ -164,6 +166,23 @@ class ComponentLeads(LinesAround):
                     return say("given.none-along", velocity=formula, line=self._naming.side(axis))
         return None
 
+    def _direction_again(self, line: Line) -> Sentence | None:
+        """That a velocity of which the statement gives the direction, 90°, has no component."""
+        assert isinstance(line.relation, Relation)
+        if line.move.record != "parallel" or not is_zero(line.relation.only[-1].right):
+            return None
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            match fact.relation.options[0][0] if fact is not None else None:
+                case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
+                    fact is not None and _is_square(angle)
+                ):
+                    velocity = self._naming.layout(Quantity("velocity", (body,), stage))
+                    axis = self._naming.layout(Unit("i"))
+                    said = self._naming.fact(fact)
+                    return say("given.none-as-given", fact=said, velocity=velocity, axis=axis)
+        return None
+
     def _along_axes(self, line: Line) -> Sentence | None:
         """That one velocity is along **i** and another along **j**, which are at right angles."""
         assert isinstance(line.relation, Relation)
@@ -197,3 +216,12 @@ class ComponentLeads(LinesAround):
         if set(still) != {"along", "across"}:
             return None
         return say("derived.apart", one=still["along"], other=still["across"])
+
+
+def _is_square(angle: Expression) -> bool:
+    """Whether an angle is one of 90°, to either side."""
+    own = angle.operand if isinstance(angle, Negate) else angle
+    return isinstance(own, Degrees) and own.value == _RIGHT
+
+
+_RIGHT = 90

@@ -317,6 +317,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return None
         if record.id == "parallel" and (_read_off(line) or self._since_nothing(line)) is not None:
             return None
+        if self._direction_again(line) is not None:
+            return None
         if self._turned(line) is not None or self._along_the_line(line) is not None:
             return None
         event = self._naming.events.get(line.move.event or 0)
@@ -534,6 +536,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 apart
                 or self._along_axes(line)
                 or self._none_in(line)
+                or self._direction_again(line)
                 or self._since_nothing(line)
                 or say("so")
             )
