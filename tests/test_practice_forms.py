@@ -502,3 +502,54 @@ def test_senses_in_words_values_put_in_and_headings(
     letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
     marking = restitution.mark(solution_of(statement), line, letters=letters).json()
     assert [each["verdict"] for each in marking["lines"]] == [verdict]
+
+
+PAIR_OF_ANGLES = (
+    "sphere A: mass m, velocity 2u at 30°\nsphere B: mass m, velocity u at 150°\n"
+    "A hits B: along i\ngiven angle(velocity(A), velocity(B)) = 90°\nfind e\n"
+)
+HALVED = (
+    "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/4\n"
+    "given angle(velocity(P), W) = 1/2 alpha\nfind alpha\n"
+)
+STRUCK_AT = (
+    "wall W: from (0, 0) to (4, 3)\nsphere P: at (0, 2), velocity i - j\nP hits W: e = 1/2\n"
+    "find position(P), velocity(P)\n"
+)
+DIAGONAL = (
+    "sphere A: mass 3, velocity 4i - 2j\nsphere B: mass 1, velocity -2i + j\n"
+    "A hits B: along i - j, e = 1/3\nfind velocity(A), velocity(B)\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines", "verdict"),
+    [
+        (PAIR_OF_ANGLES, ["m2ucos30 - mucos30 = mx + my"], "true"),
+        (PAIR_OF_ANGLES, ["y - x = 3eucos30", "m2ucos30 + mucos30 = mx + my"], "false"),
+        (HALVED, ["tan 2\\alpha = \\frac{2\\tan\\alpha}{1 - \\tan^2\\alpha}"], "true"),
+        (HALVED, ["let t = tan½α", "t = ¼ . 2t/(1-t²)"], "true"),
+        (HALVED, ["let t = tan½α", "t = ½ . 2t/(1-t²)"], "false"),
+        (HALVED, ["\\alpha = 70.5^\\circ"], "true"),
+        (HALVED, ["\\alpha = 60.5^{\\circ}"], "false"),
+        (STRUCK_AT, ["hits at (8/7, 6/7)"], "remark"),
+        (STRUCK_AT, ["n = (-3i+4j)/5", "v = 7/10 n = -0.42i + 0.56j"], "false"),
+        (DIAGONAL, ["n = (i - j)/√2", "A.n = 6/√2, B.n = -3/√2"], "true"),
+        (DIAGONAL, ["n = (i - j)/√2", "A.n = 5/√2"], "false"),
+    ],
+)
+def test_products_angles_and_places_in_forms_that_look_like_others(
+    statement: str, lines: list[str], verdict: str
+) -> None:
+    found = verdicts(statement, *lines)
+    assert found[-1] == verdict
+    assert "false" not in found[:-1]
+
+
+def test_a_name_before_a_letter_says_whose_the_component_is() -> None:
+    statement = (
+        "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, velocity v j\n"
+        "A hits B: along i, e = 1/2\ngiven speed(A) = speed(B)\nfind v\n"
+    )
+    assert verdicts(statement, "along: A ucos60 = ½u") == ["true"]
+    assert verdicts(statement, "along: A ucos60 = ¾u") == ["false"]

@@ -78,6 +78,7 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
         ("ninth", 42, 21),
         ("tenth", 79, 35),
         ("twelfth", 74, 32),
+        ("thirteenth", 51, 2),
     ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
@@ -117,7 +118,19 @@ def test_a_sample_of_true_lines_in_many_spellings_is_not_accused(script: MarkedS
 @pytest.mark.nightly
 @pytest.mark.timeout(1800)
 @pytest.mark.parametrize(
-    "folder", ["typed", "third", "sealed", "fourth", "fifth", "eighth", "ninth", "tenth", "twelfth"]
+    "folder",
+    [
+        "typed",
+        "third",
+        "sealed",
+        "fourth",
+        "fifth",
+        "eighth",
+        "ninth",
+        "tenth",
+        "twelfth",
+        "thirteenth",
+    ],
 )
 def test_no_true_line_is_accused(folder: str) -> None:
     scripts = scripts_of(SCRIPTS / folder)

@@ -189,14 +189,25 @@ class LettersOfLines:
 
     @cached_property
     def vectors(self) -> frozenset[str]:
-        """The letters that are vectors in an equation of vectors: ``I = 2(v - 3i + 5j)``."""
+        """The letters that are vectors in an equation of vectors: ``I = 2(v - 3i + 5j)``.
+
+        So is v in ``v = 7/10 n`` below ``n = (-3i + 4j)/5``.
+        """
         vectors: set[str] = set()
         for line in self.lines:
             frame = Frame(None, self.meanings(line.number))
             for link, names in self.items[line.number]:
-                claim = link.readings[0]
-                vectors.update(vector_letters(claim, names, self.around.tester, frame))
+                known = {name for name in names if is_direction(name) and self._points(name)}
+                tester = self.around.tester
+                vectors.update(vector_letters(link.readings[0], names, tester, frame, known))
         return frozenset(vectors)
+
+    def _points(self, name: str) -> bool:
+        """Whether the first line of a letter gives it a vector as its value."""
+        number, tree = self.definitions.get(name, (0, None))
+        frame = Frame(None, self.meanings(number))
+        value = None if tree is None else self.around.tester.value(tree, {}, frame)
+        return isinstance(value, Vector)
 
     def usual(self, name: str, scope: Scope) -> Candidate | None:
         """What a letter or phrase means where no line tells."""

@@ -113,18 +113,23 @@ def _parts(vector: Expression) -> Iterator[tuple[Expression, Unit]]:
 
 
 def vector_letters(
-    claim: Claim, names: AbstractSet[str], tester: Tester, frame: Frame
+    claim: Claim,
+    names: AbstractSet[str],
+    tester: Tester,
+    frame: Frame,
+    known: AbstractSet[str] = frozenset(),
 ) -> Iterator[str]:
     """The letters that a claim makes vectors: ``I = 2(v - 3i + 5j)``, ``v = x i + y j``.
 
-    ``names`` are those whose meanings are open. Of several that is one alone on its side.
+    ``names`` are those whose meanings are open, ``known`` those of them that are vectors. Of
+    several that is one alone on its side.
     """
     samples = tester.world.samples
     number, vector = np.ones(samples), Vector(np.ones(samples), 2 * np.ones(samples))
     sides = claim.left, claim.right
     alone = {each.name for each in sides if isinstance(each, Letter)}
     for name in names if len(names) == 1 else names & alone:
-        others = dict.fromkeys(names - {name}, number)
+        others = {each: vector if each in known else number for each in names - {name}}
         as_number, as_vector = (
             [
                 isinstance(tester.value(side, {**others, name: value}, frame), Vector)

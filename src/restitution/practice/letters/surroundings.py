@@ -200,7 +200,9 @@ class Surroundings:
 
     def _size(self, tree: Expression) -> float:
         """The size of a vector of numbers; 0 of anything else."""
-        value = None if letters(tree) or has_quantity(tree) else self.tester.value(tree, {})
+        named = letters(tree) or has_quantity(tree)
+        named = named or any(isinstance(each, Name) for each in walk(tree))
+        value = None if named else self.tester.value(tree, {})
         return round(float(np.hypot(*value)), 9) if isinstance(value, Vector) else 0.0
 
     def phrase(self, words: str, event: int | None = None) -> tuple[Expression, ...]:

@@ -67,6 +67,7 @@ _LATEX_BARE_FRACTION = re.compile(
 )
 _LATEX_BARE_ROOT = re.compile(r"\\sqrt\s*(\d+|[A-Za-z])")
 _LATEX_POWER = re.compile(r"\^\{([^{}]*)\}")
+_LATEX_DEGREES = re.compile(r"\^\s*(?:\{\s*)?\\(?:circ|degree)\b\s*\}?")
 _LATEX_BELOW = re.compile(r"_\{([A-Za-z0-9])\}(?=(\w)?)")
 _LATEX_WAY = re.compile(r"_\s*(?:\{\s*)?\\(perp|par)(?:allel)?\b\s*\}?")
 # What sets lines and says nothing.
@@ -200,6 +201,7 @@ def _without_latex(text: str) -> str:
     text = _LATEX_COLUMN.sub(_column_of, text)
     text = _LATEX_WAY.sub(r"_\1 ", _LATEX_SETTING.sub(" ", text))
     text = re.sub(r"&\s*(?=[=<>\\])", "", text)
+    text = _LATEX_DEGREES.sub("°", text)
     for _ in range(6):
         text = _LATEX_POWER.sub(r"^(\1)", text)
         text = _LATEX_BELOW.sub(lambda below: f"_{below[1]}{' ' if below[2] else ''}", text)

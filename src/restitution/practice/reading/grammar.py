@@ -154,9 +154,21 @@ class Parser(Cursor):
         if sign is None and (isinstance(left, Letter | Unit) or isinstance(right, Letter | Unit)):
             both = False  # v i is a component along i
         symbols = sign is not None and sign.kind == "dot" and _may_be_vectors(left, right)
+        moving = [self.is_sphere(each) for each in (left, right)]
+        if symbols and any(moving) and any(is_vector(each, vectors) for each in (left, right)):
+            both = True  # A.n is of the velocity of A, before or after
+            if self.choose("velocity before"):
+                left, right = (
+                    Quantity("velocity", (each,), 0) if is_name else each
+                    for each, is_name in zip((left, right), moving, strict=True)
+                )
         if both or (symbols and self.choose("scalar product")):
             return Quantity("dot", (left, right))
         return Binary("*", left, right)
+
+    def is_sphere(self, tree: Expression) -> bool:
+        """Whether a factor is the name of a sphere."""
+        return isinstance(tree, Name) and tree.name in self.usage.spheres
 
     def signed_factor(self) -> Expression:
         """A factor behind × or /, perhaps with a sign."""
@@ -340,7 +352,7 @@ class Parser(Cursor):
         token = self.take()
         name, power = self.function_power(token.name)
         if self.kind() == "(":
-            argument = self.brackets()
+            argument = self.share_of_angle(name, self.brackets())
         else:
             argument = self.bare(name)
         if name in _TRIGONOMETRIC:
@@ -351,6 +363,14 @@ class Parser(Cursor):
             return Letter(f"speed of {argument.name}", place=self.place(token))
         tree: Expression = Apply(name, argument, place=self.place(token))
         return tree if power is None else Binary("^", tree, power)
+
+    def share_of_angle(self, name: str, tree: Expression) -> Expression:
+        """An argument in brackets; ``tan(1/2)α``, as of ``tan½α``, is that of half the angle."""
+        half = isinstance(tree, Binary) and tree.op == "/" and _is_number(tree)
+        angle = self.kind() == "letter" and self.token().name in self.usage.angles
+        if half and angle and name in _TRIGONOMETRIC:
+            return Binary("*", tree, self.primary())
+        return tree
 
     def angle(self, argument: Expression) -> Expression:
         """The argument of a sine: bare numbers in it are degrees, but behind ``rad``."""
@@ -431,9 +451,11 @@ class Parser(Cursor):
             tree = self.powers(tree)
         if not number or isinstance(tree, Degrees):
             return tree
-        if self.kind() in ("letter", "pi") and not self.token().gap:
-            usual = self.kind() == "pi" or self.token().name in self.usage.angles
-            angle = usual and name in _TRIGONOMETRIC
+        usual = self.kind() == "pi" or (
+            self.kind() == "letter" and self.token().name in self.usage.angles
+        )
+        angle = usual and name in _TRIGONOMETRIC
+        if angle or (self.kind() in ("letter", "pi") and not self.token().gap):
             usual = usual and name != "sqrt"
             if angle or self.choose("multiple") ^ usual:
                 return Binary("*", tree, self.primary())

@@ -509,8 +509,13 @@ class _Scanner:
         return 2 if apart else 0
 
     def _is_factor(self, name: str, subscript: str, match: re.Match[str]) -> bool:
-        """Whether a number behind the letter of a mass is no subscript: so many bodies are none."""
+        """Whether a number behind the letter of a mass is no subscript: so many bodies are none.
+
+        Nor is one glued to a further letter, ``m2u``, where no mass is counted as the first.
+        """
         many = subscript.isdigit() and int(subscript) > len(self.usage.spheres) + 1
+        glued = subscript.isdigit() and self.text[match.end() : match.end() + 1].isalpha()
+        many = many or (glued and name not in self.usage.counted)
         typed = match[0] == subscript
         own = name in self.usage.letters and f"{name}_{subscript}" not in self.usage.letters
         return typed and many and own and name in ("m", "M")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal
@@ -215,18 +215,21 @@ def _without_swallowed(segment: Segment) -> Segment:
 Parting = Literal["certain", "likely", "doubtful"]
 
 
-def split_at_spaces(segment: Segment) -> Iterator[tuple[Segment, Parting]]:
+def split_at_spaces(
+    segment: Segment, vectors: Collection[str] = ()
+) -> Iterator[tuple[Segment, Parting]]:
     """A segment parted where several relations stand beside each other.
 
     ``q = 1/6   p = -1/3`` is two. So, likely, is ``w = 2u v = u``, in which the second may also be
-    the end of a chain; ``tan b = 1/3 tan a = 1/4`` is rather a chain. The word beside a segment
+    the end of a chain; ``tan b = 1/3 tan a = 1/4`` is rather a chain, and so is
+    ``v = 7/10 n = 2i + j`` with the letter of one of the ``vectors``. The word beside a segment
     tells how certain it is that it is a relation of its own.
     """
     tokens = segment.tokens
     places = [n for n, token in enumerate(tokens) if token.kind == "relation"]
     start, parting = 0, _CERTAIN
     for first, second in pairwise(places):
-        cut = _cut(tokens, first, second)
+        cut = _cut(tokens, first, second, vectors)
         if cut is not None:
             yield _without_number(Segment(tokens[start : cut[0]], segment.before)), parting
             start, parting = cut
@@ -234,9 +237,13 @@ def split_at_spaces(segment: Segment) -> Iterator[tuple[Segment, Parting]]:
 
 
 _CERTAIN: Parting = "certain"
+# Letters of speeds and velocities.
+_OF_VELOCITIES = frozenset("uvwUVW")
 
 
-def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, Parting] | None:
+def _cut(
+    tokens: Sequence[Token], first: int, second: int, vectors: Collection[str]
+) -> tuple[int, Parting] | None:
     """Where a side between two relations is parted, and how certain that is."""
     depth, gaps = 0, []
     for place in range(first + 1, second):
@@ -252,8 +259,17 @@ def _cut(tokens: Sequence[Token], first: int, second: int) -> tuple[int, Parting
         return max(wide, key=lambda place: tokens[place].gap), "certain"
     for place in gaps:
         if _begins_another(tokens, first, place, second):
+            if tokens[place].name in vectors and _is_velocity_along(tokens, first, place, second):
+                return None
             return place, _parting(tokens, first, place, second)
     return None
+
+
+def _is_velocity_along(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
+    """Whether a velocity is a multiple of a direction: ``v = 7/10 n = 2i + j``."""
+    start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
+    moving = tokens[start].kind == "phrase" or tokens[start].name[:1] in _OF_VELOCITIES
+    return moving and second == place + 1 and tokens[place].name[:1] not in _OF_VELOCITIES
 
 
 def _parting(tokens: Sequence[Token], first: int, place: int, second: int) -> Parting:

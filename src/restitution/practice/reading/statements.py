@@ -190,7 +190,7 @@ class _Reader(Chains):
         if is_identity(segment.tokens):
             return
         self.carry(segment)
-        parts = list(split_at_spaces(segment))
+        parts = list(split_at_spaces(segment, self.usage.vectors))
         for place, (part, parting) in enumerate(parts):
             first = len(self.links)
             self.relations(part)
@@ -256,7 +256,7 @@ class _Reader(Chains):
         return first if segment.tokens[1].kind in (*_OPERANDS, "|") else None
 
     def _is_of_a_body(self, segment: Segment) -> bool:
-        """Whether a body's name only says whose the numbers are: ``A 5 cos α = 4``, ``B -3``."""
+        """Whether a body's name only says whose the numbers are: ``A u cos α = 4``, ``B -3``."""
         tokens = segment.tokens
         if len(tokens) < 2 or tokens[0].kind != "name":
             return False
@@ -264,7 +264,8 @@ class _Reader(Chains):
             return False  # a velocity
         loose = tokens[1].kind == "-" and tokens[1].gap > 0
         tight = loose and len(tokens) > 2 and not tokens[2].gap
-        return tight or (tokens[1].kind in ("number", "function") and tokens[1].gap > 0)
+        glued = len(tokens) > 2 and tokens[1].kind == "letter" and tokens[2].kind in _OPERANDS
+        return tight or ((tokens[1].kind in ("number", "function") or glued) and tokens[1].gap > 0)
 
     def value(self, segment: Segment) -> None:
         """A segment without a relation: a further value, the value of a label, or a remark."""

@@ -34,7 +34,8 @@ class Usage:
 
     ``letters`` are those of the question, ``angles`` the letters that are angles, ``vectors``
     those that are vectors; ``alone`` the Latin letters that stand alone in the script. ``aliases``
-    are the letters that stand for others (``a`` for ``alpha``). ``times`` is whether an x is a
+    are the letters that stand for others (``a`` for ``alpha``), ``counted`` those that the script
+    has with a 1 behind them. ``times`` is whether an x is a
     sign, ``joules`` whether a J may be a letter; a 2 behind one of the ``squares`` is a power, and
     so is one behind ``sin`` where ``powers``.
     """
@@ -47,6 +48,7 @@ class Usage:
     vectors: frozenset[str] = frozenset()
     alone: frozenset[str] = frozenset()
     aliases: dict[str, str] = field(default_factory=dict, hash=False)
+    counted: frozenset[str] = frozenset()
     times: bool = True
     joules: bool = False
     squares: frozenset[str] = frozenset()

@@ -27,6 +27,7 @@ _NO_ANGLES = frozenset(
 )
 GREEK_ANGLES = frozenset(GREEK) - _NO_ANGLES
 _RUN = re.compile(r"[A-Za-z]+")
+_COUNTED = re.compile(r"([A-Za-z])(?:_\s?\{?)?1(?![\d.])")
 _ALONE = re.compile(r"(?<![A-Za-z_])([A-Za-z])(?![A-Za-z_0-9'])")
 _IN_FUNCTION = re.compile(
     r"(?:sin|cos|tan|cot|sec)(?: *\^? *(?:\(?- ?1\)?|[23]))? *\(? *\d* *([A-Za-z])(?!rc)"
@@ -88,6 +89,7 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
         vectors=frozenset(_vectors(text, spheres)),
         alone=frozenset(alone),
         aliases=aliases,
+        counted=frozenset(_COUNTED.findall(text)),
         times=not ("x" in of_question or _uses_x(lines)),
         joules=bool(_JOULES.search(text)),
         squares=_squares(text, of_question | alone),

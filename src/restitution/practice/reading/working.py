@@ -119,8 +119,8 @@ class _Reader:
         if not tokens:
             return self._script_line(number, typed, "heading")
         whose = None if scope == self.scope and scope.event is None else self._whose(scope)
-        if _WALL.match(line.text):
-            whose = None  # wall: 2i + j is its direction
+        if _WALL.match(line.text) or _ends_at(line, tokens):
+            whose = None  # wall: 2i + j is its direction, hits at (2, 1) a place
         statements = read_statements(
             segments(tokens), self.usage, self.problem, number, line, self.past, whose
         )
@@ -206,6 +206,11 @@ class _Reader:
 def _is_dash(tokens: Sequence[Token]) -> bool:
     """Whether a line begins with a dash, and not with the sign of what follows: ``- 3i``."""
     return tokens[0].kind == "-" and (len(tokens) == 1 or tokens[1].gap > 0)
+
+
+def _ends_at(line: Plain, tokens: Sequence[Token]) -> bool:
+    """Whether the words before the tokens of a line say where something is: ``hits it at``."""
+    return bool(tokens) and re.search(r"\bat\s*$", line.text[: tokens[0].start]) is not None
 
 
 def _cut(line: Plain, start: int, end: int) -> Plain:
