@@ -104,7 +104,7 @@ CLAIMS = {
             "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
             "A hits B: along i, e = 1/3\nshow maximum of tan(deflection(A)) over alpha = 1/2"
         ),
-        "The greatest value of tan δ is not ½: it is √3/3.",
+        "The greatest value of tan δ is not ½: it is √3/3 ≈ 0.577.",
     ),
     "a bound in letters": (
         WALL + "show speed(S) < 1/2 v",
@@ -203,3 +203,68 @@ def test_a_velocity_told_by_its_direction_is_resolved_beside_another() -> None:
     shown = working(text)
     assert "𝐮_A = √3 u𝐢 + u𝐣 B1" in shown
     assert "𝐯_A is not parallel to 𝐮_A, as −u𝐢 + u𝐣 is no multiple of √3 u𝐢 + u𝐣." in shown
+
+
+LATER = """
+sphere A: mass 2m, velocity 3u i
+sphere B: mass m, velocity -u i
+A hits B: along i, e = e
+part a
+find velocity(A), speed(B), energy_lost
+part b
+given e = 1/2
+"""
+
+
+# With e = 1/2, v = u and w = 3u, and 16/3 (1 - e²)mu² = 4mu² of 19/2 mu² is lost.
+@pytest.mark.parametrize(
+    ("claim", "reason"),
+    [
+        ("show velocity(A) = 2u i", "Since e = ½, from (3): 𝐯_A = u𝐢 B1ft 𝐯_A is not 2u𝐢: it is u𝐢."),
+        ("show A at rest", "A is not at rest: 𝐯_A = u𝐢."),
+        ("show speed(B) < 2u", "the speed of B = 3u, which is more than 2u."),
+        ("show energy_lost > 5 m u^2", "the kinetic energy lost = 4mu², which is less than 5mu²."),
+        (
+            "show energy_lost < 1/2 energy(0)",
+            "½ × total kinetic energy before the impact = 19mu²/4 (5) From (4) and (5): "
+            "kinetic energy lost < ½ × total kinetic energy before the impact (as required) M1 A1*",
+        ),
+    ],
+)
+def test_what_an_earlier_part_found_is_taken_with_the_values_of_its_own(
+    claim: str, reason: str
+) -> None:
+    assert reason in working(LATER + claim)
+
+
+@pytest.mark.parametrize(
+    ("statement", "reason"),
+    [
+        (
+            "sphere A: mass m, velocity 4u i\nsphere B: mass k m, velocity -u i\n"
+            "A hits B: along i, e = 1/5\nshow velocity(A) in the direction of velocity(B)",
+            "𝐯_A = −(4u/5)𝐢 and 𝐯_B = (u/5)𝐢, which are in opposite directions.",
+        ),
+        (
+            "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, velocity -u i\n"
+            "A hits B: along i, e = e\nshow velocity(A) opposite to velocity(A, 0)",
+            "𝐯_A = (u/3)𝐢 and 𝐮_A = 3u𝐢, which are in the same direction.",
+        ),
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+            "A hits B: along i\ngiven energy_lost = 1/4 energy(0)\nfind e\nshow k < 1",
+            "k is 1, for instance, when e = √2/2 ≈ 0.707.",
+        ),
+        (
+            OBLIQUE.replace("3m", "m").replace("1/3", "1")
+            + "show angle(velocity(A), velocity(B)) = 60°",
+            "It is not true that β = 60°: β = 90°, which is not 60°.",
+        ),
+        (
+            OBLIQUE.replace("3m", "m").replace("1/3", "1") + "show deflection(A) = theta",
+            "δ = 30°, which is not θ.",
+        ),
+    ],
+)
+def test_a_counter_example_says_what_is_wrong(statement: str, reason: str) -> None:
+    assert reason in working(statement)

@@ -12,7 +12,8 @@ from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Derivation, Link, Note, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
 from restitution.oracle import REAL, Oracle, compared
@@ -107,6 +108,9 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
                 if product is not None:
                     slots["product"] = naming.relation(Relation((product,)))
                     return say("refuted.product-instance", **slots)
+                bearing = _bearing(note, trees, naming) if how != "perpendicular to" else None
+                if bearing is not None:
+                    return say("refuted.bearing-instance", **slots, bearing=bearing)
                 return say("refuted.direction-instance", **slots)
             return say("refuted.direction", claim=denied)
         case Meets() if not values and note.lines:
@@ -115,9 +119,18 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
                 return say("refuted.opposite-above", claim=claim)
             other = replace(relation, happens=not relation.happens)
             return say("refuted.opposite", claim=claim_of_meeting(other, naming))
-    if sides and note.sides == note.instance:
+    claimed = trees_of(note.claim) if note.claim is not None else ()
+    beside = tuple(each for each in note.sides if each not in note.instance)
+    if sides and note.sides != beside and not any(each.left in claimed for each in beside):
         letter, value = (naming.layout(each) for each in (note.sides[0].left, note.sides[0].right))
-        return say("refuted.possible", claim=claim, letter=letter, value=value)
+        slots = {"claim": claim, "letter": letter, "value": value}
+        if beside:
+            others = tuple(_side(each, naming) for each in beside)
+            return say("refuted.possible-when", **slots, values=others)
+        return say("refuted.possible", **slots)
+    if len(beside) == 1:
+        # A letter of which the instance says the value is a bound: its value is not said again.
+        note, sides = replace(note, sides=beside), (_with_article(_side(beside[0], naming)),)
     sentence = say("refuted.sides", sides=sides)
     if isinstance(relation, Compare):
         sentence = _compared(note, sides, naming) or sentence
@@ -206,6 +219,35 @@ def _apart(
     return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation(((link,),))))
 
 
+def _bearing(
+    note: Note, trees: tuple[Expression, Expression], naming: Naming
+) -> Sentence | None:
+    """How one direction stands to another, with the values of an instance; None if it is open."""
+    known = {side.left: side.right for side in note.sides}
+    try:
+        a, b = (in_letters(known.get(tree, tree), positive=True) for tree in trees)
+    except RestitutionError:
+        return None
+    if not (isinstance(a, Vector) and isinstance(b, Vector)) or 0 in (a.dot(a), b.dot(b)):
+        return None
+    if tidy(a.cross(b)) != 0:
+        name: SentenceId = "refuted.no-multiple-of"
+    else:
+        along = tidy(a.dot(b)).is_positive
+        if along is None:
+            return None
+        name = "refuted.same-direction" if along else "refuted.opposite-direction"
+    if len(note.sides) == 1:
+        one = {
+            "refuted.no-multiple-of": "refuted.no-multiple-of-one",
+            "refuted.same-direction": "refuted.in-direction-of-one",
+            "refuted.opposite-direction": "refuted.opposite-to-one",
+        }[name]
+        (other,) = (tree for tree in trees if tree not in known)
+        return say(one, other=naming.side(other))
+    return say(name)
+
+
 def _of_subject(
     asked: Show, claim: Sentence | lay.Layout | str, note: Note, naming: Naming
 ) -> Sentence:
@@ -217,7 +259,7 @@ def _of_subject(
         if not note.sides:
             return say("refuted.extreme", quantity=extreme, claimed=claimed)
         (true,) = note.sides
-        value = naming.layout(true.right)
+        value = _with_decimal(true.right, naming)
         return say("refuted.value", quantity=extreme, claimed=claimed, value=value)
     if note.claim is not None:
         claim = naming.relation(note.claim)
@@ -236,12 +278,9 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
     own = _link_of(derivation, note.lines[-1])
     if own.left != link.left:
         return None
-    claimed, value = naming.layout(link.right), naming.layout(own.right)
-    added = as_answer(own.right)
+    claimed, value = naming.layout(link.right), _with_decimal(own.right, naming)
     if note.sides and note.sides[0].sign == "≈":
         value = naming.layout(note.sides[0].right)
-    elif added:
-        value = lay.Relation((value, *(e for e, _ in added)), tuple(s for _, s in added))
     name = naming.layout(link.left)
     plain, general = (
         ("refuted.vector", "refuted.vector-general")
@@ -251,6 +290,14 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
     agree = _may_agree(link.right, own.right) and not _differ(link.right, own.right, naming)
     sentence = general if agree else plain
     return say(sentence, quantity=name, claimed=claimed, value=value)
+
+
+def _with_decimal(value: Expression, naming: Naming) -> lay.Layout:
+    """A value with its decimal, as answers have it."""
+    exact, added = naming.layout(value), as_answer(value)
+    if not added:
+        return exact
+    return lay.Relation((exact, *(e for e, _ in added)), tuple(s for _, s in added))
 
 
 def _may_agree(claimed: Expression, value: Expression) -> bool:
@@ -284,7 +331,10 @@ def _scalar_product(note: Note) -> tuple[Link, ...] | None:
 
 
 def _differ(claimed: Expression, value: Expression, naming: Naming) -> bool:
-    """Whether two values in letters differ for all that the letters may be: their squares do."""
+    """Whether two values in letters differ for all that the letters may be.
+
+    The squares of two numbers do, or the square of the difference of two vectors is positive.
+    """
     known = roles(naming.problem)
 
     def symbol(name: str) -> sp.Symbol:
@@ -292,6 +342,9 @@ def _differ(claimed: Expression, value: Expression, naming: Naming) -> bool:
 
     try:
         one, other = (evaluate(each, symbol) for each in (claimed, value))
+        if isinstance(one, Vector) and isinstance(other, Vector):
+            apart = Vector(one.x - other.x, one.y - other.y)
+            return Oracle(known).proves(compared(sp.factor(apart.dot(apart)), ">", sp.Integer(0)))
         gap = sp.factor(sp.sympify(one, strict=True) ** 2 - sp.sympify(other, strict=True) ** 2)
     except (RestitutionError, TypeError, ValueError):
         return False

@@ -648,6 +648,15 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.direction-instance": (
         "{claim} in general: with {values:and}, for instance, {sides:and}."
     ),
+    "refuted.bearing-instance": (
+        "{claim} in general: with {values:and}, for instance, {sides:and}, {bearing}."
+    ),
+    "refuted.same-direction": "which are in the same direction",
+    "refuted.opposite-direction": "which are in opposite directions",
+    "refuted.no-multiple-of": "and neither is a multiple of the other",
+    "refuted.in-direction-of-one": "which is in the direction of {other}",
+    "refuted.opposite-to-one": "which is opposite to {other}",
+    "refuted.no-multiple-of-one": "which is no multiple of {other}",
     "refuted.product-instance": (
         "{claim} in general: with {values:and}, for instance, {sides:and}, so {product}."
     ),
@@ -666,6 +675,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is not true in general that {claim}: with {values:and}, for instance, {sides}."
     ),
     "refuted.possible": "It is not true in general that {claim}: {letter} may be {value}.",
+    "refuted.possible-when": (
+        "It is not true in general that {claim}: {letter} is {value}, for instance, when {values:and}."
+    ),
     "refuted.sides": "{sides:and}",
     "refuted.but": "{one}, but {other}",
     "refuted.less": "{sides:and}, which is less",

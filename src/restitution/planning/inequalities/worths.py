@@ -295,7 +295,7 @@ class Worths:
         scene = self.scene
         known = scene.desk.known(quantity)
         if known is not None and len(known.refs) == 1 and isinstance(known.refs[0], int):
-            return known.refs[0]
+            return self._closed(quantity, known) or known.refs[0]
         if quantity.kind in _ANGLES:
             tangent = self._tangent(Apply("tan", quantity)) or self._of_letter(quantity)
             if tangent is not None:
@@ -334,6 +334,22 @@ class Worths:
                         scene.desk.know(quantity, own.value, (number_,))
                     return number_
         raise NotPlannedError(f"a line for {quantity.kind}")
+
+    def _closed(self, quantity: Quantity, known: Source) -> int | None:
+        """The line of a known quantity in which letters that have values since are put in."""
+        if quantity.kind in _ANGLES:
+            return None
+        parts = known.value if isinstance(known.value, Vector) else (known.value,)
+        open_ = {s for each in parts for s in sp.sympify(each, strict=True).free_symbols}
+        self.solver.determine(sorted(open_ & self.scene.model.final.keys(), key=str))
+        value, refs = self.scene.put(known.value)
+        if value == known.value:
+            return None
+        relation = Relation(((Link(quantity, "=", tree_of(value)),),))
+        line = self.judge.write((Move("put"),), [*known.refs, *refs], relation)
+        if line is not None:
+            self.scene.desk.know(quantity, value, (line,))
+        return line
 
     def _is_its_letter(self, quantity: Quantity, own: Formula) -> bool:
         """Whether a component is what the working has a letter for, with the value of that."""

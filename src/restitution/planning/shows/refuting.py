@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
+from restitution.planning.angles.turning import angle_line
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.comparisons import Comparison
 from restitution.planning.inequalities.extrema import only_answer, write_extremum
@@ -116,10 +117,20 @@ class _Refutation:
                     rest.remove(tree)
             for each in dict.fromkeys(q for tree in rest for q in claims.worths.quantities(tree)):
                 if not claims.worths.is_data(each) or self._has_an_angle(each):
-                    lines.append(
-                        claims.worths.angle_by_letter(each) or claims.worths.quantity(each)
-                    )
+                    lines.append(self._worth(claims, each))
         self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
+
+    def _worth(self, claims: Claims, quantity: Quantity) -> int:
+        """The line that says what a quantity is; of a right angle, which has no tangent, itself."""
+        value = self.scene.value(quantity)
+        if isinstance(value, Angle) and self._square(value) is not None:
+            velocities = [each for each in quantity.arguments if isinstance(each, Quantity)]
+            for velocity in velocities:
+                claims.worths.determine(velocity)
+            if not velocities:
+                claims.worths.determine_angle(quantity)
+            return angle_line(self.scene, quantity)
+        return claims.worths.angle_by_letter(quantity) or claims.worths.quantity(quantity)
 
     def _has_an_angle(self, velocity: Quantity) -> bool:
         """Whether a velocity of the data is told by its size and direction, and is claimed one."""
@@ -211,7 +222,19 @@ class _Refutation:
         note = self._at(note, numbers)
         if trees and (note.premises or not lines):
             sides = tuple(self._sides(trees, numbers))
+        if sides and sides == note.instance:
+            sides = (*sides, *self._beside(numbers))
         desk.notes.append(replace(note, sides=sides))
+
+    def _beside(self, numbers: Mapping[str, sp.Expr]) -> Iterator[Link]:
+        """What the letters are that are found in the letters of the numbers."""
+        known = roles(self.scene.problem)
+        for symbol, value in self.scene.model.final.items():
+            own = sp.sympify(value, strict=True)
+            if symbol.name in known and {each.name for each in own.free_symbols} <= set(numbers):
+                put = {each: numbers[each.name] for each in own.free_symbols}
+                angle = known[symbol.name].kind == "angle"
+                yield Link(Letter(symbol.name), "=", tree_of(_plain(own.xreplace(put)), angle=angle))
 
     def _ratios(self, trees: Sequence[Expression], numbers: Mapping[str, sp.Expr]) -> Iterator[str]:
         """The letters without a number on which the ratio of two velocities depends."""
@@ -322,7 +345,7 @@ class _Refutation:
         value = self.scene.value(tree)
         parts: Iterable[Any] = value if isinstance(value, Vector) else (value,)
         if isinstance(value, Angle):
-            parts = (value.x, value.y)
+            parts = () if self._square(value) is not None else (value.x, value.y)
         return {s.name for each in parts for s in self._in_data(each).free_symbols}
 
     def _in_data(self, value: Any) -> sp.Expr:
@@ -332,6 +355,8 @@ class _Refutation:
         value = self.scene.value(tree)
         if isinstance(value, Vector):
             return Vector(*(self._there(each, numbers) for each in value))
+        if isinstance(value, Angle) and (square := self._square(value)) is not None:
+            return square
         if isinstance(value, Angle):
             x, y = (self._there(each, numbers) for each in (value.x, value.y))
             scale = {s: sp.Integer(1) for s in x.free_symbols | y.free_symbols if s.is_positive}
@@ -340,6 +365,13 @@ class _Refutation:
                 raise NotPlannedError("an angle that numbers do not fix")
             return tidy_angle(sp.atan2(y, x))
         return self._there(value, numbers)
+
+    def _square(self, angle: Angle) -> sp.Expr | None:
+        """The value of an angle that is a right angle for all that the letters may be."""
+        if tidy(self._in_data(angle.x)) != 0:
+            return None
+        sign = self.scene.model.proved_sign(angle.y)
+        return None if not sign else sign * sp.pi / 2
 
     def _there(self, value: Any, numbers: Mapping[str, sp.Expr]) -> sp.Expr:
         own = self._in_data(value)
