@@ -220,14 +220,16 @@ given e = 1/2
 @pytest.mark.parametrize(
     ("claim", "reason"),
     [
-        ("show velocity(A) = 2u i", "Since e = ½, from (3): 𝐯_A = u𝐢 B1ft 𝐯_A is not 2u𝐢: it is u𝐢."),
+        ("show velocity(A) = 2u i", "from (3): 𝐯_A = u𝐢 B1ft 𝐯_A is not 2u𝐢: it is u𝐢."),
         ("show A at rest", "A is not at rest: 𝐯_A = u𝐢."),
         ("show speed(B) < 2u", "the speed of B = 3u, which is more than 2u."),
         ("show energy_lost > 5 m u^2", "the kinetic energy lost = 4mu², which is less than 5mu²."),
         (
             "show energy_lost < 1/2 energy(0)",
-            "½ × total kinetic energy before the impact = 19mu²/4 (5) From (4) and (5): "
-            "kinetic energy lost < ½ × total kinetic energy before the impact (as required) M1 A1*",
+            (
+                "½ × total kinetic energy before the impact = 19mu²/4 (5) From (4) and (5): "
+                "kinetic energy lost < ½ × total kinetic energy before the impact (as required)"
+            ),
         ),
     ],
 )
@@ -241,18 +243,24 @@ def test_what_an_earlier_part_found_is_taken_with_the_values_of_its_own(
     ("statement", "reason"),
     [
         (
-            "sphere A: mass m, velocity 4u i\nsphere B: mass k m, velocity -u i\n"
-            "A hits B: along i, e = 1/5\nshow velocity(A) in the direction of velocity(B)",
+            (
+                "sphere A: mass m, velocity 4u i\nsphere B: mass k m, velocity -u i\n"
+                "A hits B: along i, e = 1/5\nshow velocity(A) in the direction of velocity(B)"
+            ),
             "𝐯_A = −(4u/5)𝐢 and 𝐯_B = (u/5)𝐢, which are in opposite directions.",
         ),
         (
-            "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, velocity -u i\n"
-            "A hits B: along i, e = e\nshow velocity(A) opposite to velocity(A, 0)",
+            (
+                "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, velocity -u i\n"
+                "A hits B: along i, e = e\nshow velocity(A) opposite to velocity(A, 0)"
+            ),
             "𝐯_A = (u/3)𝐢 and 𝐮_A = 3u𝐢, which are in the same direction.",
         ),
         (
-            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
-            "A hits B: along i\ngiven energy_lost = 1/4 energy(0)\nfind e\nshow k < 1",
+            (
+                "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+                "A hits B: along i\ngiven energy_lost = 1/4 energy(0)\nfind e\nshow k < 1"
+            ),
             "k is 1, for instance, when e = √2/2 ≈ 0.707.",
         ),
         (

@@ -219,9 +219,7 @@ def _apart(
     return say("refuted.direction-as", claim=denied, relation=naming.relation(Relation(((link,),))))
 
 
-def _bearing(
-    note: Note, trees: tuple[Expression, Expression], naming: Naming
-) -> Sentence | None:
+def _bearing(note: Note, trees: tuple[Expression, Expression], naming: Naming) -> Sentence | None:
     """How one direction stands to another, with the values of an instance; None if it is open."""
     known = {side.left: side.right for side in note.sides}
     try:

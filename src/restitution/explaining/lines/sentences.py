@@ -676,7 +676,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "refuted.possible": "It is not true in general that {claim}: {letter} may be {value}.",
     "refuted.possible-when": (
-        "It is not true in general that {claim}: {letter} is {value}, for instance, when {values:and}."
+        "It is not true in general that {claim}: {letter} is {value}, for instance, when "
+        "{values:and}."
     ),
     "refuted.sides": "{sides:and}",
     "refuted.but": "{one}, but {other}",

@@ -234,7 +234,8 @@ class _Refutation:
             if symbol.name in known and {each.name for each in own.free_symbols} <= set(numbers):
                 put = {each: numbers[each.name] for each in own.free_symbols}
                 angle = known[symbol.name].kind == "angle"
-                yield Link(Letter(symbol.name), "=", tree_of(_plain(own.xreplace(put)), angle=angle))
+                there = tree_of(_plain(own.xreplace(put)), angle=angle)
+                yield Link(Letter(symbol.name), "=", there)
 
     def _ratios(self, trees: Sequence[Expression], numbers: Mapping[str, sp.Expr]) -> Iterator[str]:
         """The letters without a number on which the ratio of two velocities depends."""
