@@ -49,10 +49,11 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
     for sphere in spheres[1:]:
         if in_direction(scene, "along", sphere, event - 1, frame).value == 0:
             body = sphere
-    if scene.unknown(scene.mass(body).value):
-        # A mass that is known leaves one unknown less.
-        body = next((own for own in spheres if not scene.unknown(scene.mass(own).value)), body)
-    closed = [sphere for sphere in spheres if not _is_open(scene, sphere, event)]
+    # A mass that is known leaves one unknown less: routes are chosen by it.
+    massive = [own for own in spheres if not scene.unknown(scene.mass(own).value)] or spheres
+    if body not in massive:
+        body = massive[0]
+    closed = [sphere for sphere in massive if not _is_open(scene, sphere, event)]
     if closed and body not in closed:
         body = closed[0]
     return impulse_on(scene, quantity, body, event)

@@ -31,6 +31,7 @@ from restitution.language.measuring import dimensions_of_letters
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.vector import Vector
+from restitution.wording.letters import named_letters
 from restitution.wording.units import style_of
 from restitution.work import remembered
 
@@ -49,6 +50,7 @@ class Measures:
             for node in walk(tree)
         )
         known: dict[str, Dimension] = dict(dimensions_of_letters(problem))
+        self._of_statement = frozenset(known) - named_letters(problem)
         for name, meaning in meanings.items():
             dimension = dimension_of(meaning.quantity, known)
             if dimension is not None:
@@ -57,8 +59,19 @@ class Measures:
 
     def unit(self, tree: Expression) -> str:
         """The unit of a quantity, with blanks that hold; nothing where letters give the scale."""
+        if self._is_of_the_question(tree):
+            return ""
         dimension = dimension_of(tree, self._letters)
         return self._style.unit(dimension).lstrip()
+
+    def _is_of_the_question(self, tree: Expression) -> bool:
+        """Whether a tree has letters of the statement only.
+
+        Where numbers fix the scale, the words have the unit behind the letter (a speed of
+        u m s⁻¹), so that the letter is a number.
+        """
+        names = letters(tree)
+        return bool(names) and names <= self._of_statement and not has_quantity(tree)
 
     def has_units_of_its_own(self, value: Expression) -> bool:
         """Whether letters in a value stand for what has a unit: then none stands behind it."""
