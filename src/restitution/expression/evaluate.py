@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    letters,
 )
 from restitution.vector import Vector
 
@@ -454,6 +455,30 @@ def in_letters(tree: Expression, *, positive: bool = False) -> Any:
     """
     value = evaluate(tree, (lambda name: sp.Symbol(name, positive=True)) if positive else sp.Symbol)
     return value if isinstance(value, Vector) else sp.sympify(value, strict=True)
+
+
+def letters_of_vector(tree: Expression) -> tuple[frozenset[str], frozenset[str]]:
+    """The letters of a vector that are sizes, and those that are components of either sign.
+
+    ``p i + 2j`` makes p any real number; in ``u i`` or ``u cos α i + …`` u is a speed.
+    """
+    if not letters(tree):
+        return frozenset(), frozenset()
+    try:
+        vector = in_letters(tree, positive=True)
+    except StatementError:
+        return frozenset(), frozenset()
+    if not isinstance(vector, Vector):
+        return frozenset(), frozenset()
+    sizes, components = set[str](), set[str]()
+    x, y = (sp.expand(part) for part in vector)
+    for one, other in ((x, y), (y, x)):
+        _, rest = one.as_coeff_Mul()
+        if rest.is_Symbol and other != 0 and not other.has(rest):
+            components.add(rest.name)
+        else:
+            sizes.update(symbol.name for symbol in one.free_symbols)
+    return frozenset(sizes), frozenset(components)
 
 
 def _error(tree: Expression, message: str) -> StatementError:

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from restitution.expression.dimensions import SPEED
+from restitution.expression.evaluate import letters_of_vector
 from restitution.expression.tree import Expression, Letter, Polar, letters, walk
 from restitution.problem import Compare, Given, Impact, Kick, Problem, Relation
 from restitution.render import layout as lay
@@ -178,6 +179,7 @@ def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
             positive |= letters(velocity) & _NUMBERS
             if scene.style.fixes(SPEED) and not isinstance(velocity, Polar):
                 signed |= _components(velocity)
+                positive |= letters_of_vector(velocity)[0] & signed
     runs = [wall.along for wall in scene.problem.walls]
     for _, step in scene.problem.steps():
         if isinstance(step, Kick):

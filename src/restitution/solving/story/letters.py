@@ -13,8 +13,7 @@ from functools import lru_cache
 
 import sympy as sp
 
-from restitution.errors import StatementError
-from restitution.expression.evaluate import in_letters
+from restitution.expression.evaluate import in_letters, letters_of_vector
 from restitution.expression.quantities import KINDS, is_vector_quantity
 from restitution.expression.tree import (
     Apply,
@@ -269,10 +268,10 @@ def _components(problem: Problem) -> tuple[set[str], set[str]]:
         if id(tree) in bodies_at or id(tree) in places:
             continue
         if is_vector(tree) and not has_quantity(tree):
-            _vector_roles(tree, positive, real)
+            _vector_letters(tree, positive, real)
         for node in walk(tree):
             if isinstance(node, Pair) and node is not tree:
-                _vector_roles(node, positive, real)
+                _vector_letters(node, positive, real)
             elif isinstance(node, Polar):
                 positive.update(letters(node.size))
     for _, step in problem.steps():
@@ -288,23 +287,10 @@ def _coordinates(place: object, positive: set[str], real: set[str]) -> None:
             (real if _lone(part) else positive).update(letters(part))
 
 
-def _vector_roles(tree: Expression, positive: set[str], real: set[str]) -> None:
-    """``p i + 2j`` makes p any real number; in ``u i`` or ``u cos α i + …`` u is a speed."""
-    if not letters(tree):
-        return
-    try:
-        vector = in_letters(tree, positive=True)
-    except StatementError:
-        return
-    if not isinstance(vector, tuple):
-        return
-    x, y = (sp.expand(part) for part in vector)
-    for one, other in ((x, y), (y, x)):
-        _, rest = one.as_coeff_Mul()
-        if rest.is_Symbol and other != 0 and not other.has(rest):
-            real.add(rest.name)
-        else:
-            positive.update(symbol.name for symbol in one.free_symbols)
+def _vector_letters(tree: Expression, positive: set[str], real: set[str]) -> None:
+    sizes, components = letters_of_vector(tree)
+    positive |= sizes
+    real |= components
 
 
 def _lone(tree: Expression) -> bool:
