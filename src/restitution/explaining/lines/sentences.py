@@ -940,6 +940,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.from-then": "for {time}",
     "derived.acute": "{angle} is acute",
     "derived.positive": "{letter} is positive",
+    "derived.given": "this is given",
     "derived.fact": "{fact}",
     "derived.fact-equal": "{fact}, with equality when {place}",
     "derived.items": "{items:and}",

@@ -360,6 +360,8 @@ class Reasons:
                 if self._naming.bodies.get(wall) == "sphere":
                     return say("touch.towards", one=body, other=wall)
                 return say("circle.towards", body=body, wall=wall)
+            if line.move.id == "reject" and fact.kind == "given" and signs == {"="}:
+                return say("derived.given")
             if not ordered or fact.kind not in ("given", "range", "case"):
                 return None
             match fact.relation:
@@ -438,7 +440,7 @@ class Reasons:
         """The silent reason: the letter stands for something positive."""
         assert isinstance(line.relation, Relation)
         left = line.relation.options[0][0].left
-        if isinstance(left, Letter):
+        if isinstance(left, Letter) and self.is_positive(left.name):
             yield say("derived.positive", letter=self._naming.layout(left))
 
     def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
