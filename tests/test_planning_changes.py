@@ -32,7 +32,7 @@ A hits B: along i + j, e = 1/2
 given velocity(A, 0) - velocity(A) = 3i + 3j
 find M, velocity(B)
 """,
-        ("𝐯_A = (4𝐢 + 2𝐣) − (3𝐢 + 3𝐣) = (𝐢 − 𝐣) m s⁻¹", "M = 6 kg"),
+        ("𝐯_A = (4𝐢 + 2𝐣) − (3𝐢 + 3𝐣) = (𝐢 − 𝐣) m s⁻¹", "M = 6"),
     ),
     "that tells where a wall is": (
         """

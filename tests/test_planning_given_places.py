@@ -57,7 +57,7 @@ P hits W: e = 1/4
 given position(P, at t) = (8, 2), t > 0
 find t
 """,
-        ("Comparing components:", "t = 8 s"),
+        ("Comparing components:", "t = 8"),
     ),
     "of a sphere after it was struck": (
         """
@@ -102,4 +102,4 @@ given position(A) = (11, 0)
 find V
 """
     text = to_text(explain(solve(parse(statement))))
-    assert "V = 11/4 m s⁻¹" in text
+    assert "V = 11/4" in text

@@ -42,7 +42,7 @@ P hits Q: along i, e = 1/2
 given direction(P) = 180°
 find range of M
 """,
-        ("(12 − 5M)/(M + 3) < 0", "M > 12/5 kg"),
+        ("(12 − 5M)/(M + 3) < 0", "M > 12/5"),
     ),
     "against the line of centres as it is typed": (
         """

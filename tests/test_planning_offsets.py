@@ -74,7 +74,7 @@ def printed(problem: Problem, derivation: Derivation) -> str:
         (AGAINST_I, "d = √10 r/4"),
         (TO_THE_RIGHT, "d = √2 r"),
         (SLANTING, "d = 12/5"),
-        (WITH_A_RADIUS, "r = 1 m"),
+        (WITH_A_RADIUS, "r = 1"),
         (TWICE, "d = (√33 − 3)a/6"),
     ],
 )

@@ -28,7 +28,7 @@ find velocity(C), line_of_centres, M, speed(D)
             "s = ±√5",
             "the line of centres is parallel to (4𝐢 − 2𝐣) − (𝐢 + 2𝐣)",
             "the line of centres is parallel to 3𝐢 − 4𝐣",
-            "M = 45 kg",
+            "M = 45",
             # Along a line that is known no vector is multiplied.
             "Newton's experimental law:",
         ),

@@ -67,19 +67,19 @@ def printed(text: str) -> str:
 def test_the_square_of_an_impulse_leaves_its_sense_open() -> None:
     working = printed(WALL)
     assert "28² = (2(3b/4 + b))² = 49b²/4" in working
-    assert "b = 8 m s⁻¹ or b = −8 m s⁻¹" in working
+    assert "b = 8 or b = −8" in working
     for case in ("If b = 8:", "If b = −8:"):
-        assert "a = 8 m s⁻¹ or a = −8 m s⁻¹" in working.split(case)[1].split("If ")[0]
+        assert "a = 8 or a = −8" in working.split(case)[1].split("If ")[0]
 
 
 def test_a_speed_of_one_open_component_comes_first_where_both_senses_lead_on() -> None:
     working = printed(BOTH_MOVE)
     assert "5² = w² + 3² M1 w² = 16 w = ±4" in working
     first, second = working.split("If w = −4:")[1].split("If w = 4:")
-    assert "u = 6 m s⁻¹" in first
-    assert "v = 4 m s⁻¹" in first
-    assert "u = −2 m s⁻¹" in second
-    assert "v = −4 m s⁻¹" in second
+    assert "u = 6" in first
+    assert "v = 4" in first
+    assert "u = −2" in second
+    assert "v = −4" in second
 
 
 def test_solutions_part_twice() -> None:

@@ -39,7 +39,7 @@ P hits Q: e = 1/2
 given direction(Q) = -30°
 find k, speed(Q), velocity(P)
 """,
-        ("the line of centres is parallel to √3 𝐢 − 𝐣", "0 = 3(½ − k)", "k = ½ m"),
+        ("the line of centres is parallel to √3 𝐢 − 𝐣", "0 = 3(½ − k)", "k = ½"),
     ),
 }
 

@@ -44,6 +44,19 @@ A hits B: along i
 B hits W
 show A and B collide again
 """
+COLLINEAR = """
+sphere A: mass {mass}, velocity u i
+sphere B: mass {other}, velocity {velocity}
+A hits B: along i, e = 1/2
+given {given}
+find {asked}
+"""
+SLOWED = """
+sphere A: mass m, velocity 5 at alpha
+sphere B: mass {mass}, velocity {velocity}
+A hits B: along i, e = 1/4
+find angle(velocity(A), {line})
+"""
 AFTER = "angle(velocity(P), W)"
 
 CASES = {
@@ -87,6 +100,32 @@ CASES = {
         ),
         ["√((⅕mu cos α)² + (2mu sin α)²) = √(((9/5)mu cos α)²)", "α = arctan(2√5/5)"],
     ),
+    "an impulse of the sphere of known mass": (
+        COLLINEAR.format(
+            mass="2",
+            other="m",
+            velocity="-3 i",
+            given="velocity(B) = 2 i, impulse = 4",
+            asked="u, m",
+        ),
+        ["change of momentum of A along the line of centres: 4 = 2(u − (1 − u)/2)", "m = ⅘"],
+    ),
+    "an impulse of the sphere of known velocity": (
+        COLLINEAR.format(mass="m", other="2m", velocity="-v i", given="impulse = 2m u", asked="v"),
+        ["change of momentum of A along the line of centres: 2mu = m(u − w)", "v = u"],
+    ),
+    "an angle to a line along which nothing moves": (
+        SLOWED.format(mass="m", velocity="3 at 180° - alpha", line="i"),
+        ["A moves perpendicular to 𝐢: angle between 𝐯_A and 𝐢 = 90° A1"],
+    ),
+    "an angle to a line along which a sphere moves": (
+        SLOWED.format(mass="m", velocity="3 at 180° - alpha", line="j"),
+        ["A moves in the direction of 𝐣: angle between 𝐯_A and 𝐣 = 0° A1"],
+    ),
+    "an obtuse angle in letters": (
+        SLOWED.format(mass="5m", velocity="-v i", line="i").replace("alpha", "45°"),
+        ["Direction of motion: tan β = ", "β = 180° − arctan("],
+    ),
     "a sine after an impact of spheres": (
         SPHERES.format(mass="m", given="sin(alpha) = 3/5, sin(beta) = 4/5", asked="e"),
         ["sin β = ⅘", "tan β = (3u/5)/(4(2 − e)u/15)", "tan β = 4/3", "e = 5/16"],
@@ -116,3 +155,16 @@ def test_a_given_velocity_across_a_line_at_an_open_angle_is_followed() -> None:
 def test_a_sum_that_is_never_zero_has_its_square_completed() -> None:
     working = re.sub(r"\s+", " ", to_text(explain(solve(parse(AFTER_A_WALL))), 200))
     assert "= u(1 − e + e²)/3 = u((e − ½)² + ¾)/3" in working
+
+
+def test_a_root_is_rejected_by_what_is_given() -> None:
+    text = """
+sphere A: mass 2, velocity u i + 2 j
+sphere B: mass 3, velocity w i
+A hits B: along i, e = 3/4
+given along(velocity(A), i) = -3/8
+given speed(A) = sqrt(265/64)
+find u in terms of w
+"""
+    working = to_text(explain(solve(parse(text))))
+    assert "v = −⅜ m s⁻¹, as this is given" in working

@@ -96,6 +96,7 @@ def test_a_fact_stands_beside_the_angle_that_it_tells():
         ("m", "u i", "", ["mass m,", "velocity u𝐢."]),
         ("2m", "3u at 60°", "", ["mass 2m,", "speed 3u towards W at"]),
         ("m", "p i + 3j", "", ["(p𝐢 + 3𝐣) m s⁻¹", "p is a constant"]),
+        ("2", "u i", "given speed(P) = 3", ["u𝐢 m s⁻¹", "u is a positive constant"]),
         ("2", "u at 60°", "given impulse = 12", ["speed u m s⁻¹", "12 N s"]),
         ("2", "5 at alpha", "", ["5 m s⁻¹ towards W at an acute angle α"]),
         ("2", "3i", "given energy_lost = 6", ["6 J"]),

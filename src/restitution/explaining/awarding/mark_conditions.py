@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Number,
     Quantity,
     Unit,
@@ -342,6 +343,16 @@ def _at_sight(work: Work, line: Line) -> bool:
     )
 
 
+def _an_angle_to_a_line(work: Work, line: Line) -> bool:
+    """It is seen how a velocity lies to a line, along which it is or perpendicular to it."""
+    match subject_of(line):
+        case Quantity("angle", (Quantity("velocity"), Unit() | Name())):
+            return True
+        case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres"))):
+            return True
+    return False
+
+
 def _of_one_component(work: Work, line: Line) -> bool:
     """It is one component, or the letter for it, as a line above has that."""
     sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
@@ -609,6 +620,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
         line.number not in work.ends and isinstance(subject_of(line), Quantity)
     ),
     "a-direction": lambda work, line: getattr(subject_of(line), "kind", None) == "direction",
+    "an-angle-to-a-line": _an_angle_to_a_line,
     "of-one-term": _of_one_term,
     "an-equation": lambda work, line: (
         line.number not in work.ends

@@ -139,6 +139,7 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("right-angle-by-a-product", ("define",), "", ("perpendicular",), ("product-above",)),
     _rule("direction-read-off", ("define",), "", ("parallel",), ("a-direction",)),
+    _rule("angle-seen", ("define",), "", ("parallel", "perpendicular"), ("an-angle-to-a-line",)),
     _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
     _rule(
         "difference-of-angles",

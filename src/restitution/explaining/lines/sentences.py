@@ -1050,6 +1050,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.turned-square": "{body} came parallel to {first} and leaves parallel to {second}. So",
     "derived.axes-apart": "{one} moves parallel to {first}, and {other} parallel to {second}. So",
     "derived.apart": ("{one} moves perpendicular to the line of centres, and {other} along it. So"),
+    "derived.along-line": "{body} moves parallel to {line}:",
+    "derived.across-line": "{body} moves perpendicular to {line}:",
     "derived.along-axis": "{body} moves in the direction of {axis}:",
     "derived-parallel.title": "In one direction, the components are in the same ratio",
     "derived-parallel.why": (

@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.angles.at_sight import angle_at_sight
 from restitution.planning.angles.directions import (
     along_an_axis,
     along_the_centres,
@@ -128,7 +129,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if asked.kind == "direction":
         line = along_the_centres(scene, asked) or along_an_axis(scene, asked)
     if line is None:
-        line = write_right_angle_of_axes(scene, asked)
+        line = write_right_angle_of_axes(scene, asked) or angle_at_sight(scene, asked)
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
@@ -225,7 +226,7 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
             if line is None:
                 raise
             return line
-    right = own.angle or _angle_of(own)
+    right = own.angle or _angle_of(scene, own)
     named: tuple[Ref, ...] = ()
     if isinstance(right, Binary) and isinstance(right.right, Letter):
         named = (range_of(scene, right.right.name),)  # of 90° − α
@@ -319,10 +320,10 @@ def _rounded(degrees: Any) -> Expression:
 # --- ratios ------------------------------------------------------------------------------------
 
 
-def _angle_of(own: Ratio) -> Expression:
+def _angle_of(scene: Scene, own: Ratio) -> Expression:
     """The angle of a ratio, of up to 180°."""
     value = own.value
-    if own.function == "tan" and not value.free_symbols and value < 0:
+    if own.function == "tan" and (scene.model.proved_sign(value) or 0) < 0:
         straight = Degrees(Fraction(180))
         size = in_degrees_of(sp.atan(-value), -value)
         if isinstance(size, Degrees):

@@ -65,6 +65,30 @@ def _frame_of_line(scene: Scene, body: str, stage: int, line: Expression) -> Fra
     return frame_after(scene, body, stage)
 
 
+def components_to_a_line(
+    scene: Scene, body: str, stage: int, line: Expression
+) -> tuple[Source, Source, tuple[Ref, ...]]:
+    """The components of a velocity across a line and along it, and the walls that they rest on.
+
+    The line is **i**, **j**, a wall or a line of centres. Raises NotPlannedError for another.
+    """
+    if isinstance(line, Unit):
+        x, y = in_the_plane(scene, body, stage)
+        return (y, x, ()) if line.axis == "i" else (x, y, ())
+    frame = _frame_of_line(scene, body, stage, line)
+    along, across = parts(scene, body, stage, frame)
+    if isinstance(line, Name) and line.name == frame.wall:
+        return along, across, ()
+    if isinstance(line, Name) and _is_beside(scene, line, frame):
+        return along, across, (f"wall {line.name}", f"wall {frame.wall}")
+    if isinstance(line, Quantity) and line.kind == "line_of_centres":
+        return across, along, ()
+    if isinstance(line, Name) and (side := _by_another(scene, line, frame)) is not None:
+        above, below = (along, across) if side == "across" else (across, along)
+        return above, below, (f"wall {line.name}", f"axis {frame.number}")
+    raise NotPlannedError(f"an angle to {line}")
+
+
 def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     """The angle of a velocity with a line, or between two velocities."""
     velocity, line = quantity.arguments
@@ -74,19 +98,7 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     if isinstance(line, Quantity) and line.kind == "velocity":
         return _angle_between(scene, quantity)
     frame = _frame_of_line(scene, body, stage, line)
-    along, across = parts(scene, body, stage, frame)
-    walls: tuple[Ref, ...] = ()
-    if isinstance(line, Name) and line.name == frame.wall:
-        above, below = along, across
-    elif isinstance(line, Name) and _is_beside(scene, line, frame):
-        above, below, walls = along, across, (f"wall {line.name}", f"wall {frame.wall}")
-    elif isinstance(line, Quantity) and line.kind == "line_of_centres":
-        above, below = across, along
-    elif isinstance(line, Name) and (side := _by_another(scene, line, frame)) is not None:
-        above, below = (along, across) if side == "across" else (across, along)
-        walls = (f"wall {line.name}", f"axis {frame.number}")
-    else:
-        raise NotPlannedError(f"an angle to {line}")
+    above, below, walls = components_to_a_line(scene, body, stage, line)
     trees = []
     for each in (above, below):
         tree = tree_of(each.value)
@@ -291,8 +303,7 @@ def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
 
 def _angle_to_unit(scene: Scene, quantity: Quantity, body: str, stage: int, line: Unit) -> Formula:
     """The angle to **i** or **j**, of up to 180°: what stands above is taken positive."""
-    x, y = in_the_plane(scene, body, stage)
-    above, below = (y, x) if line.axis == "i" else (x, y)
+    above, below, _ = components_to_a_line(scene, body, stage, line)
     if scene.model.identically_zero(below.value):
         raise NotPlannedError("a right angle")
     if scene.model.identically_zero(above.value):

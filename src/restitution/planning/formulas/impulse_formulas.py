@@ -43,20 +43,31 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
     whole = _size_of_impulse(scene, quantity, event)
     if whole is not None:
         return whole
+    return impulse_on(scene, quantity, body_of_impulse(scene, event), event)
+
+
+def body_of_impulse(scene: Scene, event: int) -> str:
+    """The body by whose change of momentum the size of an impulse is written.
+
+    It is that with the fewest unknowns: its mass, its velocity before, its velocity after.
+    """
     frame = scene.frame(event)
     spheres = scene.spheres(event)
-    body = spheres[0]
-    for sphere in spheres[1:]:
+    best = min(_unknowns(scene, sphere, event) for sphere in spheres)
+    fewest = [sphere for sphere in spheres if _unknowns(scene, sphere, event) == best]
+    body = fewest[0]
+    for sphere in fewest[1:]:
         if in_direction(scene, "along", sphere, event - 1, frame).value == 0:
             body = sphere
-    # A mass that is known leaves one unknown less: routes are chosen by it.
-    massive = [own for own in spheres if not scene.unknown(scene.mass(own).value)] or spheres
-    if body not in massive:
-        body = massive[0]
-    closed = [sphere for sphere in massive if not _is_open(scene, sphere, event)]
-    if closed and body not in closed:
-        body = closed[0]
-    return impulse_on(scene, quantity, body, event)
+    closed = [sphere for sphere in fewest if not _is_open(scene, sphere, event)]
+    return closed[0] if closed and body not in closed else body
+
+
+def _unknowns(scene: Scene, sphere: str, event: int) -> tuple[bool, int]:
+    """Whether a mass is unknown, and how many letters of a velocity before an impact are."""
+    mass = scene.model.story.mass(sphere)
+    early = scene.velocity(sphere, event - 1).dot(scene.model.frames[event].n)
+    return bool(scene.unknown(mass)), len(scene.unknown(early))
 
 
 def impulse_in_sense(scene: Scene, own: Formula) -> Formula:

@@ -11,6 +11,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.expression.tree import Name, Quantity
 from restitution.planning.formulas.impacts import residual
+from restitution.planning.formulas.impulse_formulas import body_of_impulse
 from restitution.planning.journeys import paths, rounds
 from restitution.planning.routes.choice import Point, Routes, points
 from restitution.planning.routes.givens import candidate, move_of
@@ -156,27 +157,19 @@ class Equations:
                     gap = self.scene.velocity(body, stage) - self.scene.vector(right)
                     return replace(own, residuals=(tidy(gap.dot(frame.n)),))
             case Link(Quantity("impulse", (), int(event)), "=", right):
-                size = self._impulse_by_known_mass(event)
-                if size is not None:
+                if event in self.scene.model.frames and len(self.scene.spheres(event)) > 1:
+                    size = self._impulse(event)
                     return replace(own, residuals=(size - self.scene.scalar(right),))
         return own
 
-    def _impulse_by_known_mass(self, event: int) -> sp.Expr | None:
-        """The size of an impulse by the change of momentum of the one sphere of known mass."""
-        frame = self.scene.model.frames.get(event)
-        spheres = self.scene.spheres(event)
-        masses = {each: self.scene.model.story.mass(each) for each in spheres}
-        known = [
-            each
-            for each in spheres
-            if f"mass {each}" in self.scene.facts and not self.scene.unknown(masses[each])
-        ]
-        if frame is None or len(spheres) != 2 or len(known) != 1:
-            return None
-        (body,) = known
-        change = self.scene.velocity(body, event) - self.scene.velocity(body, event - 1)
+    def _impulse(self, event: int) -> sp.Expr:
+        """The size of an impulse by the change of momentum of the body that a line takes."""
+        scene = self.scene
+        spheres, body = scene.spheres(event), body_of_impulse(scene, event)
+        change = scene.velocity(body, event) - scene.velocity(body, event - 1)
         towards = 1 if body == spheres[1] else -1  # the axis leads from the first to the second
-        return expanded(towards * masses[body] * change.dot(frame.n))
+        mass = scene.model.story.mass(body)
+        return expanded(towards * mass * change.dot(scene.model.frames[event].n))
 
     def move(self, own: Candidate) -> Move:
         """The principle, or the definition, that an equation of a route is."""

@@ -108,7 +108,8 @@ class Solver(Closing):
             # Where a goal is greatest or least in what is open, no gradient tells of that.
             self.determine(sorted(rest & self._letters.keys(), key=str))
             return
-        if rest & {component.symbol for component in scene.model.components.values()}:
+        components = {component.symbol for component in scene.model.components.values()}
+        if rest & (components | {goal for goal in goals if goal.is_Symbol}):
             raise NotPlannedError(f"{rest} are open")
 
     def _widened(self, left: list[Candidate]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from restitution.explaining.definitions.common import RIGHT_ANGLE
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import (
     Event,
@@ -182,6 +183,29 @@ class ComponentLeads(LinesAround):
                     said = self._naming.fact(fact)
                     return say("given.none-as-given", fact=said, velocity=velocity, axis=axis)
         return None
+
+    def _seen(self, line: Line) -> Sentence | None:
+        """How a body moves whose angle to a line is seen: along it, or perpendicular to it."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.only[0]:
+            case Link(
+                Quantity("angle", (Quantity("velocity", (Name(body),)), other)), "=", Degrees(angle)
+            ):
+                way = self._naming.layout(other)
+            case _:
+                return None
+        square = angle == RIGHT_ANGLE.value
+        match other:
+            case Quantity("line_of_centres"):
+                return say(
+                    "derived.across-centres" if square else "derived.along-centres", body=body
+                )
+            case Quantity():
+                return None
+            case Unit() if not square:
+                way = way if angle == 0 else self._naming.layout(Negate(other))
+                return say("derived.along-axis", body=body, axis=way)
+        return say("derived.across-line" if square else "derived.along-line", body=body, line=way)
 
     def _along_axes(self, line: Line) -> Sentence | None:
         """That one velocity is along **i** and another along **j**, which are at right angles."""

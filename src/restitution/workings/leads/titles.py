@@ -315,7 +315,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return None
         if letter_of_offset(line) is not None:
             return None
-        if record.id == "parallel" and (_read_off(line) or self._since_nothing(line)) is not None:
+        if record.id == "parallel" and (
+            _read_off(line) or self._seen(line) or self._since_nothing(line)
+        ):
             return None
         if self._direction_again(line) is not None:
             return None
@@ -535,6 +537,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             yield (
                 apart
                 or self._along_axes(line)
+                or self._seen(line)
                 or self._none_in(line)
                 or self._direction_again(line)
                 or self._since_nothing(line)

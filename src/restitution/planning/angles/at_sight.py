@@ -1,0 +1,53 @@
+"""Angles that are seen: to a line along which a sphere moves, or perpendicular to it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import Move
+from restitution.expression.tree import Degrees, Name, Quantity, Unit
+from restitution.planning.angles.quantities import formula
+from restitution.planning.formulas.angle_formulas import components_to_a_line
+from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.velocity_formulas import body_and_stage
+from restitution.planning.writing.desk import NotPlannedError, chain
+from restitution.planning.writing.premises import nonzero
+from restitution.planning.writing.scene import Scene
+
+
+def angle_at_sight(scene: Scene, asked: Quantity) -> int | None:
+    """The line of an angle to **i**, **j**, a wall or a line of centres: one component is 0.
+
+    None where neither is, or where it is open on which side of a line the sphere moves.
+    """
+    match asked:
+        case Quantity("angle", (Quantity("velocity") as velocity, (Unit() | Name()) as line)):
+            pass
+        case Quantity(
+            "angle", (Quantity("velocity") as velocity, Quantity("line_of_centres") as line)
+        ):
+            pass
+        case _:
+            return None
+    body, stage = body_and_stage(scene, velocity)
+    try:
+        above, below, walls = components_to_a_line(scene, body, stage, line)
+    except NotPlannedError:
+        return None
+    zero, other = (below, above) if scene.model.identically_zero(below.value) else (above, below)
+    if not scene.model.identically_zero(zero.value):
+        return None
+    if not scene.model.proved_sign(scene.model.in_data(other.value)):
+        return None
+    if zero is below:
+        move, degrees = Move("define", "perpendicular", stage or None, (body,)), 90
+    else:
+        if isinstance(line, Unit) and scene.desk.known(velocity) is None:
+            write_formula(scene, formula(scene, velocity))  # to which side it moves
+        back = isinstance(line, Unit) and scene.model.sign(other.value) < 0
+        move, degrees = Move("define", "parallel", stage or None, (body,)), 180 if back else 0
+    relation = chain(asked, (Degrees(Fraction(degrees)), None))
+    axes = scene.frame(stage).refs if stage in scene.model.frames else ()
+    pool = (*zero.whole, *other.whole, *walls, *axes, *nonzero(scene, other.value))
+    premises = scene.judge.needed(move, pool, relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
