@@ -303,3 +303,13 @@ sphere P: velocity u at 60° to W, at (0, c)
 P hits W: e = 1/2
 find velocity(P)"""
     assert str(answer(text).answers[0].exact).replace("'", "") == "(u/2, sqrt(3)*u/4)"
+
+
+def test_a_claim_of_what_has_no_value_is_not_shown() -> None:
+    """The deflection is 90°, which surds hide: a tangent of it is neither less nor more."""
+    setting = "wall W: along -i + 2j\nsphere P: mass m, velocity u at alpha\n"
+    setting += "P hits W: e = 1/sqrt(3)\ngiven deflection(P) = 90°\n"
+    for claim in ("tan(deflection(P)) <= 2/3", "1/cos(deflection(P)) > 1"):
+        item = answer(f"{setting}show {claim}")
+        assert item.holds is None
+        assert "has no value" in str(item.error)

@@ -497,6 +497,14 @@ def test_width_counts_columns() -> None:
     assert width("e\u0301") == 1
 
 
+def test_powers_of_numbers_do_not_run_into_the_numbers_before() -> None:
+    u = Symbol("u", positive=True)
+    three, seven = S(3) ** Rational(3, 4), S(7) ** Rational(13, 14)
+    assert to_text(from_sympy(26 + 20 * three)) == "26 + 20∜27"
+    assert to_latex(from_sympy(20 * three * u)) == r"20\sqrt[4]{27}\,u"
+    assert to_text(from_sympy(3 * seven)) == "3(7^(13/14))"
+
+
 def test_huge_numbers_are_rounded() -> None:
     # 3000 log₁₀ 9 = 2862.7275, and 10^0.7275 = 5.34
     assert to_text(from_sympy(S(9) ** 3000)) == "5.34 × 10²⁸⁶²"

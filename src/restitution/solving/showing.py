@@ -15,6 +15,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import UnsupportedError
+from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator, evaluate
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Degrees, Expression, Quantity, letters, walk
@@ -47,6 +48,7 @@ from restitution.problem import (
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.algebra.neat import neat
+from restitution.solving.algebra.numbers import at
 from restitution.solving.claimed import claimed_set, same_set, same_value
 from restitution.solving.equations.coefficients import without_impossible
 from restitution.solving.equations.facts import requirements
@@ -147,7 +149,21 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
         return UNDECIDED, claim
     if verdict and not (isinstance(letters_, Letters) and letters_.certain):
         return UNDECIDED, claim
+    if verdict and not _has_value(claim, branch):
+        raise UnsupportedError("a tangent or a quotient in this claim has no value")
     return verdict, claim
+
+
+def _has_value(claim: Formula, branch: Branch) -> bool:
+    """Whether what is claimed has a value in a solution, so that the claim says something."""
+    try:
+        for relation in relations(claim):
+            at(relation.value, branch.sample)
+    except UndefinedError:
+        return False
+    except KeyError:
+        return True
+    return True
 
 
 def _existence(branch: Branch, step: Show, now: int) -> list[Formula]:

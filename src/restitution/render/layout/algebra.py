@@ -314,6 +314,9 @@ def _class(symbol: Symbol) -> Literal["coefficient", "ratio", "mass", "other"]:
     return "mass" if head in _MASSES else "other"
 
 
+LARGE_INSIDE = 10**6  # from here on a number is not multiplied out under a root of a higher index
+
+
 LONG_SURD = 100  # from here on a root is not worth writing a second time, as in 11√185/185
 
 
@@ -432,7 +435,9 @@ def _assemble(
         )
         return product(number, *letters_above, *other, *functions_above)
     # A root of a number comes first: √3(1 + e)u. That of the whole would be √(3(1 + e)u).
-    body = [*surd_layout, *letters_above]
+    roots = [each for each in other if isinstance(each, Root) and isinstance(each.inside, Number)]
+    other = [each for each in other if each not in roots]
+    body = [*surd_layout, *roots, *letters_above]
     numerator_parts = [*numerals, *body, *other, *functions_above]
     numerator = product(*numerator_parts) if numerator_parts else ONE
     if q != 1:
@@ -485,6 +490,10 @@ def _general_power(base: Expr, exponent: Expr) -> Layout:
         return function("exp", _from_expression(exponent))
     if isinstance(exponent, Rational) and exponent.p == 1:
         return Root(_from_expression(base), int(exponent.q))
+    if isinstance(base, Integer) and isinstance(exponent, Rational) and exponent.p > 0:
+        inside = base**exponent.p
+        if inside < LARGE_INSIDE:  # of numbers 3^(3/4) is not written, and 2 3^(3/4) misleads
+            return Root(_from_expression(inside), int(exponent.q))
     layout = _from_expression(base)
     return power(bracketed(layout), _from_expression(exponent))
 

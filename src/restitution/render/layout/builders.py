@@ -74,7 +74,14 @@ def product(*factors: Layout, sign: Literal["", "×", "·"] = "") -> Layout:
         flat = [each for each in flat if each != ONE] or [ONE]
     if len(flat) == 1:
         return flat[0]
-    return Product(tuple(bracketed(each) for each in flat), sign)
+    first, *others = (bracketed(each) for each in flat)
+    if sign == "":  # 2 before 3^(5/7) would be 23 to a power
+        others = [Brackets(each) if _is_power_of_a_number(each) else each for each in others]
+    return Product((first, *others), sign)
+
+
+def _is_power_of_a_number(layout: Layout) -> bool:
+    return isinstance(layout, Power) and isinstance(layout.base, Number)
 
 
 def fraction(above: Layout, below: Layout) -> Layout:
