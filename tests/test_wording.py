@@ -67,6 +67,7 @@ def test_the_side_of_parallel_paths_is_told_where_it_matters():
     assert "a distance 1.2r apart." in to_text(question(parse(text)), 1000)
     said = to_text(question(parse(text + "\nfind velocity(A)")), 1000)
     assert "that of B on the left as seen by A" in said
+    assert "with 𝐣 at 90° anticlockwise from 𝐢" in said
 
 
 def test_nothing_is_called_a_value_that_may_hold_a_coefficient():

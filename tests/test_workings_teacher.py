@@ -279,6 +279,45 @@ find beta
             "tan(−60°) = −1/tan β",
         ],
     ),
+    "a side that the question leaves open is taken as one of two": (
+        """
+sphere A: mass m, velocity 3u i, radius a
+sphere B: mass 4m, velocity -u i, radius a
+A hits B: offset 6/5 a
+given deflection(A) = 90°
+find e
+""",
+        ["the centre of B is (6/5)a from the\npath of A, say to the left of it. So"],
+    ),
+    "a side that the question tells is that of the working": (
+        """
+sphere A: mass m, velocity u i, radius a
+sphere B: mass m, at rest, radius a
+A hits B: offset -a, e = 1/2
+find velocity(B)
+""",
+        ["the centre of B is a to the right of\nthe path of A. So"],
+    ),
+    "a tangent over the size of a component says where the angle is a right one": (
+        """
+wall AB: along i
+wall BC: along 120°
+sphere P: velocity u at alpha to AB
+P hits AB: e = 1/2
+P hits BC: e = 1/2
+find tan(angle(velocity(P), BC))
+""",
+        ["as α is acute, and β = 90° if tan α = 2√3/3"],
+    ),
+    "a right angle where two components cancel": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, velocity u at 180° - beta
+A hits B: along i, e = e
+find tan(angle(velocity(A), line_of_centres))
+""",
+        ["and θ = 90° if (2e − 1) cos α + 2(1 + e) cos β = 0"],
+    ),
     "a velocity that points back has the sign below the line": (
         """
 sphere A: mass 1, velocity 10i, radius 1

@@ -402,6 +402,10 @@ def _retold(draft: _Draft, sentences: Iterator[Sentence]) -> _Draft:
     return replace(draft, opening=opening, rest=rest)
 
 
+# Words of which nobody knows what they mean for **j** who is not told how it lies.
+_TURNING = ("clockwise", "to the left of", "to the right of", "on the left", "on the right")
+
+
 def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
     """The opening, with **i** and **j** and coordinates explained where they are used."""
     opening = drafts[0].opening
@@ -410,7 +414,7 @@ def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
     points = _contains(blocks, lambda x: isinstance(x, lay.Coordinates) or _has(x, "coordinates"))
     axes: list[Sentence] = []
     if points or _contains(blocks, lambda x: x in (i, j)):
-        turning = _contains(blocks, lambda x: _has(x, "clockwise"))
+        turning = _contains(blocks, lambda x: any(_has(x, each) for each in _TURNING))
         sense = (", with ", j, " at 90° anticlockwise from ", i) if turning else ()
         axes.append(
             sentence("perpendicular unit vectors ", i, " and ", j, " lie in the plane", sense)

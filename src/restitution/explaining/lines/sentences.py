@@ -196,29 +196,31 @@ SENTENCES: Mapping[SentenceId, str] = {
     "units.along-wall": "Let {along} be the unit vector perpendicular to {wall}, towards it.",
     "units.across-wall": "Let {across} be the unit vector parallel to {wall}.",
     "offset.sine": (
-        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
-        "{side} of {path}. So the angle between the line of centres and that path has sine {sine}:"
+        "At the impact the centres are {apart} apart, and the centre of {other} is {beside}. "
+        "So the angle between the line of centres and that path has sine {sine}:"
     ),
     "offset.degrees": (
-        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
-        "{side} of {path}. So the angle between the line of centres and that path has sine {sine}, "
+        "At the impact the centres are {apart} apart, and the centre of {other} is {beside}. "
+        "So the angle between the line of centres and that path has sine {sine}, "
         "and is {angle}:"
     ),
     "offset.angle": (
         "The angle between the line of centres and {path} has sine {sine} and cosine {cosine}:"
     ),
     "offset.letter": (
-        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
-        "{side} of {path}. Let {letter} be the angle between the line of centres and that path:"
+        "At the impact the centres are {apart} apart, and the centre of {other} is {beside}. "
+        "Let {letter} be the angle between the line of centres and that path:"
     ),
     "offset.none": (
         "At the impact the centre of {other} is on {path}. So the line of centres is along that "
         "path:"
     ),
     "offset.sine-alone": (
-        "At the impact the centres are {apart} apart, and the centre of {other} is {offset} to the "
-        "{side} of {path}. So the angle between the line of centres and that path has sine {sine}."
+        "At the impact the centres are {apart} apart, and the centre of {other} is {beside}. "
+        "So the angle between the line of centres and that path has sine {sine}."
     ),
+    "offset.beside": "{offset} to the {side} of {path}",
+    "offset.beside-either": "{offset} from {path}, say to the {side} of it",
     "offset.left": "left",
     "offset.right": "right",
     "offset.path": "the path of {body}",

@@ -13,6 +13,7 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, Polar, Quantity
 from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
+from restitution.wording.scene import is_mirrored, scene_of
 from restitution.workings.naming.measured import vector_worth, with_its_unit, worth
 from restitution.workings.naming.quantities import Naming
 
@@ -66,12 +67,17 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool, letter: str | None 
         beside = tree_of(tidy(-worth(beside)))
     sine = tidy(worth(beside) / worth(apart))
     sides = naming.layout(Binary("/", beside, apart)), naming.layout(tree_of(sine))
+    # On which side B is a question does not say where that makes no difference.
+    either = path.id == "offset.path" and is_mirrored(scene_of(naming.problem))
     slots: dict[str, Any] = {
         "other": other,
-        "path": path,
-        "offset": _length(naming, beside),
+        "beside": say(
+            "offset.beside-either" if either else "offset.beside",
+            offset=_length(naming, beside),
+            side=say("offset.right" if right else "offset.left"),
+            path=path,
+        ),
         "apart": _length(naming, tree_of(tidy(worth(apart)))),
-        "side": say("offset.right" if right else "offset.left"),
         "sine": sides[0] if sides[0] == sides[1] else lay.Relation(sides, ("=",)),
     }
     if letter is not None:

@@ -90,7 +90,8 @@ class Reasons:
             return (say("derived.pythagoras"),)
         vertical = self._right_angles.of(line)
         if vertical is not None:
-            return (vertical,)
+            known = self._known(line) if self._of_sizes(line) else ()
+            return (say("derived.as", reasons=known), vertical) if known else (vertical,)
         since = later_than(self._derivation, self._naming, line)
         if since is not None:
             return (since,)

@@ -256,8 +256,11 @@ class RightAngles:
         if quotient is None:
             return None
         given = tuple(self._in_force(line))
-        below = [e.right for e in walk(value) if isinstance(e, Binary) and e.op == "/"]
-        for factor in (each for tree in below for each in factors_above(tree)):
+        # The last side is the plainest, where the first has the size of a component below.
+        sides = [line.relation.only[-1].right, value] if _has_size(value) else [value]
+        whole = [each for side in sides for each in walk(side)]
+        below = [e.right for e in whole if isinstance(e, Binary) and e.op == "/"]
+        for factor in (_of_size(each) for tree in below for each in factors_above(tree)):
             for at in self._zeros(factor):
                 gap = in_letters_alone(Binary("-", at.left, at.right))
                 if gap is None or not self._may_hold(gap, given):
@@ -285,8 +288,18 @@ class RightAngles:
                 for root in sp.roots(sp.Poly(difference, symbol)):
                     if root.is_Rational:
                         yield Link(Letter(name), "=", tree_of(root))
+            if role is not None and role.kind == "angle" and not difference.has(sp.pi):
+                in_tan = sp.cancel(difference.subs(sp.sin(symbol), symbol * sp.cos(symbol)))
+                slope = sp.diff(in_tan, symbol)
+                if slope != 0 and not slope.free_symbols:
+                    root = tidy(symbol - in_tan / slope)
+                    yield Link(Apply("tan", Letter(name)), "=", tree_of(root))
         elif isinstance(factor, Binary) and factor.op == "-":
-            yield Link(factor.left, "=", factor.right)
+            turned = isinstance(factor.left, Number)
+            sides = (factor.right, factor.left) if turned else (factor.left, factor.right)
+            yield Link(sides[0], "=", sides[1])
+        elif isinstance(factor, Binary) and factor.op == "+":
+            yield Link(factor, "=", Number(Fraction(0)))
 
     def _may_hold(self, gap: sp.Expr, given: tuple[Formula, ...]) -> bool:
         """Whether an expression is zero for some of the values that the letters may have."""
@@ -330,6 +343,15 @@ def _made_of(line: Line, turn: Letter) -> Expression | None:
         case Relation(((Link(left, "=", Binary("+" | "-") as right),),)) if left == turn:
             return right
     return None
+
+
+def _has_size(tree: Expression) -> bool:
+    return any(isinstance(each, Apply) and each.function == "abs" for each in walk(tree))
+
+
+def _of_size(tree: Expression) -> Expression:
+    """What a size is taken of; any other tree as it is."""
+    return tree.argument if isinstance(tree, Apply) and tree.function == "abs" else tree
 
 
 def _quotient(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
