@@ -1,4 +1,7 @@
-"""Angles of velocities to walls: their tangents by components, and components by speeds."""
+"""Angles of velocities to walls and lines of centres.
+
+Their tangents by components where the sense is open, and components by speeds.
+"""
 
 from __future__ import annotations
 
@@ -15,12 +18,14 @@ from restitution.expression.tree import Apply, Binary, Expression, Name, Negate,
 def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
     """The tangent of an angle to a wall: to a parallel one, or where the sense along it is open.
 
-    Also to another wall that is parallel to the line of centres, or perpendicular to it.
+    Also to another wall that is parallel to the line of centres, or perpendicular to it; and to a
+    line of centres, where the sense along that is open.
     """
     if event is None:
         return
     yield from _to_other_walls(step, event)
     if not event.wall:
+        yield from _to_the_line(step, event)
         return
     own, axis = Name(event.bodies[1]), Quantity("line_of_centres", (), event.number)
     for meaning in step.lets:
@@ -44,6 +49,19 @@ def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
     for angle in _given_angles(step, event, own):
         along, across = (Quantity(kind, (angle.arguments[0], axis)) for kind in ("along", "across"))
         yield Link(Apply("tan", angle), "=", Binary("/", along, Apply("abs", across)))
+
+
+def _to_the_line(step: Step, event: Event) -> Iterator[Link]:
+    """The tangent of an angle to a line of centres, by the size of the component along it."""
+    axis = Quantity("line_of_centres", (), event.number)
+    for meaning in step.lets:
+        match meaning.quantity:
+            case Quantity("angle", (Quantity("velocity", _, int()) as velocity, own)) if (
+                own == axis
+            ):
+                along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
+                size = Apply("abs", along)
+                yield Link(Apply("tan", meaning.quantity), "=", Binary("/", across, size))
 
 
 def _given_angles(step: Step, event: Event, wall: Name) -> Iterator[Quantity]:
