@@ -596,3 +596,40 @@ find e
     told = said(text)
     assert "w_2 = (1 + e)^2 u/2" in told
     assert "u = (1 + e)^2 u/2" in told
+
+
+def test_an_energy_is_that_of_a_speed_that_an_earlier_part_has_found() -> None:
+    text = """
+wall W: along i
+wall X: along j
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/2
+P hits X: e = 2/3
+part a
+find speed(P) in terms of u, alpha
+part b
+given total_energy_lost = 2/3 energy(0)
+find tan(alpha)
+"""
+    told = said(text)
+    energy = "energy(2) = 1/2 m (u sqrt(9 + 7cos^2(alpha))/6)^2"
+    assert any(each.startswith(energy) for each in told)
+    # The square of the tangent is a number without a root, and the cosine is none.
+    assert told.index("cos^2(alpha) = 3/7") < told.index("tan^2(alpha) = 4/3")
+    assert not any("sin(alpha) = " in each for each in told)
+
+
+def test_an_energy_is_that_of_a_velocity_that_is_shown_to_be_a_multiple() -> None:
+    text = """
+wall W: along i
+wall X: along j
+sphere P: mass m, velocity u at alpha to W
+P hits W
+P hits X
+part a
+show velocity(P) = -e velocity(P, 0)
+part b
+given total_energy_lost = 7/16 energy(0)
+find e
+"""
+    assert any(each.startswith("energy(2) = 1/2 m (e u)^2") for each in said(text))

@@ -344,3 +344,51 @@ find velocity(A), velocity(B)
     told = said(text)
     assert "2(-7/5) = 2v + w" in told
     assert "v - w = 1/2 (7/5)" in told
+
+
+# --- tangents of angles before, and to opposite directions ---------------------------------------
+
+
+def test_angles_to_opposite_directions_that_are_equal_make_components_opposite() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, velocity u at alpha from -i
+A hits B: along i, e = 1/2
+given angle(velocity(A), i) = angle(velocity(B), -i)
+find k
+"""
+    told = said(text)
+    assert "tan(angle(velocity(B, 1), -i)) = -u sin(alpha)/w" in told
+    assert told.index("v = -w") < told.index("k = 1")
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "end"),
+    [
+        (
+            """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+given tan(angle(velocity(A), i)) = 4 tan(angle(velocity(A, before), i))
+find k
+""",
+            "2(1 + k) tan(alpha)/(2 - k) = 4tan(alpha)",
+            "k = 1",
+        ),
+        (
+            """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(angle(velocity(P), W)) = 1/4 tan(angle(velocity(P, before), W))
+find e
+""",
+            "e tan(alpha) = 1/4 tan(alpha)",
+            "e = 1/4",
+        ),
+    ],
+)
+def test_the_tangent_of_an_angle_before_is_that_of_the_data(text: str, line: str, end: str) -> None:
+    told = said(text)
+    assert told[told.index(line) :][-1] == end

@@ -253,6 +253,12 @@ DEFINITIONS = (
                 for a, b in ("ij", "ji")
                 for n in (1, 0)
             ),
+            *(
+                f"tan(angle(velocity(X, {n}), -{a}))"
+                f" = along(velocity(X, {n}), {b})/(-along(velocity(X, {n}), {a}))"
+                for a, b in ("ij", "ji")
+                for n in (1, 0)
+            ),
         ),
         gives=("angle",),
     ),

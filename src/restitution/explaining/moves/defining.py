@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from restitution.explaining.definitions.common import ZERO, axis_of
+from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Event, Link, Meaning
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
@@ -15,10 +16,12 @@ from restitution.explaining.moves.laws import is_law, is_tie
 from restitution.explaining.steps.step import Step, alike
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
     Name,
+    Negate,
     Polar,
     Quantity,
     has_quantity,
@@ -109,6 +112,22 @@ def _is_read_off(step: Step, line: Link) -> bool:
                     continue
                 known, right = (step.world.scalar(each) for each in (size, line.right))
                 if (known - right).vanishes and step.signs.of(known) == 1:
+                    return True
+    return _is_of_a_multiple(step, line)
+
+
+def _is_of_a_multiple(step: Step, line: Link) -> bool:
+    """A speed by a velocity that is a multiple of another one, which is given by its size."""
+    sizes = {link.left: link.right.size for link in step.links if isinstance(link.right, Polar)}
+    for link in step.links:
+        match link:
+            case Link(Quantity("velocity") as own, "=", Negate(Binary("*", factor, other))) | Link(
+                Quantity("velocity") as own, "=", Binary("*", factor, other)
+            ) if other in sizes and line.sign == "=" and line.left == replace(own, kind="speed"):
+                size, right = Binary("*", factor, sizes[other]), line.right
+                known, told = (step.world.scalar(each) for each in (size, right))
+                same = (known - told).vanishes or (known + told).vanishes
+                if same and (told.vanishes or oriented(step, told) == 1):
                     return True
     return False
 

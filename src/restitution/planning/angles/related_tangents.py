@@ -6,11 +6,21 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref
-from restitution.expression.tree import Apply, Expression, Letter, Quantity, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.named_angles import letter_known, letter_of
-from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.angles import angle_to_a_line
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import in_tangents, neat, swept, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
@@ -28,19 +38,44 @@ def write_tangents(scene: Scene, link: Link) -> tuple[dict[Expression, Expressio
     for node in (node for side in (link.left, link.right) for node in walk(side)):
         match node:
             case Apply("tan", Quantity("angle" | "deflection") as angle) if node not in values:
+                if (datum := _of_data(scene, angle)) is not None:
+                    values[node] = Apply("tan", tree_of(datum.value, angle=True))
+                    refs += datum.refs
+                    continue
                 own = formula(scene, angle)
                 if own.left != node:
                     raise NotPlannedError("a relation with angles")
                 final = tree_of(in_tangents(neat(own.value)))
                 named = letter_known(scene, angle)
                 left = node if named is None else Apply("tan", Letter(named[0]))
-                premises = together(own.refs, () if named is None else (named[1],))
+                pool = together(own.refs, () if named is None else (named[1],))
                 relation = chain(left, (swept(own.right), None), (final, "rearrange"))
-                if not scene.judge.follows(own.move, premises, relation):
+                known = background(scene, {symbol.name for symbol in own.value.free_symbols})
+                premises = scene.judge.enough(own.move, pool, relation, known)
+                if premises is None:
                     raise NotPlannedError("to which side a sphere turns is open")
                 refs.append(scene.desk.write(own.move, premises, relation))
                 values[node] = final
     return values, refs
+
+
+def _of_data(scene: Scene, angle: Quantity) -> Source | None:
+    """The angle of a velocity of the data to a line, where the data give it as an acute letter."""
+    match angle:
+        case Quantity("angle", (Quantity("velocity", (Name(body),), int(stage)), line)):
+            if scene.last_event(body, stage):
+                return None
+        case _:
+            return None
+    fact = scene.facts.get(f"velocity {body}")
+    right = None if fact is None else fact.relation.only[0].right
+    given = angle_to_a_line(scene, body, line)
+    if isinstance(right, Polar) and right.wall == line:
+        given = right.angle
+    if given is None or fact is None:
+        return None
+    refs = [each for each in scene.facts if each.startswith(("axis ", "wall "))]
+    return Source(scene.scalar(given), (fact.id, *refs))
 
 
 def write_by_tangent(scene: Scene, each: GivenEquation, ratio: Apply) -> int | None:

@@ -346,7 +346,8 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
         return Ratio(line, letter, "cos", own.value, RANGES["deflection"].format(letter))
     move = Move("define", "tan", own.move.event, own.move.bodies)
     line, letter = tangent_line(scene, asked, own, move)
-    to_i_or_j = isinstance(asked.arguments[1], Unit)
+    line_ = asked.arguments[1]
+    to_i_or_j = isinstance(line_.operand if isinstance(line_, Negate) else line_, Unit)
     extent = RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
     return Ratio(line, letter, "tan", own.value, extent.format(letter))
 

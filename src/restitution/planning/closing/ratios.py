@@ -213,6 +213,9 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
     poly = sp.Poly(above, generator)
     if any(symbol in coeff.free_symbols for coeff in poly.coeffs()):
         return None
+    by_tangent = _by_its_tangent(scene, line, poly, kind, symbol)
+    if by_tangent is not None:
+        return by_tangent
     if poly.degree() == 1:
         value = tidy(-poly.nth(0) / poly.nth(1))
         relation = chain(subject, (tree_of(value), None))
@@ -228,6 +231,35 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
             return None
         (known,) = source.refs  # type: ignore[assignment]
     return inverse(scene, known, symbol)
+
+
+def _by_its_tangent(
+    scene: Scene, line: int, poly: sp.Poly, kind: Any, symbol: sp.Symbol
+) -> Source | None:
+    """An angle of which the square of a sine, or of a cosine, is a number without a root of it.
+
+    It goes by the square of its tangent, where that is asked, or is the square of a number.
+    """
+    if kind is sp.tan or poly.monoms() != [(2,), (0,)]:
+        return None
+    share, asked = tidy(-poly.nth(0) / poly.nth(2)), asked_ratio(scene, symbol)
+    if not share.is_Rational or not 0 < share < 1 or sp.sqrt(share).is_Rational:
+        return None
+    squared = (1 - share) / share if kind is sp.cos else share / (1 - share)
+    plain = asked is None and squared != 1 and sp.sqrt(squared).is_Rational
+    if asked is not sp.tan and not plain:
+        return None
+    own, tangent = (Apply(name, Letter(symbol.name)) for name in (kind.__name__, "tan"))
+    mark = scene.desk.mark()
+    alone = chain(square(own), (tree_of(share), None))
+    known = scene.judge.write((Move("rearrange"),), (line,), alone, _background(scene, line))
+    relation = chain(square(tangent), (tree_of(squared), None))
+    moves = (Move("identity", "pythagoras"),)
+    number_ = known and scene.judge.write(moves, (known,), relation)
+    if not number_:
+        scene.desk.back(mark)
+        return None
+    return _by_one(scene, number_, sp.tan(symbol) ** 2 - squared, sp.tan, symbol)
 
 
 def _background(scene: Scene, line: int) -> tuple[Any, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -15,6 +16,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Quantity,
     Unit,
     is_zero,
@@ -95,6 +97,8 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     body, stage = body_and_stage(scene, velocity)
     if isinstance(line, Unit):
         return _angle_to_unit(scene, quantity, body, stage, line)
+    if isinstance(line, Negate) and isinstance(line.operand, Unit):
+        return _angle_to_unit(scene, quantity, body, stage, line.operand, sense=-1)
     if isinstance(line, Quantity) and line.kind == "velocity":
         return _angle_between(scene, quantity)
     frame = _frame_of_line(scene, body, stage, line)
@@ -301,19 +305,23 @@ def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
     )
 
 
-def _angle_to_unit(scene: Scene, quantity: Quantity, body: str, stage: int, line: Unit) -> Formula:
-    """The angle to **i** or **j**, of up to 180°: what stands above is taken positive."""
+def _angle_to_unit(
+    scene: Scene, quantity: Quantity, body: str, stage: int, line: Unit, sense: int = 1
+) -> Formula:
+    """The angle to **i** or **j**, of up to 180°: what stands above is taken positive.
+
+    With a ``sense`` of −1 it is the angle to −**i** or −**j**.
+    """
     above, below, _ = components_to_a_line(scene, body, stage, line)
+    below = replace(below, value=sense * below.value)
     if scene.model.identically_zero(below.value):
         raise NotPlannedError("a right angle")
     if scene.model.identically_zero(above.value):
         # Of 0° and 180°, which have one tangent, the scalar product tells which it is.
-        own, sense = (
-            velocity_as_a_line(scene, body, stage),
-            sp.Integer(scene.model.sign(below.value)),
-        )
+        own = velocity_as_a_line(scene, body, stage)
+        worth = sp.Integer(scene.model.sign(below.value))
         move = Move("define", "scalar-angle", stage or None, (body,))
-        return Formula(move, cosine, quantity, tree_of(sense), sense, own.whole)
+        return Formula(move, cosine, quantity, tree_of(worth), worth, own.whole)
     size = -above.value if scene.model.sign(above.value) < 0 else above.value
     return Formula(
         Move("define", "tan", stage or None, (body,)),

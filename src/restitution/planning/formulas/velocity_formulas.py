@@ -10,13 +10,15 @@ import sympy as sp
 from restitution.components.telling import without_bars
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
+    Negate,
     Number,
     Polar,
     Quantity,
@@ -38,6 +40,7 @@ from restitution.planning.writing.forms import (
 )
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
@@ -167,13 +170,56 @@ def squares(
         return tree, sum(each**2 for each in value), together(struck.refs, more)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
-    known = known and not any(scene.unknown(each.value) for each in own)
     speed = known_speed(scene, body, stage) if known else None
-    if speed is not None:
-        return square(tree_of(speed.value)), speed.value**2, speed.refs
+    if known and speed is None:
+        speed = _speed_by_a_multiple(scene, body, stage)
+    if speed is not None and _is_plain(scene, speed, own):
+        return square(tree_of(speed.value)), tidy(speed.value**2), speed.refs
     refs = together(*(each.refs for each in own), _bridge(frame, own))
     tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
     return tree, sum(each.value**2 for each in own), refs
+
+
+def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool:
+    """Whether a speed is known, or its square has no root of what is open."""
+    if not any(scene.unknown(each.value) for each in components):
+        return True
+    squared = sp.sympify(tidy(speed.value**2), strict=True)
+    return all(power.exp.is_Integer or not power.free_symbols for power in squared.atoms(sp.Pow))
+
+
+def _speed_by_a_multiple(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed by a line that has its velocity as a multiple of that at the start: **v** = −e**u**.
+
+    Its line is written. None without one, and where the size of the first is not given.
+    """
+    velocity = Quantity("velocity", (Name(body),), stage)
+    fact = scene.facts.get(f"velocity {body}")
+    match fact and fact.relation.only[0].right:
+        case Polar(Letter() | Number() as size):
+            pass
+        case _:
+            return None
+    for line in reversed(scene.desk.lines):
+        if not isinstance(line.relation, Relation) or len(line.relation.options) > 1:
+            continue
+        match scene.desk.last_link(line.number):
+            case Link(left, "=", Negate(Binary("*", factor, Quantity() as other))) | Link(
+                left, "=", Binary("*", factor, Quantity() as other)
+            ) if left == velocity and other == replace(velocity, stage=0):
+                pass
+            case _:
+                continue
+        if not scene.desk.holds(line.number):
+            continue
+        own, value = replace(velocity, kind="speed"), tidy(scene.scalar(product(factor, size)))
+        move, pool = Move("define", "speed", stage, (body,)), (line.number, f"velocity {body}")
+        relation = chain(own, (tree_of(value), None))
+        known = background(scene, letters(factor))
+        refs = scene.judge.enough(move, pool, relation, known)
+        if refs is not None:
+            return scene.desk.know(own, value, (scene.desk.write(move, refs, relation),))
+    return None
 
 
 def known_speed(scene: Scene, body: str, stage: int) -> Source | None:

@@ -23,6 +23,7 @@ from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.polynomials import factored
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation
 from restitution.planning.writing.vectors import common_velocity, velocity_given
 
@@ -219,7 +220,7 @@ class ByFacts(Course):
             slopes = [sp.diff(gap, each).expand() for each in open_]
             if any(slope == 0 or slope.free_symbols & open_ for slope in slopes):
                 continue
-            if gap.subs(dict.fromkeys(open_, 0)).expand() == 0 and self._tie(given, open_):
+            if gap.subs(dict.fromkeys(open_, 0)).expand() == 0 and self._tie(given, open_, gap):
                 return (own,)
         return None
 
@@ -230,21 +231,30 @@ class ByFacts(Course):
         own = [each for each in left if each.id in laws]
         return len(own) == 1 and len(self._open(own[0]) - open_) == 1
 
-    def _tie(self, given: GivenEquation, open_: frozenset[sp.Symbol]) -> bool:
-        """Takes one of two components as a multiple of the other, as a fact says it."""
-        scene = self.scene
+    def _tie(self, given: GivenEquation, open_: frozenset[sp.Symbol], gap: sp.Expr) -> bool:
+        """Takes one of two components as a multiple of the other, as a fact says it.
+
+        ``gap`` is what the fact says to be zero, in both of them.
+        """
+        scene, standing = self.scene, self.mark()
         try:
             line = write_given(scene, given)
         except NotPlannedError as error:
             self.reasons.append(error)
             return False
-        gap, link = residual(scene, line), scene.desk.last_link(line)
+        link = scene.desk.last_link(line)
         alone = [s for s in open_ if Letter(s.name) in (link.left, link.right)]
         first = min(alone or open_, key=lambda s: s.name)
-        value = tidy(_solved(gap, first))
+        value = tidy(factored(_solved(gap, first)))
         if not alone:
             relation = chain(Letter(first.name), (tree_of(value), None))
-            line = scene.desk.write(Move("rearrange"), (line,), relation)
+            names = {each.name for each in residual(scene, line).free_symbols}
+            known = background(scene, names)
+            premises = scene.judge.enough(Move("rearrange"), (line,), relation, known)
+            if premises is None:
+                self.back(standing)
+                return False
+            line = scene.desk.write(Move("rearrange"), premises, relation)
         scene.desk.know(Letter(first.name), value, (line,))
         return True
 

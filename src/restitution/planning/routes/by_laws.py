@@ -103,7 +103,9 @@ class ByLaws(ByFacts):
             for kind in ("momentum", "restitution")
         ]
         lines = laws[0], laws[1]
-        tied = self._tied_by_no_momentum(lines[0], tuple(bodies))
+        # With vectors momentum tells the second velocity at once.
+        plain = not frame.is_slanted
+        tied = self._tied_by_no_momentum(lines[0], tuple(bodies)) if plain else None
         for symbol in bodies:
             if symbol != tied:
                 self.waiting[symbol] = frame, lines, tuple(bodies)

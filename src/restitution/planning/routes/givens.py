@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Quantity,
     Unit,
     has_quantity,
@@ -431,7 +432,7 @@ def _of_open_sense(scene: Scene, own: Formula) -> bool:
     open_ = scene.unknown(own.value)
     components = {component.symbol for component in scene.model.components.values()}
     match own.quantity:
-        case Quantity("angle", (_, Unit())):
+        case Quantity("angle", (_, Unit() | Negate(Unit()))):
             # Up to 180° the tangent has the sign of what stands below.
             above, _ = _sides(own.right)
             if scene.unknown(scene_value(scene, above)) & components:

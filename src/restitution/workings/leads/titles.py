@@ -291,6 +291,16 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """The value of a letter that a definition puts in, which stands behind the line."""
         return (self._behind[line.number],) if line.number in self._behind else ()
 
+    def _by_a_multiple(self, line: Line) -> bool:
+        """Whether a speed is read off a velocity that is a multiple of another."""
+        above = [own.relation for own in map(self._cited, line.premises) if own is not None]
+        return any(
+            isinstance(node, Quantity) and node.kind == "velocity"
+            for own in above
+            if isinstance(own, Relation)
+            for node in walk(own.only[-1].right)
+        )
+
     def _by_speeds(self, line: Line) -> bool:
         """Whether a line rests on speeds or kinetic energies that are given or stand above."""
         lines = map(self._derivation.line, (ref for ref in line.premises if isinstance(ref, int)))
@@ -353,6 +363,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return say("round.title-same")
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
+            case "speed", _ if self._by_a_multiple(line):
+                return None
             case "speed", Quantity() | Letter() if _is_by_an_angle(first.right):
                 return say("derived-speed.by-angle", body=bodies[0])
             case "size", _ if not any(map(_under, walk(first.right))):
@@ -543,6 +555,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 or self._since_nothing(line)
                 or say("so")
             )
+            return
+        if line.move.record == "speed" and self._by_a_multiple(line):
+            yield say("so")
             return
         turned = self._turned(line) or self._along_the_line(line)
         if turned is not None:
