@@ -159,3 +159,15 @@ def test_the_power_of_a_number_does_not_run_into_a_letter() -> None:
         "A hits B: along i, e = 1/2\nfind energy_lost"
     )
     assert "kinetic energy lost = ½m × 8² − ½ × 2m × 4² = 16m" in text
+
+
+def test_a_vector_of_long_products_with_a_letter_is_printed() -> None:
+    text = """
+wall W: along i
+wall X: along 60°
+sphere P: mass m, velocity u at -20°
+P hits W: e = 3/4
+P hits X: e = 1/2
+find direction(P)
+"""
+    assert "𝐯₂ = " in to_text(explain(solve(parse(text))), 100)

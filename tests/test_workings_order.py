@@ -192,3 +192,19 @@ def test_why_a_sine_less_a_cosine_is_less_than_1() -> None:
         "find minimum of J over theta"
     )
     assert "J > √3 mu, as sin θ − √3 cos θ < sin θ < 1 and θ is acute" in words
+
+
+def test_an_answer_that_an_item_above_has_too_is_said_once_more() -> None:
+    text = """
+sphere P: mass 2, velocity 3i
+wall W: along i
+P receives 2i - 8j
+find velocity(P)
+P hits W: e = 1/2
+find velocity(P), velocity(P, before), impulse(P)
+"""
+    words = printed(text)
+    assert "From above: 𝐯₁ = (4𝐢 − 4𝐣) m s⁻¹ Impulse = change of momentum" in words
+    # Below the line itself it is not said again.
+    twice = "wall W: along i\nsphere P: mass 1, velocity 4i - 4j\nP hits W: e = 1/2\n"
+    assert "From above" not in printed(twice + "find speed(P), speed(P)")

@@ -20,6 +20,7 @@ from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.data.unused import lines_under, unused_facts
 from restitution.explaining.lines.derivation import (
     Derivation,
+    ItemEnd,
     Line,
     Meaning,
     Move,
@@ -159,12 +160,16 @@ class _Writer:
         waiting: list[Line] = []
         shown = [each for each in lines if each.shown != "silent"]
         notes = self.notes.places(label, [each.item for each in shown])
+        again = self.ends.again(label, [each.item for each in shown])
         due: list[Note] = []
+        once_more: list[ItemEnd] = []
         for index, line in enumerate(shown):
             due += notes.get(index, ())
-            if due and not (waiting or lets or self.stay):
+            once_more += again.get(index, ())
+            if (due or once_more) and not (waiting or lets or self.stay):
+                yield from self._again_asked(once_more)
                 yield from self._noted(due)
-                due = []
+                due, once_more = [], []
             if isinstance(line.relation, Meaning):
                 lets.append(line.relation)
                 continue
@@ -231,8 +236,19 @@ class _Writer:
             if condition is not None and not any(is_same(condition, e) for e in conditions):
                 conditions.append(condition)
                 yield Step("note", sentences=(condition,), item=step.item)
+        yield from self._again_asked([*once_more, *again.get(len(shown), ())])
         yield from self._noted([*due, *notes.get(len(shown), ())])
         yield from self._spare(label)
+
+    def _again_asked(self, ends: Sequence[ItemEnd]) -> Iterator[Step]:
+        """The answers of items that an item above has too, said once more."""
+        for end in ends:
+            line = self.derivation.line(end.line)
+            if line is not None and len(end.answer.options) == 1:
+                self.afresh()
+                row = replace(self._again(line), answer=True)
+                item = self.ends.place_of(end.item)
+                yield Step("result", (row,), sentences=(say("carried.above"),), item=item)
 
     def _spare(self, label: str | None) -> Iterator[Step]:
         """What is given beside what the working needs: it agrees, as there is a solution."""

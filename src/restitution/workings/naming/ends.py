@@ -74,6 +74,25 @@ class Ends:
         """
         return min(self._at(line), key=lambda each: each.shown, default=None)
 
+    def again(self, label: str | None, items: Sequence[str | None]) -> dict[int, list[ItemEnd]]:
+        """The ends of items that an earlier item has answered, by the number of lines above them.
+
+        ``items`` are those of the lines of the part. Where nothing stands between both items the
+        answer is not said again.
+        """
+        order = {item: n for n, item in enumerate(self._parts)}
+        places: dict[int, list[ItemEnd]] = {}
+        for ends in self._ends.values():
+            first, *others = sorted(ends, key=lambda each: order[each.item])
+            for end in others:
+                if end.part != label or first.part != label or end.shown or first.shown:
+                    continue
+                above = [n for n, e in enumerate(items, 1) if e and order[e] <= order[end.item]]
+                between = [items[n - 1] for n in above if items[n - 1] != first.item]
+                if between and end.answer == first.answer:
+                    places.setdefault(max(above), []).append(end)
+        return places
+
     def is_required(self, line: Line) -> bool:
         """Whether a line is, as it stands, what was to be shown in its part."""
         return any(

@@ -66,6 +66,8 @@ def in_letters_with_figures(tree: Expression) -> Expression | None:
         value = sp.factor(worth(tree))
     except (RestitutionError, sp.SympifyError):
         return None
+    if not isinstance(value, sp.Expr):
+        return None  # a vector
     number, rest = value.as_independent(*value.free_symbols, as_Add=False)
     if (
         not letters(tree)
