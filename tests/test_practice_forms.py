@@ -553,3 +553,64 @@ def test_a_name_before_a_letter_says_whose_the_component_is() -> None:
     )
     assert verdicts(statement, "along: A ucos60 = ½u") == ["true"]
     assert verdicts(statement, "along: A ucos60 = ¾u") == ["false"]
+
+
+KICKED = (
+    "wall W: along i + 2j\nsphere P: mass 0.25, velocity 8i\nP receives -i + 3j\n"
+    "P hits W: e = 0.4\nfind velocity(P), impulse(P, 2)\n"
+)
+
+
+@pytest.mark.parametrize(("size", "verdict"), [("11.88", "false"), ("10.88", "true")])
+def test_the_final_velocity_is_not_that_of_the_same_letter_above(size: str, verdict: str) -> None:
+    change = f"{float(size) - 12:.2f}"
+    lines = (
+        "-i + 3j = 1/4(v - 8i)",
+        "v = 4i + 12j",
+        f"final v = 6.24i + {size}j",
+        f"I = 0.25(6.24 - 4, {size} - 12) = (0.56, {0.25 * float(change):.2f})",
+    )
+    after = "true" if verdict == "true" else "follows"
+    assert verdicts(KICKED, *lines) == ["true", "true", verdict, after]
+
+
+def test_a_letter_of_an_impulse_that_is_a_vector_is_no_component() -> None:
+    statement = "wall W: along i + 2j\nsphere P: mass 0.25, velocity 8i\nP hits W: e = 0.4\n"
+    lines = "I = 0.25(1.24 - 8, 5.88) = (-1.69, 1.47)", "|I| = 2.24"
+    assert verdicts(statement + "find impulse(P)\n", *lines) == ["false", "follows"]
+
+
+def test_a_subscript_ends_before_a_sine() -> None:
+    statement = (
+        "sphere A: mass m_1, velocity u_1 at θ_1\nsphere B: mass m_2, velocity u_2 at θ_2 from -i\n"
+        "A hits B: along i, e = e_1\nfind impulse\n"
+    )
+    for line in ("v₂ - v₁ = e₁(u₁cosθ₁ + u₂cosθ₂)", "v_2 - v_1 = e_1(u_1cosθ_1 + u_2cosθ_2)"):
+        letters = {"v_1": "along(velocity(A), i)", "v_2": "along(velocity(B), i)"}
+        marking = restitution.mark(solution_of(statement), line, letters=letters)
+        assert [each.verdict for each in marking.lines] == ["true"]
+    wrong = "u₁cosθ₁ - u₂cosθ₂ = v₁ + v₂", "v₂ - v₁ = e₁(u₁cosθ₁ + u₂cosθ₂)"
+    more = "I = m₁(u₁cosθ₁ - v₁) = ½m₁(1+e₁)(u₁cosθ₁ + u₂cosθ₂)"
+    marking = restitution.mark(solution_of(statement), "\n".join([*wrong, more]), letters=letters)
+    assert marking.mistakes == ("mass-omitted",)
+    methods = {
+        each.point.principle: each.state
+        for each in marking.marks.points
+        if each.point.letter == "M"
+    }
+    assert methods["momentum"] == "lost"
+    assert methods["impulse"] == "earned"
+
+
+def test_what_a_chain_ends_in_with_a_slip_is_gone_on_with() -> None:
+    statement = (
+        "sphere A: mass 2m, velocity u at arccos(12/13)\nsphere B: mass 5m, velocity u j\n"
+        "A hits B: along i, e = 3/4\nfind velocity(A)\n"
+    )
+    lines = (
+        "2m(12u/13) = 2mx + 5my",
+        "y - x = ¾(12u/13) = 8u/13",
+        "24u/13 = 2x + 5x + 40u/13",
+        "x = -16u/91",
+    )
+    assert verdicts(statement, *lines) == ["true", "false", "follows", "follows"]

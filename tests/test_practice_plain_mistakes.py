@@ -159,3 +159,61 @@ def test_the_sine_of_a_known_angle_with_the_value_of_its_cosine_is_no_letter_of_
     lines = restitution.mark(restitution.parse(SHARE), working).json()["lines"]
     assert [line["verdict"] for line in lines] == ["false", "follows", "follows"]
     assert lines[0]["mistake"]["id"] == "sine-cosine"
+
+
+UNRESOLVED = """
+sphere A: mass M, velocity 6 at 30°
+sphere B: mass 2, at rest
+A hits B: along i
+given speed(A) = sqrt(12), speed(B) = 3 sqrt(3)
+find M, e
+"""
+QUARTER = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1
+given energy(B) = 1/4 energy(0)
+find alpha
+"""
+SAME_ENERGIES = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, velocity u at alpha from -i
+A hits B: along i
+given tan(alpha) = 3/4, energy(A) = energy(B)
+find e
+"""
+ACROSS_AND_AT_AN_ANGLE = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, velocity v j
+A hits B: along i, e = 1/2
+given speed(A) = speed(B)
+find v
+"""
+QUARTER_LOST = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given energy_lost = 1/4 energy(0)
+find range of e
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "working", "name"),
+    [
+        (UNRESOLVED, "6Mcos30 = √12 M + 2(3√3)", "speed-for-component"),
+        (QUARTER, "w = 2/3 ucosα\n½(2m)w² = ¼mu²", "energy-no-half"),
+        (SAME_ENERGIES, "w - v = 1.6eu\nv + 2w = -0.8u\n½mv² = mw²", "energy-component-missing"),
+        (ACROSS_AND_AT_AN_ANGLE, "musin60 = mv' + 2mw", "sine-cosine"),
+        (QUARTER_LOST, "½mu²sin²α - ½meu²sin²α = ⅛mu²", "square-not-taken"),
+    ],
+)
+def test_facts_of_energies_and_whole_speeds_among_components(
+    statement: str, working: str, name: str
+) -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    letters = letters if "sphere B" in statement else {}
+    if "v'" in working:
+        letters = {"v'": letters["v"], "w": letters["w"]}
+    found = restitution.mark(restitution.parse(statement), working, letters=letters)
+    assert found.mistakes == (name,)

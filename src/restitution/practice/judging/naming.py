@@ -48,11 +48,12 @@ from restitution.practice.judging.plain_mistakes import (
     is_direct,
     is_energetic,
     is_law_of_speeds,
+    is_momentum_of_speeds,
     is_of_energy,
     is_speed_by_energies,
     is_whole_speed,
     is_worth,
-    moves_across,
+    is_zero,
     not_negative,
     plainly,
     sign_of_a_component,
@@ -174,7 +175,9 @@ class Names:
         at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
         whole = is_whole_speed(entry, judge.base)
         law = is_law_of_speeds(entry, judge.base)
-        variants = () if whole or law else self._explaining(entry, judge, mended)
+        unresolved = is_momentum_of_speeds(entry, judge.base)
+        plainer = whole or law or unresolved
+        variants = () if plainer else self._explaining(entry, judge, mended)
         slip = _slip(entry, judge, mended)
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
@@ -183,10 +186,9 @@ class Names:
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
-        if whole or law:
-            plain = "speed-for-component" if whole else "restitution-whole-speed"
-        turned = all(each.mistake in _OF_ANGLES for each in variants)
-        if variants and turned and moves_across(variants[0].event.number, judge.base):
+        if plainer:
+            plain = "restitution-whole-speed" if law else "speed-for-component"
+        if variants and all(_is_of_a_whole_speed(each, judge.base) for each in variants):
             variants, plain = (), "speed-for-component"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
@@ -546,6 +548,14 @@ def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
 def _plausible(variant: VariantAt, world: World) -> bool:
     """Whether the signs that a variant puts in by hand are those of the components."""
     return all(not_negative(sense, world) for sense in variant.senses)
+
+
+def _is_of_a_whole_speed(variant: VariantAt, world: World) -> bool:
+    """Whether sine and cosine are exchanged of a sphere that moves across the line of centres.
+
+    Its component along the line, zero, is its speed then.
+    """
+    return variant.mistake in _OF_ANGLES and any(is_zero(x, world) for x in variant.senses)
 
 
 def _replaces(variant: VariantAt, law: str) -> bool:

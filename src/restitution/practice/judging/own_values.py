@@ -258,7 +258,7 @@ class OwnValues(Holding):
             if judged.verdict in ("false", "follows"):
                 self._note_number(line, judged, start)
             worked = is_numeric(claim.left) and is_numeric(claim.right)
-            if judged.verdict == "false" and isinstance(start, Letter) and is_phrase(start.name):
+            if judged.verdict == "false" and not letters(start) <= self._base.letters.keys():
                 worked = worked or (claim.left != start and self._is_known(claim))
             if not worked:
                 self.entries.append(self._entry(line, link, judged))

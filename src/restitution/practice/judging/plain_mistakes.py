@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
-from itertools import permutations
+from itertools import combinations, permutations, product
 
 import numpy as np
 
@@ -41,6 +41,8 @@ from restitution.problem import Impact
 _TWO = Number(Fraction(2))
 _SIGNED = frozenset({"momentum", "restitution"})
 _TINY, _ROUNDED = 1e-9, 0.005
+# The largest denominator of a multiple of an energy: ¾ of it.
+_SIMPLE = 12
 
 
 def is_worth(tree: Expression, entry: Entry, world: World, sizes: Iterable[Array]) -> bool:
@@ -62,11 +64,22 @@ def plainly(
     if name is not None:
         return name
     changes = {each.change for each in mended}
-    squares = "square" in changes and changes <= {"square", "power", "figure", "factor"}
+    squares = any(map(_is_square_put, mended)) and changes <= {
+        "square",
+        "power",
+        "figure",
+        "factor",
+    }
     above = (each for each in entries if each.claim.left == entry.claim.left)
     if squares and _is_of_squares(entry) and not any(map(is_energetic, above)):
         return "square-not-taken"  # where no line above has squares that may be copied wrongly
     return None
+
+
+def _is_square_put(correction: Correction) -> bool:
+    """Whether a correction squares a number or a letter."""
+    square = isinstance(correction.put, Binary) and correction.put.op == "^"
+    return correction.change == "square" or (correction.change == "power" and square)
 
 
 def _is_other_component(entry: Entry, world: World) -> bool:
@@ -84,6 +97,63 @@ def _is_other_component(entry: Entry, world: World) -> bool:
     size = Apply("abs", replace(meant, kind=other))
     claim = replace(entry.claim, left=size, right=Apply("abs", entry.claim.right))
     return holds_in(replace(entry, claim=claim), world)
+
+
+def _is_without_half(entry: Entry, world: World) -> bool:
+    """Whether one of two energies has no ½: ½(2m)w² = ¼mu² for a quarter of ½mu²."""
+    for one, other in permutations((entry.claim.left, entry.claim.right)):
+        if not (_has_square(one) and _has_square(other)) or is_bare(other):
+            continue
+        if _has_half(one) and not _has_half(other):
+            claim = Claim(one, "=", Binary("/", other, _TWO))
+            if holds_in(replace(entry, claim=claim), world):
+                return True
+    return False
+
+
+def _has_half(tree: Expression) -> bool:
+    """Whether a factor ½ stands in a tree."""
+    halves = (Number(Fraction(1, 2)), Binary("/", Number(Fraction(1)), _TWO))
+    return any(each in halves for each in walk(tree))
+
+
+def _is_of_line_energies(entry: Entry, world: World) -> bool:
+    """Whether a fact about the energies of spheres is stated of ½mq² along the line alone."""
+    sides = entry.claim.left, entry.claim.right
+    whole = [_with_whole_energies(each, entry, world) for each in sides]
+    if all(each is None for each in whole):
+        return False
+    left, right = (own or side for own, side in zip(whole, sides, strict=True))
+    return holds_in(replace(entry, claim=Claim(left, "=", right)), world)
+
+
+def _with_whole_energies(tree: Expression, entry: Entry, world: World) -> Expression | None:
+    """The energies of which a side, a multiple of ½mq² along the line, should be the multiple."""
+    size = _spread_in(tree, entry, world)
+    for number, spheres in _pairs_of(world):
+        line = Quantity("line_of_centres", (), number)
+        for body in spheres if _has_square(tree) else ():
+            name = Name(body)
+            part = Quantity("along", (Quantity("velocity", (name,), number), line))
+            square = Binary("*", Quantity("mass", (name,)), Binary("^", part, _TWO))
+            energy = Quantity("energy", (name,), number)
+            along, of_all = (
+                _spread_of(each, world) for each in (Binary("/", square, _TWO), energy)
+            )
+            if not (np.all(along > _TINY) and np.all(of_all > along * (1 + _ROUNDED))):
+                continue
+            factor = Fraction(float(np.nan_to_num(size / along).flat[0])).limit_denominator(_SIMPLE)
+            if factor and np.all(np.abs(size - float(factor) * along) <= _TINY * size):
+                return Binary("*", Number(factor), energy)
+    return None
+
+
+def _spread_in(tree: Expression, entry: Entry, world: World) -> Array:
+    """The size of a tree of an entry in every sample; not a number where it has no value."""
+    try:
+        return np.abs(world.spread(world.scalar(tree, entry.meanings, scope=entry.scope)))
+    except RestitutionError:
+        return np.full(1, np.nan)
 
 
 def is_speed_by_energies(entry: Entry, world: World) -> bool:
@@ -127,19 +197,24 @@ def _pairs_of(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
             yield number, (step.first, step.second)
 
 
-def _is_momentum_of_speeds(entry: Entry, world: World) -> bool:
-    """Whether the terms of an equation are the masses times the speeds, before and after."""
+def is_momentum_of_speeds(entry: Entry, world: World) -> bool:
+    """Whether terms of an equation of momentum are masses times whole speeds: one, or several."""
     for number, spheres in _pairs_of(world):
-        products = (
-            Binary("*", Quantity("mass", (Name(x),)), Quantity("speed", (Name(x),), stage))
-            for x in spheres
-            for stage in (number - 1, number)
-        )
-        sizes = (_spread_of(each, world) for each in products)
-        wanted = [size for size in sizes if np.all(size > _TINY)]
+        line = Quantity("line_of_centres", (), number)
+        sizes: list[tuple[Array, ...]] = []
+        for body, stage in product(spheres, (number - 1, number)):
+            mass, speed = Quantity("mass", (Name(body),)), Quantity("speed", (Name(body),), stage)
+            part = Quantity("along", (Quantity("velocity", (Name(body),), stage), line))
+            whole, along = (_spread_of(Binary("*", mass, each), world) for each in (speed, part))
+            apart = bool(np.all(np.abs(whole - along) > _ROUNDED * whole))
+            sizes.append((along, whole) if apart else (along,))
         for terms in terms_of(entry.claim):
-            if len(terms) == len(wanted) > 2 and _are_sizes(terms, wanted, entry, world):
-                return True
+            for chosen in product(*(range(len(each)) for each in sizes)):
+                wanted = [each[n] for each, n in zip(sizes, chosen, strict=True)]
+                moving = [size for size in wanted if np.all(size > _TINY)]
+                fits = any(chosen) and len(terms) == len(moving) > 2
+                if fits and _are_sizes(terms, moving, entry, world):
+                    return True
     return False
 
 
@@ -157,16 +232,22 @@ def _are_sizes(
 
 
 def _is_energy_of_one(entry: Entry, world: World) -> bool:
-    """Whether the energy of both spheres is given that of one of them, while the other moves."""
+    """Whether the energy of all spheres is given that of some of them, while the others move."""
     meant = _meant(entry)
     if not (isinstance(meant, Quantity) and meant.kind in ("energy", "energy_lost")):
         return False
     if meant.arguments or len(world.start) < 2:
         return False
-    single = (replace(meant, arguments=(Name(each),)) for each in world.start)
+    single: list[Expression] = [replace(meant, arguments=(Name(each),)) for each in world.start]
     return any(
-        holds_in(replace(entry, claim=replace(entry.claim, left=each)), world) for each in single
+        holds_in(replace(entry, claim=replace(entry.claim, left=reduce(_plus, some))), world)
+        for number in range(1, len(single))
+        for some in combinations(single, number)
     )
+
+
+def _plus(one: Expression, other: Expression) -> Expression:
+    return Binary("+", one, other)
 
 
 def _is_share_of_line(entry: Entry, world: World) -> bool:
@@ -254,7 +335,7 @@ def _energy_by_masses(bodies: Sequence[str], other: Mapping[str, str], stage: in
     for body in bodies:
         ratio = Binary("/", *(Quantity("mass", (Name(x),)) for x in (other[body], body)))
         terms.append(Binary("*", ratio, Quantity("energy", (Name(body),), stage)))
-    return reduce(lambda one, two: Binary("+", one, two), terms)
+    return reduce(_plus, terms)
 
 
 def _is_other_function(entry: Entry, world: World) -> bool:
@@ -354,25 +435,10 @@ def is_direct(number: int, world: World) -> bool:
     return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
 
 
-def moves_across(number: int, world: World) -> bool:
-    """Whether a sphere moves across the line of centres before an impact, and not along it.
-
-    Its component along the line, zero, is its speed where sine and cosine are exchanged.
-    """
-    line = world.lines.get(number)
-    step = world.events[number - 1] if number <= len(world.events) else None
-    if line is None or not isinstance(step, Impact):
-        return False
-    motion = Telling(world, degrees=False)
-    for body in (step.first, step.second):
-        if body in world.start:
-            velocity = motion.velocity(body, number - 1)
-            along, across = (
-                np.abs(world.spread(each)) for each in (velocity.dot(line), velocity.cross(line))
-            )
-            if np.all(along < _TINY) and np.all(across > _TINY):
-                return True
-    return False
+def is_zero(tree: Expression, world: World) -> bool:
+    """Whether a quantity is zero in every sample."""
+    size = _spread_of(tree, world)
+    return bool(np.all(size < _TINY))
 
 
 def has_coefficient(event: object) -> bool:
@@ -449,11 +515,20 @@ def is_energetic(entry: Entry) -> bool:
 
 
 def _is_of_squares(entry: Entry) -> bool:
-    """Whether the left side of a claim is an energy, a speed, or the square of one."""
+    """Whether a claim is of squares, or its left side an energy, a speed, or its square."""
     left = entry.claim.left
+    if all(map(_has_square, (left, entry.claim.right))):
+        return True
     left = left.left if isinstance(left, Binary) and left.op == "^" else left
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
     return isinstance(meant, Quantity) and (meant.kind == "speed" or "energy" in meant.kind)
+
+
+def _has_square(tree: Expression) -> bool:
+    """Whether something is squared in a tree."""
+    return any(
+        isinstance(each, Binary) and each.op == "^" and each.right == _TWO for each in walk(tree)
+    )
 
 
 def is_of_energy(entry: Entry) -> bool:
@@ -502,9 +577,10 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_speed_by_energies, "energy-ratio-as-speed"),
     (_is_share_by_speeds, "energy-ratio-as-speed"),
     (_is_ratio_of_relative_speeds, "restitution-whole-speed"),
-    (_is_momentum_of_speeds, "speed-for-component"),
     (_is_energy_of_one, "energy-one-sphere"),
     (_is_share_of_line, "energy-fraction-of-line"),
+    (_is_of_line_energies, "energy-component-missing"),
+    (_is_without_half, "energy-no-half"),
     (_is_without_mass, "mass-omitted"),
     (_is_of_other_masses, "masses-exchanged"),
     (_is_other_function, "sine-cosine"),

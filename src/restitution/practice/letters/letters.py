@@ -234,6 +234,8 @@ class _Search(LettersOfLines):
         ]
         if name in self.turned_speeds:
             chosen = [each for each in chosen if not around.is_a_part(each)]
+        if self._points(name):
+            chosen = [each for each in chosen if each.nature == "vector"]
         chosen += list(scaled(chosen, self.directions))
         if name in self.multipliers:
             chosen += multiples(around.candidates, self.multipliers[name], around.problem)

@@ -34,10 +34,12 @@ from restitution.practice.letters.surroundings import (
 from restitution.practice.letters.trial import Frame, inside_angles, resolved_in
 from restitution.practice.reading.angles import is_angle
 from restitution.practice.script import Claim, Link, Scope, Script
+from restitution.problem import Impact
 from restitution.vector import Vector
 
 _VELOCITIES = frozenset("vVwW")
 _EARLIER = frozenset("uU")
+_IMPULSES = frozenset("IJ")
 
 
 class LettersOfLines:
@@ -225,10 +227,24 @@ class LettersOfLines:
                 own = [each for each in after if each.event == self._event_numbered(name)]
                 own = own if len(own) == 1 else []
             return own[-1] if own else after[0] if len(after) == 1 else None
+        if name.partition("_")[0] in _IMPULSES and (self._points(name) or name in self.vectors):
+            return self._vector_impulse(name, scope)
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
         known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
         return known or self._by_shape(name)
+
+    def _vector_impulse(self, name: str, scope: Scope) -> Candidate | None:
+        """The impulse in the only impact, or in that of a heading, that a vector is."""
+        numbers = [n for n, e in enumerate(self.around.events, 1) if isinstance(e, Impact)]
+        wanted = {scope.event} if scope.event is not None else set(numbers)
+        own = [
+            each
+            for each in self.around.candidates
+            if each.kind == "impulse" and each.nature == "vector" and each.event in wanted
+            if suffix(name) in ("", each.body)
+        ]
+        return own[0] if len(own) == 1 else None
 
     def _asked_speed(self, name: str) -> Candidate | None:
         """The one speed that is asked, for ``v = √(4² + 5²)`` and ``v² = 16 + 25``.

@@ -167,6 +167,7 @@ def usual(
                 return _first(candidates, "coefficient", None, number)
         case "I" | "J" if not below:
             struck = [n for n, event in enumerate(events, 1) if isinstance(event, Impact | Kick)]
+            struck = struck if len(struck) == 1 else impacts  # that of a kick is known
             only = struck[0] if len(struck) == 1 else usage.scope.event
             return _first(candidates, "impulse", None, only) if only else None
         case "m" | "M":

@@ -85,7 +85,9 @@ class EachPoint:
         if lost is not None:
             return lost
         for line, use in self._uses(point):
-            if point.principle == "solve" and not line.grounded:
+            if point.principle == "solve" and (
+                not line.grounded or line.line.number < self._first_line(point)
+            ):
                 continue
             # What follows by a definition is worked out from his own values by the right one.
             defined = line.verdict == "follows" and point.principle in OF_VALUES
@@ -118,7 +120,7 @@ class EachPoint:
             if divided is not None:
                 return self._earned(point, divided, "")
         if lost is None and point.principle in ("solve", "condition", "method"):
-            line_of_value = self._elimination()
+            line_of_value = self._elimination(point)
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         tangent = self._by_tangent(point)
@@ -442,19 +444,25 @@ class EachPoint:
                 return line
         return None
 
-    def _elimination(self) -> JudgedLine | None:
-        """A line in which one unknown is left."""
+    def _elimination(self, point: MarkPoint) -> JudgedLine | None:
+        """A line in which one unknown is left, below the equations of which it is eliminated."""
         return next(
             (
                 line
                 for line in self.lines
                 if line.verdict in SOUND and line.grounded and self._is_eliminated(line)
+                if line.line.number >= self._first_line(point)
             ),
             None,
         )
 
+    def _first_line(self, point: MarkPoint) -> int:
+        """The number of the line in which all that a point depends on has been attempted."""
+        needed = (self.states[name].line or 0 for name in point.depends if name in self.states)
+        return max(needed, default=0)
+
     def _is_eliminated(self, line: JudgedLine) -> bool:
-        if _is_of_what_stays(line):
+        if is_of_what_stays(line):
             return False
         if self.values.is_solved(line) or self.values.is_eliminated(line):
             return True
@@ -477,7 +485,7 @@ class EachPoint:
                 use = self._use(line, point)
                 if use is None or self._is_by_chance(line, use):
                     continue
-                if not self._is_stated_wrongly(line, use):
+                if not self._is_stated_wrongly(line, use, point):
                     yield line, use
 
     def _is_by_chance(self, line: JudgedLine, use: Use) -> bool:
@@ -497,16 +505,20 @@ class EachPoint:
             for each in self.lines
         )
 
-    def _is_stated_wrongly(self, line: JudgedLine, use: Use) -> bool:
-        """Whether a line only implies a law that a line above states wrongly."""
-        if use.principle not in LAWS or use.altered is not None or line.verdict == "false":
+    def _is_stated_wrongly(self, line: JudgedLine, use: Use, point: MarkPoint) -> bool:
+        """Whether a line only implies a law, or follows, that a line above states wrongly.
+
+        The impulse on one sphere implies no momentum of two.
+        """
+        law = point.principle
+        if law not in LAWS or use.altered is not None or line.verdict == "false":
             return False
-        if line.uses[0].principle == use.principle:
+        if line.uses[0].principle == law and line.verdict != "follows":
             return False
         return any(
             each.verdict == "false"
             and any(
-                (own.principle, own.event) == (use.principle, use.event) and own.altered
+                (own.principle, own.event) == (law, use.event) and own.altered
                 for own in fitting_uses(each)[:1]
             )
             for each in self.lines
@@ -526,7 +538,7 @@ class EachPoint:
                 continue  # a fact of the question needs no law
             if point.principle == "fact" and not self.values.speaks_of(point, use.principle):
                 continue
-            if point.principle == "solve" and _is_of_what_stays(line):
+            if point.principle == "solve" and is_of_what_stays(line):
                 continue
             if (point.principle, use.principle) == ("velocity", "component") and not has_vector(
                 line
@@ -590,6 +602,6 @@ class EachPoint:
         return next((each for each in self.lines if each.line.number == number), None)
 
 
-def _is_of_what_stays(line: JudgedLine) -> bool:
+def is_of_what_stays(line: JudgedLine) -> bool:
     """Whether a line has a component that stays, or one before, for which nothing is solved."""
     return bool(line.uses) and line.uses[0].principle in ("unchanged", "component")

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.each_point import LAWS, OF_VALUES, EachPoint
+from restitution.practice.marking.each_point import LAWS, OF_VALUES, EachPoint, is_of_what_stays
 from restitution.practice.marking.lines import (
     as_true,
     ends_fine,
@@ -85,6 +85,7 @@ class _Examiner(EachPoint):
                     if each.verdict == "true"
                     and each.grounded
                     and each.line.number not in taken
+                    and not is_of_what_stays(each)
                     and self.values.is_solved(each)
                 ),
                 None,

@@ -70,6 +70,7 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         joined = (
             _size(tokens, place)
             or _owned(tokens, place)
+            or _moved(tokens, place)
             or _staged(tokens, place, text)
             or _directed(tokens, place)
             or _deflected(tokens, place)
@@ -219,6 +220,20 @@ def _owned(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
     if "_" in letter.name or len(letter.name) > 1:
         return None
     return replace(letter, name=f"{letter.name}_{name.name}", end=name.end), place + 3
+
+
+def _moved(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
+    """``final v = 2i + j`` as the velocity after: v may be that before as well."""
+    kinds = [each.kind for each in tokens[place : place + 3]]
+    if kinds != ["word", "letter", "relation"] or tokens[place].word not in STAGES:
+        return None
+    base, _, owner = tokens[place + 1].name.partition("_")
+    vector = any(each.kind == "unit" for each in tokens[place + 3 :])
+    if base not in ("u", "v", "w", "V") or not vector or owner.isdigit():
+        return None
+    name = " ".join(["velocity", *(["of", owner] if owner else []), tokens[place].word])
+    end = tokens[place + 1].end
+    return replace(tokens[place], kind="phrase", name=name, end=end), place + 2
 
 
 def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int] | None:

@@ -34,7 +34,11 @@ _LONGEST_PRODUCT = 3
 """So many letters, at most, before an exponent may be a product and no word."""
 _NUMBER = re.compile(r"\d+\.\d+|\.\d+|\d+", re.ASCII)
 _RUN = re.compile(r"[A-Za-z]+(?:'(?=[a-z])[a-z]+)?")
-_SUBSCRIPT = re.compile(r"_\s?(?:\{([A-Za-z0-9' ]{1,12})\}|([A-Za-z0-9]{1,6}))|([0-9]+)(?![.\d])")
+# Behind it a function may stand: u_1cosθ, u_Acosθ.
+_SUBSCRIPT = re.compile(
+    r"_\s?(?:\{([A-Za-z0-9' ]{1,12})\}|([A-Za-z0-9]{1,2}(?=sin|cos|tan)|[A-Za-z0-9]{1,6}))"
+    r"|([0-9]+)(?![.\d])"
+)
 _PRIMES = re.compile(r"'{1,2}")
 _RELATION = re.compile(r"<=|>=|=<|!=|=\s?/\s?=|:=|==|[<>]|=(?!>)")
 _ARROW = re.compile(r"=+>|-+>")
