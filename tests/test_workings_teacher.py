@@ -318,6 +318,26 @@ find tan(angle(velocity(A), line_of_centres))
 """,
         ["and θ = 90° if (2e − 1) cos α + 2(1 + e) cos β = 0"],
     ),
+    "what is asked once more is said once more, where it stands far above": (
+        """
+sphere P: mass 2, velocity 3i
+wall W: along i
+P receives 2i - 8j
+find velocity(P), energy(P)
+P hits W: e = 1/2
+find velocity(P), velocity(P, before)
+""",
+        ["𝐯₂ = (4𝐢 + 2𝐣) m s⁻¹", "From above:", "𝐯₁ = (4𝐢 − 4𝐣) m s⁻¹"],
+    ),
+    "where a greatest value is reached is an angle in degrees": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/3
+find maximum of deflection(A) over alpha
+""",
+        ["greatest value of δ = arctan(4/3)", "≈ 53.1°, when tan α = ⅓, so α ≈ 18.4°"],
+    ),
     "a velocity that points back has the sign below the line": (
         """
 sphere A: mass 1, velocity 10i, radius 1

@@ -617,6 +617,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "range.every": "So every value of {letter} is possible:",
     "range.every-free": "No condition bounds {letter}, so every value of it is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
+    "extremum.at-angle": "{place}, so {angle}",
     "extremum.with": "{place} and so {other}",
     "extremum.approached": "as {place}: a bound that is approached and not reached",
     "extremum.no-greatest": "as {place}, so there is no greatest value",

@@ -11,7 +11,15 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import replace
 
 from restitution.explaining.data.offset_angles import letter_of_offset
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Note, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    ItemEnd,
+    Line,
+    Link,
+    Meaning,
+    Note,
+    Relation,
+)
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -37,9 +45,20 @@ def gathered(derivation: Derivation) -> Derivation:
 
 
 def _with_standing(derivation: Derivation) -> Derivation:
-    """The same working with a note for each answer to which an earlier part came already."""
+    """The working with a note for each answer to which an earlier part or item came already."""
     parts = derivation.asked
     order = list(parts)
+    # The item that a line answers first, by the line and the part in which that is asked.
+    first: dict[tuple[int, str | None], ItemEnd] = {}
+    for end in sorted(derivation.items, key=lambda each: order.index(each.item)):
+        first.setdefault((end.line, end.part), end)
+
+    def again(end: ItemEnd) -> bool:
+        """Whether it is asked for what an item before it came to, and not just above."""
+        own = first[end.line, end.part]
+        apart = order.index(end.item) - order.index(own.item)
+        return not end.shown and (apart > 1 or (apart == 1 and own.shown))
+
     notes = [
         Note(
             end.item,
@@ -52,8 +71,8 @@ def _with_standing(derivation: Derivation) -> Derivation:
         for end in derivation.items
         if (line := derivation.line(end.line)) is not None
         and line.item in parts
-        and parts[line.item or ""] != end.part
         and end.case is None
+        and (parts[line.item or ""] != end.part or again(end))
     ]
     return replace(derivation, notes=(*derivation.notes, *notes)) if notes else derivation
 

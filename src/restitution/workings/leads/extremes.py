@@ -13,6 +13,7 @@ from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Degrees, Letter, Number, is_zero
 from restitution.render import layout as lay
+from restitution.workings.naming.measured import as_answer
 from restitution.workings.naming.quantities import Naming
 
 # The records of the lines in which such a value is the answer.
@@ -40,7 +41,7 @@ def extreme(
     places = [place for place, _ in reached_there]
     if line.move.record != "approached":
         called = operand(naming.extreme(link.left, greatest=greatest))
-        where = tuple(naming.relation(Relation(((place,),))) for place in places)
+        where = tuple(_where(naming, place, shown) for place in places)
         reasons: tuple[Sentence, ...] = (say("derived.for", places=where),) if where else ()
         bound = _bound_above(derivation, line)
         if bound is not None:
@@ -56,6 +57,21 @@ def extreme(
             for place, behind in reached_there
         ),
     )
+
+
+def _where(naming: Naming, place: Link, shown: bool) -> Sentence | lay.Layout:
+    """Where a value is reached; of the ratio of an angle that is asked, the angle too."""
+    relation = naming.relation(Relation(((place,),)))
+    match place:
+        case Link(Apply("tan" | "sin" | "cos" as ratio, Letter() as angle), "=", right) if (
+            not shown
+        ):
+            added = as_answer(Apply(f"arc{ratio}", right))
+            if len(added) == 1:
+                ((value, sign),) = added
+                also = lay.Relation((naming.layout(angle), value), (sign,))
+                return say("extremum.at-angle", place=relation, angle=also)
+    return relation
 
 
 def _bound_above(derivation: Derivation, line: Line) -> Relation | None:
