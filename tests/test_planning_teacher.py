@@ -392,3 +392,43 @@ find e
 def test_the_tangent_of_an_angle_before_is_that_of_the_data(text: str, line: str, end: str) -> None:
     told = said(text)
     assert told[told.index(line) :][-1] == end
+
+
+# --- the angle of who moves along the line of centres, and angles that are found -----------------
+
+
+def test_the_angle_with_who_moves_along_the_line_of_centres_is_that_to_the_line() -> None:
+    text = """
+sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 1, at rest
+A hits B: along 3i - 4j, e = 1/2
+find velocity(A), velocity(B), angle(velocity(A), velocity(B))
+"""
+    assert "tan(beta) = 24/5/(7/10) = 48/7 [rearrange]" in said(text)
+
+
+def test_an_angle_in_degrees_that_is_found_is_put_into_a_difference() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given deflection(P) = 60°, speed(P) = (sqrt(3) - 1) u
+find alpha, e
+"""
+    assert "(sqrt(3) - 1) u sin(60° - 45°) = e u sin(45°)" in said(text)
+
+
+def test_what_is_lost_in_all_is_what_each_impact_takes_where_one_is_known() -> None:
+    text = """
+sphere P: mass 1, velocity 8i + j
+wall W: along 3i + 4j
+P hits W: e = 1/4
+part a
+find velocity(P), energy_lost
+part b
+wall X: along i + j
+P hits X: e = 1/3
+find total_energy_lost
+"""
+    told = said(text)
+    assert any(each.startswith("total_energy_lost(2) = 2523/160 + 441/200") for each in told)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -357,6 +358,8 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     pair = [body_and_stage(scene, argument) for argument in asked.arguments]
     in_numbers = all(_is_vector_in_numbers(scene, body) for body, _ in pair)
     in_numbers |= stand_as_vectors(scene, pair)
+    if in_numbers and wanted != "cos" and _is_along_the_line(scene, asked, pair):
+        in_numbers = False  # its angle to the line of centres is that of the other one
     turned = _by_turn(scene, asked, wanted) if wanted != "cos" and not in_numbers else None
     if turned is None and wanted == "tan":
         turned = _by_turn(scene, asked, wanted)
@@ -376,6 +379,22 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", event, bodies)
     return _by_scalar(scene, move, sources, asked)
+
+
+def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, int]]) -> bool:
+    """Whether one of two spheres that have met moves along the line of centres, and one does not.
+
+    Their scalar product is none that a line has.
+    """
+    (first, late), (second, other) = pair
+    if late != other or late not in scene.model.frames or _has_its_product(scene, asked):
+        return False
+    if {first, second} != set(scene.bodies(late)):
+        return False
+    frame = scene.frame(late)
+    own = [[in_direction(scene, k, b, late, frame) for k in ("along", "across")] for b, _ in pair]
+    across = [parts[1].value == 0 for parts in own]
+    return across.count(True) == 1 and all(parts[0].value != 0 for parts in own)
 
 
 def _is_vector_in_numbers(scene: Scene, body: str) -> bool:

@@ -163,7 +163,10 @@ def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> in
     link = scene.desk.last_link(number)
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
-    for tree in _open_trees(link):
+    trees = list(_open_trees(link))
+    for tree in trees:
+        if isinstance(tree, Apply) and tree.argument in trees and _is_known(scene, tree.argument):
+            continue  # beside sin(60° − 45°) stands sin 45°
         source = _known_tree(scene, tree, symbol)
         if source is not None:
             angle = isinstance(tree, Letter) and _is_angle(scene, tree.name)
@@ -189,11 +192,25 @@ def _with_angles(scene: Scene, number: int, symbol: sp.Symbol | None) -> int:
     """The line with sums of angles by the formulae, where an angle is known."""
     for each in sorted(residual(scene, number).free_symbols, key=lambda s: s.name):
         known = scene.desk.known(Letter(each.name))
+        if _is_known(scene, Letter(each.name)):
+            continue  # 60° − 45° is an angle by itself
         if each != symbol and known is not None and _is_angle(scene, each.name):
             written = without_sums(scene, number, each)
             if written is not None:
                 number = written
     return number
+
+
+def _is_known(scene: Scene, letter: Expression) -> bool:
+    """Whether a letter is known as a number of degrees."""
+    known = scene.desk.known(letter)
+    return known is not None and _is_in_whole_degrees(known.value)
+
+
+def _is_in_whole_degrees(angle: sp.Expr) -> bool:
+    """Whether an angle is a number of degrees, and no inverse of a ratio."""
+    degrees = sp.sympify(angle, strict=True) * 180 / sp.pi
+    return bool(degrees.is_Integer and degrees != 0)
 
 
 def _open_trees(link: Link) -> Iterable[Expression]:

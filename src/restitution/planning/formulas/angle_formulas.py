@@ -166,9 +166,11 @@ def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
     (a, b), (c, d) = own = [parts(scene, *each, frame) for each in pair]
     names = together(frame.names_axis("along"), frame.names_axis("across"))
     move = Move("define", "tan", event, (first, second))
-    for body, (along, across), zero in ((second, (a, b), d), (first, (c, d), b)):
+    for body, (along, across), zero, worth in ((second, (a, b), d, c), (first, (c, d), b, a)):
         if zero.value == 0:
             own_line = after(scene, "along", body, frame)
+            if scene.model.sign(scene.model.in_data(own_line.value)) < 0:
+                own_line = worth  # who moves against the line does so by a value
             right, value = _to_the_line(scene, along, across, own_line)
             refs = together(*(each.whole for each in (along, across, zero, own_line)), names)
             return Formula(move, tangent, quantity, right, value, refs)

@@ -229,10 +229,21 @@ def _lost_by_changes(scene: Scene, quantity: Quantity, event: int) -> Formula | 
 
 
 def _lost_by_losses(scene: Scene, quantity: Quantity, stage: int) -> Formula | None:
-    """What all impacts take, where what each of them takes is a line."""
+    """What all impacts take, where what each of them takes is a line.
+
+    Where that of one impact alone is none yet, it is written.
+    """
     if stage < 2 or any(n not in scene.model.frames for n in range(1, stage + 1)):
         return None
-    lost = [_known_value(scene, Quantity("energy_lost", (), n)) for n in range(1, stage + 1)]
+    each_lost = [Quantity("energy_lost", (), n) for n in range(1, stage + 1)]
+    lost = [_known_value(scene, each) for each in each_lost]
+    missing = [each for each, known in zip(each_lost, lost, strict=True) if known is None]
+    if len(missing) == 1:
+        own_loss = energy_lost_formula(scene, missing[0])
+        if not scene.unknown(own_loss.value):
+            number_ = write_formula(scene, own_loss)
+            scene.desk.know(missing[0], own_loss.value, (number_,))
+            lost = [_known_value(scene, each) for each in each_lost]
     own = [each for each in lost if each is not None]
     if len(own) != stage:
         return None

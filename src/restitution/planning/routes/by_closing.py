@@ -147,11 +147,12 @@ class Closing(ByLaws):
         if lines is None:
             return False
         for number, line in enumerate(lines):
-            own = self.scene.unknown(residual(self.scene, with_known(self.scene, line)))
+            put = with_known(self.scene, line)
+            own = self.scene.unknown(residual(self.scene, put))
             if len(own) != 1:
                 return False
             (symbol,) = own
-            if not self._closes(line, symbol):
+            if not self._closes(put, symbol):
                 return number > 0
         return True
 

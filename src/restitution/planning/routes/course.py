@@ -235,6 +235,8 @@ class Course:
             others = set() if tied is None else tied.value.free_symbols & self._letters.keys()
             if tied is None or others != tied.value.free_symbols or len(others) != 1:
                 continue
+            if tied.value.is_Symbol:
+                continue  # both go on together
             (other,) = others
             source = scene.desk.known(Letter(other.name))
             if source is None or source.value.free_symbols & self._letters.keys():

@@ -148,6 +148,8 @@ def _forms(value: sp.Expr, symbol: sp.Symbol) -> Iterator[sp.Expr]:
     }
     if squares:
         yield value.xreplace(squares)
+    if value.is_polynomial(symbol) and sp.degree(value, symbol) == 2:
+        yield _square(value, symbol)
 
 
 def _terms(value: sp.Expr, ratio: sp.Expr) -> list[tuple[tuple[int, ...], sp.Expr]]:
@@ -159,7 +161,13 @@ def _terms(value: sp.Expr, ratio: sp.Expr) -> list[tuple[tuple[int, ...], sp.Exp
 def _square(quadratic: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     """A quadratic with its square completed."""
     a, b, c = sp.Poly(quadratic, symbol).all_coeffs()
-    root = symbol + b / (2 * a)
+    root, size = symbol + b / (2 * a), sp.sqrt(a)
+    if size.is_Rational and size != 1:
+        a, root = sp.Integer(1), size * symbol + b / (2 * size)
+        c, b = c - b**2 / (4 * size**2), sp.Integer(0)
+        if root.subs(symbol, 0).is_positive:
+            return root**2 + sp.factor(c)
+        return (-root) ** 2 + sp.factor(c)
     if b.is_negative:
         root = -root
     return a * root**2 + sp.factor(c - b**2 / (4 * a))
