@@ -28,8 +28,9 @@ from restitution.workings.derived import explanation_of
 FILES = sorted(FOLDER.glob("*.txt"))
 
 # Where rule and hand differ by two. The hand has a mark for each of two components that the data
-# show, and one for a value on the way to an answer: it is generous.
-BY_TWO = {("parallel-afterwards", None): -2}
+# show, and one for a value on the way to an answer: it is generous. In the second it has none for
+# such a value, and none for the place that it leads to.
+BY_TWO = {("parallel-afterwards", None): -2, ("heavier-sphere-before-a-wall", None): 2}
 
 
 @cache
@@ -426,6 +427,21 @@ find along(velocity(A), i), dot(velocity(A), line_of_centres)
 a: 5 v = 1
 b: 6 dot(velocity(A, 1), line_of_centres(1)) = 1
 """,
+    # The spheres exchange what they have along the line of centres.
+    "exchanged": """
+sphere A: mass 1, velocity 3i + 2j
+sphere B: mass 1, at rest
+A hits B: along i, e = 1
+find angle(velocity(A), i)
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | 3 = v + w
+4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 3
+5 a | combine w | 3, 4 | v = 0
+6 a | define perpendicular 1 A | 1, 5 | angle(velocity(A, 1), i) = 90°
+a: 6 angle(velocity(A, 1), i) = 90°
+""",
     # The momentum is zero in all.
     "no-momentum": """
 sphere A: mass 1, velocity u i
@@ -511,6 +527,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("angle-read-off", "straight-back", 4, "A1ft", "A1ft", "A1ft"),
     ("product-read-off", "a-component", 6, "A1ft", "A1ft", "A1ft"),
     ("direction-read-off", "straight-back", 5, "A1ft", "A1ft", "A1ft"),
+    ("angle-seen", "exchanged", 6, "A1", "A1", "A1"),
     ("angle-by-a-difference", "equal-elastic", 10, "DM1 A1ft", "DM1 A1ft", "DM1 A1ft"),
     ("data", "corner", 8, "", "", ""),
     ("place-on-an-axis", "on-its-way", 2, "", "", ""),
