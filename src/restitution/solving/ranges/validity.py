@@ -318,13 +318,13 @@ def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iter
             high = next((each for each in left if (each.value + root).is_number), None)
             if high is None or not {low.operator, high.operator} <= {">", ">="}:
                 continue
-            plain = _inequality(base, low), _inequality(base, high)
+            plain = *_inequality(base, low), *_inequality(base, high)
             chain = _chain(name, low, high)
             if len(chain.text) < sum(len(each.text) for each in plain):
                 left = [each for each in left if each not in (low, high)]
                 yield chain
     for each in left:
-        yield _inequality(base, each)
+        yield from _inequality(base, each)
 
 
 def _chain(name: str, low: Relation, high: Relation) -> Limitation:
@@ -406,8 +406,8 @@ def _chains(name: str, values: sp.Set) -> Iterator[str]:
         yield text
 
 
-def _inequality(base: Oracle, each: Relation) -> Limitation:
-    """An inequality itself, without the factors whose sign is known."""
+def _inequality(base: Oracle, each: Relation) -> Iterator[Limitation]:
+    """An inequality itself, without the factors whose sign is known; nothing if all are."""
     above, below = (_of_open_sign(base, x) for x in sp.together(each.value).as_numer_denom())
     operator = each.operator
     if operator == ">=" and above.is_number:
@@ -422,6 +422,8 @@ def _inequality(base: Oracle, each: Relation) -> Limitation:
     for factor in sp.Mul.make_args(forms.tidy(quotient.xreplace(bars))):
         sign = base.sign(factor)
         value *= factor if sign is None else sign
+    if value.is_number and value.is_positive:
+        return
     if operator == ">" and value.is_Pow and value.exp == sp.S.Half:
         value = value.base
     left, right = value, sp.Integer(0)
@@ -430,7 +432,7 @@ def _inequality(base: Oracle, each: Relation) -> Limitation:
         if len(minus) == 1:
             left, right = value - minus[0], -minus[0]
     text = f"{exact.sympy_text(left)} {operator} {exact.sympy_text(right)}"
-    return Limitation(text, relation(left, _SIGNS[operator], right))
+    yield Limitation(text, relation(left, _SIGNS[operator], right))
 
 
 def _of_open_sign(base: Oracle, side: sp.Expr) -> sp.Expr:
