@@ -109,3 +109,24 @@ def raise_error_of(text: str) -> None:
     ((_, item),) = solve(parse(text)).items()
     if item.error is not None:
         raise item.error
+
+
+@pytest.mark.parametrize(
+    ("fact", "angle"),
+    [
+        ("impulse = 1/4 m u", "arccos((1 + k)/(4(1 + e)k))"),
+        # The equation for the squares holds for k > 1/e too.
+        ("along(velocity(A), i) = 1/2 speed(A)", "arctan(√3(1 − ek)/(1 + k)), for k < 1/e"),
+    ],
+)
+def test_an_angle_is_that_of_the_plainest_of_its_ratios(fact: str, angle: str) -> None:
+    text = f"""
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given {fact}
+find alpha
+"""
+    ((_, item),) = solve(parse(text)).items()
+    assert item.answers[0].display.startswith(angle)
+    assert f"α = {angle.partition(',')[0]} A1" in printed(text)

@@ -32,6 +32,7 @@ from restitution.planning.writing.polynomials import cancelled, expanded, factor
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Find, Value
+from restitution.solving.algebra.forms import acute_angle
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
@@ -588,7 +589,7 @@ def _expanded(scene: Scene, line: int, sums: Sequence[Apply], symbol: sp.Symbol)
 def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
     """An acute angle as the inverse of the ratio that a line gives."""
     if len(scene.desk.relation(line).options) > 1:
-        return scene.final(symbol)
+        return acute_angle(scene.final(symbol))
     link = scene.desk.last_link(line)
     match link.left:
         case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
@@ -599,7 +600,7 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
             ratio_ = scene.scalar(link.right)
             if is_in_degrees(ratio_):
                 return sp.atan(ratio_)
-    return scene.final(symbol)
+    return acute_angle(scene.final(symbol))
 
 
 def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:

@@ -34,6 +34,7 @@ from restitution.planning.writing.frames import Frame, frame_of
 from restitution.planning.writing.judging import Judge
 from restitution.planning.writing.polynomials import expanded
 from restitution.problem import Arrival, Find, Part, Problem, Show, trees, trees_of_step
+from restitution.solving.algebra.forms import bars_of
 from restitution.solving.equations import facts as solve_facts
 from restitution.solving.equations.solution import PartSolution
 from restitution.solving.story.conditions import Equation
@@ -234,8 +235,9 @@ class Scene:
     # --- what is unknown ------------------------------------------------------------------------
 
     def final(self, symbol: sp.Symbol) -> sp.Expr:
-        """The value of an unknown in the data."""
-        return self.model.final[symbol]
+        """The value of an unknown in the data, without bars around what has a known sign."""
+        value = sp.sympify(self.model.final[symbol], strict=True)
+        return value.xreplace(bars_of(value, self.model.oracle)) if value.has(sp.Abs) else value
 
     def unknown(self, value: Any) -> frozenset[sp.Symbol]:
         """The unknowns in a value that have no value on the desk yet."""

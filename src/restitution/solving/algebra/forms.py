@@ -271,6 +271,17 @@ def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
     return exact.tidy_angle(sp.atan(tangent))
 
 
+def acute_angle(angle: sp.Expr) -> sp.Expr:
+    """An acute angle by its cosine or sine, where its tangent is longer for the letters in it."""
+    tangent = angle.args[0] if isinstance(angle, sp.atan) else sp.Integer(0)
+    if not tangent.free_symbols or not _has_root(tangent):
+        return angle
+    above, below = tangent.as_numer_denom()
+    size = exact.tidy(sp.sqrt(tidy(sp.expand(above**2 + below**2))))
+    others = (sp.acos(tidy(below / size)), sp.asin(tidy(above / size)))
+    return min((angle, *others), key=exact.cost)
+
+
 def _has_root(x: sp.Expr) -> bool:
     return any(
         isinstance(atom, sp.Pow) and not atom.exp.is_Integer and atom.free_symbols

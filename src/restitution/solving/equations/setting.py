@@ -34,6 +34,7 @@ from restitution.solving.equations.facts import givens, requirements
 from restitution.solving.equations.stages import by_nested_roots
 from restitution.solving.story.admission import (
     COEFFICIENT_RULE,
+    EQUATION,
     Admission,
     demands_for,
     demands_of,
@@ -282,6 +283,8 @@ class Setting:
         if as_they_look is not None and as_they_look is not accepted[0]:
             accepted.sort(key=lambda each: each is not as_they_look)
             stories.insert(0, self.tell(Numbers(as_they_look)))
+        if accepted and reasons[EQUATION]:
+            admission = admission.with_senses(accepted)
         if accepted:
             rare = reasons.most_common(1)[0][0] if len(accepted) == 1 and free else None
             return Trial(

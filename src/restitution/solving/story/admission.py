@@ -8,7 +8,7 @@ points are tried in compiled form.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import sympy as sp
@@ -27,8 +27,13 @@ from restitution.oracle import (
 )
 from restitution.oracle.points import Value
 from restitution.oracle.roles import COEFFICIENT, Role
+from restitution.solving.algebra.forms import tidy
+from restitution.solving.algebra.numbers import sign_at
 from restitution.solving.algebra.signs import sign as sign_of
 from restitution.solving.story.conditions import AnyOf, Condition, Equation
+
+EQUATION = ("a fact", "equation")
+"""Why a point is refused at which an equation does not hold."""
 
 COEFFICIENT_RULE = "a coefficient of restitution lies in [0, 1]"
 
@@ -116,8 +121,26 @@ class Admission:
             if sign is None:
                 raise UndefinedError("an equation")
             if sign:
-                return "a fact", "equation"
+                return EQUATION
         return None
+
+    def with_senses(self, points: Iterable[Mapping[str, Enclosed]]) -> Admission:
+        """The same with the signs of what equations have sizes of, where they rest on these.
+
+        A solution of v² = w² is one of v = |w| only where v is not negative, as at ``points``.
+        """
+        senses: list[Demand] = []
+        for equation in self.equations:
+            rest = tidy(equation)
+            signs = {
+                node: sense * node.args[0]
+                for node in rest.atoms(sp.Abs)
+                if (sense := sign_at(node.args[0], points)) is not None
+            }
+            if signs and tidy(rest.xreplace(signs)) == 0:
+                reason, kind = EQUATION
+                senses += [Demand(Relation(x, ">="), reason, kind) for x in signs.values()]
+        return replace(self, demands=(*self.demands, *senses)) if senses else self
 
     def refusal(self) -> Demand | None:
         """The first demand that no values of the letters satisfy; None if none is known.
