@@ -43,7 +43,7 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
         for option in options
     ]
     first = drafts[0]
-    if any(draft.lines[:split] != first.lines[:split] for draft in drafts):
+    if not all(_alike(draft.lines[:split], first.lines[:split]) for draft in drafts):
         raise NotPlannedError("solutions that differ before they part")
     desk = first.fork()
     desk.lines, desk.ends, desk.splits = first.lines[:split], list(before.ends), ()
@@ -59,6 +59,23 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
     if any(draft.notes != first.notes for draft in drafts):
         raise NotPlannedError("solutions of which one has no answer")
     return desk
+
+
+def _alike(some: Sequence[Line], others: Sequence[Line]) -> bool:
+    """Whether lines say the same, but for the form of equations on the way to the last of them.
+
+    Of a factor that has one sign in one solution only, the sides may be turned round.
+    """
+    for one, other in zip(some, others, strict=True):
+        if one == other:
+            continue
+        if (
+            one is some[-1]
+            or one.move.id != "rearrange"
+            or one != replace(other, relation=one.relation)
+        ):
+            return False
+    return True
 
 
 def without_idle(derivation: Derivation) -> Derivation:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from functools import reduce
 
 import sympy as sp
 
@@ -51,6 +52,11 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             if _is_of_itself(item, answers) or _is_derived(derivation, name, ends, answers):
                 continue
             alike = len({each.condition for each in answers}) == 1
+            if not alike and len(ends) == 1 and isinstance(item.item, Value):
+                above = {each for each, first in subjects.items() if first <= ends[0]}
+                known = Known(subjects.keys(), above, squares)
+                sentences[ends[0]] = _each(solution, part, item, answers, known)
+                continue
             if not alike and len(answers) != len(ends):
                 continue
             pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
@@ -249,6 +255,33 @@ def _sentence(
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)
+
+
+def _each(
+    solution: Solution,
+    part: PartSolution,
+    item: ItemResult,
+    answers: Sequence[Answer],
+    known: Known,
+) -> Sentence:
+    """The conditions of several values that one line gives, each with its value."""
+    said: list[Sentence] = []
+    for answer in answers:
+        own = _sentence(solution, part, item, answer, known)
+        if own is not None:
+            slots = dict(own.slots)
+            name = "answer.value-only-as" if "reasons" in slots else "answer.value-only"
+            said.append(say(name, **slots, value=_as_equation(item, answer)))
+    return reduce(lambda first, second: say("answer.both", first=first, second=second), said)
+
+
+def _as_equation(item: ItemResult, answer: Answer) -> Layout:
+    """``e = (3 − k)/(4k)``, or the value of what is no letter."""
+    asked = item.item.expression if isinstance(item.item, Value) else None
+    if not isinstance(asked, Letter):
+        return lay.display(answer.value, angle=answer.angle)
+    name = lay.from_sympy(sp.Symbol(asked.name))
+    return lay.display_named(name, answer.value, angle=answer.angle)
 
 
 def _is_of_what_is_found(model: Model, text: str) -> bool:

@@ -756,6 +756,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "answer.by-case": "This holds for {condition}. In all, the range is {forms:semicolon}.",
     "answer.only": "This holds for {condition} only.",
+    "answer.both": "{first} {second}",
+    "answer.value-only": "{value} holds for {condition} only.",
+    "answer.value-only-as": "As {reasons:and}, {value} holds for {condition} only.",
     "range.also": "In this range {bounds:and} as well.",
     "range.both": "{one} {two}",
     "answer.only-range": (

@@ -438,10 +438,14 @@ class Reasons:
             yield self._laid(Relation(((Link(factor, "!=", ZERO),),)))
 
     def _positive(self, line: Line) -> Iterator[Sentence]:
-        """The silent reason: the letter stands for something positive."""
+        """The silent reason: the letter stands for something positive, and for no component."""
         assert isinstance(line.relation, Relation)
         left = line.relation.options[0][0].left
-        if isinstance(left, Letter) and self.is_positive(left.name):
+        if not isinstance(left, Letter):
+            return
+        meaning = self._derivation.meanings.get(left.name)
+        component = meaning is not None and meaning.quantity.kind in ("along", "across", "dot")
+        if not component and (meaning is not None or self.is_positive(left.name)):
             yield say("derived.positive", letter=self._naming.layout(left))
 
     def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
