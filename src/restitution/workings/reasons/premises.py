@@ -444,7 +444,8 @@ class Reasons:
         if not isinstance(left, Letter):
             return
         meaning = self._derivation.meanings.get(left.name)
-        component = meaning is not None and meaning.quantity.kind in ("along", "across", "dot")
+        kind = None if meaning is None else getattr(meaning.quantity, "kind", None)
+        component = kind in ("along", "across", "dot")
         if not component and (meaning is not None or self.is_positive(left.name)):
             yield say("derived.positive", letter=self._naming.layout(left))
 
