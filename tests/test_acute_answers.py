@@ -130,3 +130,24 @@ find alpha
     ((_, item),) = solve(parse(text)).items()
     assert item.answers[0].display.startswith(angle)
     assert f"α = {angle.partition(',')[0]} A1" in printed(text)
+
+
+@pytest.mark.parametrize(
+    ("e", "angle"), [("e", "2 arctan(e/tan α)"), ("1/2", "2 arctan(1/(2 tan α))")]
+)
+def test_an_angle_with_an_axis_of_symmetry_is_twice_another(e: str, angle: str) -> None:
+    """A leaves with -eu cos α along the line of centres, B with eu cos α, and both with u sin α."""
+    text = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, velocity u at 180° - alpha\n"
+    solution = solve(
+        parse(f"{text}A hits B: along i, e = {e}\nfind angle(velocity(A), velocity(B))")
+    )
+    assert solution["angle(velocity(A), velocity(B))"].display == angle
+
+
+def test_a_factor_that_surds_show_is_no_condition() -> None:
+    """Along the line A has v/tan(60° + angle of v): nothing happens at |v| = (√11 − √3)|u|/4."""
+    text = "sphere A: mass m, velocity u i + v j\nsphere B: mass M, at rest\n"
+    text += "A hits B: along i, e = 1/2\ngiven deflection(A) = 60°\nfind M"
+    (answer,) = solve(parse(text))["M"].answers
+    assert answer.display.startswith("2m(u² + v²)/(u² − 2v² + √3 |u||v|), for ")
+    assert answer.display.count("<") == 4

@@ -30,6 +30,14 @@ Z = sin(alpha)
 Q = Rational
 
 TEXTBOOK = [
+    (
+        (4 * u**2 * v**2 + sqrt(3) * (u**2 + v**2) * u * v) / (v**2 * (3 * v**2 - u**2)),
+        "u*(sqrt(3)*u + v)/(v*(-u + sqrt(3)*v))",
+    ),
+    (
+        (x**2 * m + sqrt(3) * abs(x) * m**2) / (x**2 - 3 * m**2),
+        "m*Abs(x)/(-sqrt(3)*m + Abs(x))",
+    ),
     (sqrt(48), "4*sqrt(3)"),
     (sqrt(3 + 2 * sqrt(2)), "1 + sqrt(2)"),
     (1 / (1 + sqrt(3)), "(-1 + sqrt(3))/2"),

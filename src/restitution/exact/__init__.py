@@ -5,6 +5,7 @@ from __future__ import annotations
 from restitution.exact.angles import tidy_angle
 from restitution.exact.numbers import denested, is_nested
 from restitution.exact.plain_angles import merged
+from restitution.exact.quotients import reduced_over_surds
 from restitution.exact.rounding import decimal, significant
 from restitution.exact.simplicity import cost
 from restitution.exact.surds import rationalised, root_is_nested
@@ -25,6 +26,7 @@ __all__ = [
     "is_zero",
     "merged",
     "rationalised",
+    "reduced_over_surds",
     "root_is_nested",
     "same",
     "significant",

@@ -9,6 +9,7 @@ import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
 
 from restitution.exact.numbers import in_front, tidy_number
+from restitution.exact.quotients import over_surds
 from restitution.exact.samples import has_one_sign, is_negative
 from restitution.exact.simplicity import MASKED, cost, is_surd, node_count
 from restitution.work import remembered, spend
@@ -18,7 +19,7 @@ from restitution.work import remembered, spend
 def factored(value: Expr, deep: bool = True) -> Expr:
     """Over one denominator, in factors; surds out of denominators; signs and conjugates tidy."""
     spend()
-    value = sympy.factor(value) if deep else sympy.factor_terms(sympy.together(value))
+    value = over_surds(sympy.factor(value)) if deep else sympy.factor_terms(sympy.together(value))
     coefficient: Expr = S.One
     powers: list[tuple[Expr, Expr]] = []
     for factor in Mul.make_args(value):

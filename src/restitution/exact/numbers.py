@@ -34,6 +34,7 @@ def rational_below(value: Expr) -> Expr:
     return sympy.expand(sympy.radsimp(value, max_terms=4)) if plain is None else plain
 
 
+@remembered(2048)
 def denested(value: Expr) -> Expr:
     """Roots inside roots undone where that leaves none; else the number as it is."""
     plain = sympy.sqrtdenest(value)
@@ -50,8 +51,11 @@ def is_nested(value: Expr) -> bool:
 
 def _denest(value: Expr) -> Expr:
     """Each root simplified, the innermost first."""
-    if value.is_Atom or not value.has(Pow):
-        return value
+    return value if value.is_Atom or not value.has(Pow) else _denest_inside(value)
+
+
+@remembered(2048)
+def _denest_inside(value: Expr) -> Expr:
     value = value.func(*[_denest(argument) for argument in value.args])
     if not isinstance(value, Pow) or not isinstance(value.exp, Rational) or value.exp.q == 1:
         return value

@@ -17,6 +17,7 @@ from restitution.exact.degrees import function_of, with_ratio
 from restitution.exact.factors import factored
 from restitution.exact.numbers import rebuilt, tidy_number
 from restitution.exact.plain_angles import merged
+from restitution.exact.quotients import bars_again, sizes_in
 from restitution.exact.roots import (
     divided_roots,
     has_fractions,
@@ -69,6 +70,11 @@ def _tidy(expression: Expr) -> Expr:
         return tidy_number(expression)
     if expression.has(sympy.Abs):
         expression = _fewer_bars(expression)
+        sizes = sizes_in(expression)
+        if sizes:
+            # u² is |u|²: what depends on sizes alone is tidied as if these were letters.
+            form = _tidy(expression.xreplace(sizes))
+            return form.xreplace(bars_again(sizes))
     starts = [expression]
     if any(
         not atom.args[0].is_Symbol

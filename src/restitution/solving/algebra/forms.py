@@ -236,16 +236,30 @@ def _within_a_turn(value: Angle, samples: Samples) -> sp.Expr:
     whole = _sum_of_letters(x, y, samples)
     if whole is not None:
         return whole
+    forms: list[sp.Expr] = []
     if sx == 1:
-        return _arc(y, x, sy)
-    if sx == -1 and sy is not None:
-        return sy * sp.pi - sy * _arc(sy * y, -x, 1)
-    if sy is not None:
+        forms = [_arc(y, x, sy)]
+    elif sx == -1 and sy is not None:
+        forms = [sy * sp.pi - sy * _arc(sy * y, -x, 1)]
+    elif sy is not None:
         # Beyond a right angle or not: the complement is right for both.
-        result = sy * sp.pi / 2 - sy * _arc(x, sy * y, None)
-        others = _turned(x, y, samples) if sy == 1 else ()
-        return min((result, *others), key=exact.cost)
+        forms = [sy * sp.pi / 2 - sy * _arc(x, sy * y, None)]
+        forms += _turned(x, y, samples) if sy == 1 else ()
+    if sx == 1 or sy is not None:
+        return min((*forms, *_doubled(x, y, samples)), key=exact.cost)
     return sp.atan2(tidy(y), tidy(x))
+
+
+def _doubled(x: sp.Expr, y: sp.Expr, samples: Samples) -> Iterator[sp.Expr]:
+    """An angle as twice another one, 2 arctan(e/tan α), where the size of the vector has no root.
+
+    Half of it is less than a right angle.
+    """
+    if not y.free_symbols or exact.cost(y) + exact.cost(x) > LONG:
+        return
+    size = plain(root(x**2 + y**2), samples)
+    if not _has_root(size) and not size.has(sp.Abs):
+        yield 2 * sp.atan(tidy(neat(y / (size + x))))
 
 
 def _deciding_sign(x: sp.Expr, samples: Samples) -> sp.Expr:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.errors import UnsupportedError
-from restitution.exact import denested
+from restitution.exact import denested, reduced_over_surds
 from restitution.expression.enclosed import Enclosed
 from restitution.solving.algebra.cosines import gathered, has_cosines, without_cosines
 from restitution.solving.algebra.neat import neat
@@ -221,4 +221,4 @@ def _tidy_root(value: sp.Expr) -> sp.Expr:
     if value.is_number:
         value = rational_below(value)
         return value if value.has(sp.CRootOf) else denested(value)
-    return neat(value)
+    return reduced_over_surds(neat(value))
