@@ -338,6 +338,58 @@ find maximum of deflection(A) over alpha
 """,
         ["greatest value of δ = arctan(4/3)", "≈ 53.1°, when tan α = ⅓, so α ≈ 18.4°"],
     ),
+    "a greatest value at an angle that is known by heart": (
+        REST.format(m="m", e=", e = 1/3") + "find maximum of deflection(A) over alpha",
+        ["greatest value of δ = 30°, when α = 30°"],
+    ),
+    "a tangent of an earlier part has the angle of its own put in": (
+        REST.format(m="m", e="")
+        + """part a
+show tan(deflection(A)) = (1 + e) tan(alpha)/(1 - e + 2tan^2(alpha))
+part b
+given alpha = 45°
+find range of deflection(A)""",
+        [
+            "Since α = 45°, from (3):",
+            "tan δ = (1 + e)/(3 − e)",
+            "⅓ ≤ tan δ ≤ 1",
+            "as (1 + e)/(3 − e) increases with e and 0 ≤ e ≤ 1",
+            "arctan(1/3) ≤ δ ≤ 45°, as 0° ≤ δ ≤ 180°",
+        ],
+    ),
+    # B comes back with (1 + e)u/5, and 3e - 2 < 1 + e.
+    "what holds anyway is said of a further condition, in a part of its own": (
+        """
+sphere A: mass 2m, velocity u i
+sphere B: mass 3m, at rest
+wall W: along j
+A hits B: along i
+part a
+given velocity(A) opposite to i
+find range of e
+B hits W: e = 1/2
+part b
+given velocity(A, 1) opposite to i, A and B collide again
+find range of e
+""",
+        [
+            "(b)",
+            "A and B collide again if the gap between them along the line of centres closes.",
+            "(2 − 3e)u/5 > −(1 + e)u/5 in any case, as e ≤ 1.",
+            "⅔ < e ≤ 1",
+        ],
+    ),
+    "equal velocities are said to be equal": (
+        """
+sphere P: mass 4m, velocity u i
+sphere Q: mass 2m, at rest
+sphere R: mass m, at rest
+P hits Q: along i, e = 1/2
+Q hits R: along i, e = 1/2
+show P and Q do not collide again
+""",
+        ["v₁ = u/2 = v₂", "So P and Q will not collide again, as required."],
+    ),
     "a velocity that points back has the sign below the line": (
         """
 sphere A: mass 1, velocity 10i, radius 1

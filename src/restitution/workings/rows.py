@@ -210,6 +210,8 @@ class Rows:
             isinstance(e, Binary) and e.op in signs for tree in (left, right) for e in walk(tree)
         ):
             return links
+        if left == right:
+            return Link(own.left, "=", left), Link(left, "=", own.right)
         return (
             Link(own.left, "=", left),
             Link(left, _STRICT[own.sign] if self._differ(left, right) else own.sign, right),

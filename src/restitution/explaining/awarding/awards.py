@@ -44,7 +44,6 @@ from restitution.explaining.lines.derivation import (
     ItemEnd,
     Line,
     Meaning,
-    Note,
     Relation,
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
@@ -72,16 +71,8 @@ def awarded(
     return replace(
         derivation,
         lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
-        notes=tuple(replace(note, marks=_for_note(derivation, note)) for note in derivation.notes),
+        notes=tuple(replace(note, marks=FOR_NOTES.get(note.kind, ())) for note in derivation.notes),
     )
-
-
-def _for_note(derivation: Derivation, note: Note) -> Marks:
-    """What a note earns: nothing where an item of the same part has its line."""
-    above = (derivation.line(number) for number in note.lines)
-    if any(derivation.asked.get(e.item or "") == note.part for e in above if e is not None):
-        return ()
-    return FOR_NOTES.get(note.kind, ())
 
 
 def rule_of(derivation: Derivation, number: int, justify: Collection[str] = ()) -> Rule | None:

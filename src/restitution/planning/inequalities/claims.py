@@ -161,10 +161,14 @@ class Claims(Eliminated):
             for inequality in self.conditions.inequalities()
             if inequality.id not in under and inequality.kind in ("given", "range")
         ]
-        if line.move.id != "compare" or number != len(desk.lines) or not rest:
+        said = [own.relation for e in under if (own := self.scene.facts.get(str(e))) is not None]
+        rest = [each for each in rest if each.relation not in said]
+        if line.move.id != "compare" or not rest:
             return number
-        desk.lines.pop()
-        premises = line.premises
+        again = number != len(desk.lines)
+        premises: tuple[Ref, ...] = (number,) if again else line.premises
+        if not again:
+            desk.lines.pop()
         for fact in rest:
             try:
                 condition = self.conditions.stated(fact, subject_of(relation))
@@ -172,7 +176,10 @@ class Claims(Eliminated):
                 condition = None
             if condition is not None and len(premises) < MOST_COMPARED:
                 premises = (*premises, condition)
-        return desk.write(line.move, premises, relation)
+        if again and len(premises) > 1:
+            # An earlier part came to the range, and what this one asks besides holds there.
+            return desk.write_again(line.move, premises, desk.relation(number))
+        return number if again else desk.write(line.move, premises, relation)
 
     def is_own_range(self, premises: Sequence[Ref]) -> bool:
         """Whether premises only say what a letter may be anyway."""

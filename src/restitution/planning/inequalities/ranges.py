@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Relation, Sign
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -49,10 +50,8 @@ def write_range(
             relation = scene.desk.relation(line)
         elif (earlier := _by_an_earlier_one(scene, solver, relation)) is not None:
             line = earlier
-        elif not shown and (bounded := _by_a_bound_above(claims, relation)) is not None:
+        elif not shown and (bounded := _by_what_stands(claims, relation)) is not None:
             line = bounded
-        elif not shown and (solved := _by_an_earlier_bound(claims, relation)) is not None:
-            line = solved
         elif len(relation.options) > 1:
             line = claims.write_parts(asked, relation)
         else:
@@ -119,6 +118,27 @@ def _by_an_earlier_one(scene: Scene, solver: Solver, relation: Relation) -> int 
             return line
         solver.back(standing)
     return None
+
+
+def _by_what_stands(claims: Claims, relation: Relation) -> int | None:
+    """A range by a bound that stands above, where no condition is left that is not under that."""
+    for attempt in (_by_a_bound_above, _by_an_earlier_bound):
+        mark = claims.worths.mark()
+        line = attempt(claims, relation)
+        if line is not None and not any(_further_conditions(claims, line)):
+            return line
+        claims.worths.back(mark)
+    return None
+
+
+def _further_conditions(claims: Claims, line: int) -> Iterator[Fact]:
+    """The inequalities that are given and do not lie under a line, nor others that say the same."""
+    facts = claims.scene.facts
+    under = claims.scene.desk.under(line)
+    said = [facts[ref].relation for ref in under if isinstance(ref, str) and ref in facts]
+    for each in claims.conditions.inequalities():
+        if each.kind in ("given", "range") and each.relation not in said:
+            yield each
 
 
 def _by_a_bound_above(claims: Claims, relation: Relation) -> int | None:

@@ -200,7 +200,7 @@ class Worths:
                 letter = self.scene.facts[fact].relation.only[0].right
                 standing = self._tangent(Apply("tan", letter))
                 if standing is not None:
-                    return standing
+                    return self._tangent_closed(standing)
         if self._tangent(Apply("tan", angle)) is not None or angle.kind not in _ANGLES:
             return self.quantity(angle)
         mark = self.mark()
@@ -230,7 +230,8 @@ class Worths:
         """The line that tells the tangent of the letter for an angle, if there is one."""
         for line in self.scene.desk.lines:
             if isinstance(line.relation, Meaning) and line.relation.quantity == angle:
-                return self._tangent(Apply("tan", Letter(line.relation.letter)))
+                tangent = self._tangent(Apply("tan", Letter(line.relation.letter)))
+                return None if tangent is None else self._tangent_closed(tangent)
         return None
 
     def _of_letter(self, angle: Quantity) -> int | None:
@@ -299,7 +300,7 @@ class Worths:
         if quantity.kind in _ANGLES:
             tangent = self._tangent(Apply("tan", quantity)) or self._of_letter(quantity)
             if tangent is not None:
-                return tangent
+                return self._tangent_closed(tangent)
             line = self.turned(quantity, by_letter)
             if line is not None:
                 return line
@@ -337,19 +338,33 @@ class Worths:
 
     def _closed(self, quantity: Quantity, known: Source) -> int | None:
         """The line of a known quantity in which letters that have values since are put in."""
-        if quantity.kind in _ANGLES:
-            return None
-        parts = known.value if isinstance(known.value, Vector) else (known.value,)
-        open_ = {s for each in parts for s in sp.sympify(each, strict=True).free_symbols}
-        self.solver.determine(sorted(open_ & self.scene.model.final.keys(), key=str))
-        value, refs = self.scene.put(known.value)
-        if value == known.value:
-            return None
-        relation = Relation(((Link(quantity, "=", tree_of(value)),),))
-        line = self.judge.write((Move("put"),), [*known.refs, *refs], relation)
+        line, value = self._put_into(quantity, known.value, known.refs)
         if line is not None:
             self.scene.desk.know(quantity, value, (line,))
         return line
+
+    def _tangent_closed(self, line: int) -> int:
+        """The line of a tangent in which letters that have values since are put in."""
+        link = self.scene.desk.last_link(line)
+        if has_quantity(link.right):
+            return line
+        return self._put_into(link.left, self.scene.scalar(link.right), (line,))[0] or line
+
+    def _put_into(
+        self, left: Expression, known: Any, refs: Sequence[Ref]
+    ) -> tuple[int | None, Any]:
+        """The line of a value in which letters that have values since are put in, and that value.
+
+        None where there are no such letters.
+        """
+        parts = known if isinstance(known, Vector) else (known,)
+        open_ = {s for each in parts for s in sp.sympify(each, strict=True).free_symbols}
+        self.solver.determine(sorted(open_ & self.scene.model.final.keys(), key=str))
+        value, more = self.scene.put(known)
+        if value == known:
+            return None, known
+        relation = Relation(((Link(left, "=", tree_of(value)),),))
+        return self.judge.write((Move("put"),), [*refs, *more], relation), value
 
     def _is_its_letter(self, quantity: Quantity, own: Formula) -> bool:
         """Whether a component is what the working has a letter for, with the value of that."""

@@ -213,6 +213,15 @@ class Desk:
                 and set(each.premises) == set(refs)
             ):
                 return each.number
+        return self._added(move, refs, relation, shown)
+
+    def write_again(self, move: Move, premises: Iterable[Ref], relation: Relation) -> int:
+        """Writes a line that says what one above says, as it rests on more than that."""
+        return self._added(move, together(premises), relation, "line")
+
+    def _added(
+        self, move: Move, refs: tuple[Ref, ...], relation: Relation | Meaning, shown: Showing
+    ) -> int:
         number = len(self.lines) + 1
         self.lines.append(Line(number, self.item, move, refs, relation, (), shown))
         self._scopes[number] = common_scope(map(self._scope, refs))

@@ -13,7 +13,6 @@ from dataclasses import replace
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.lines.derivation import (
     Derivation,
-    ItemEnd,
     Line,
     Link,
     Meaning,
@@ -45,20 +44,9 @@ def gathered(derivation: Derivation) -> Derivation:
 
 
 def _with_standing(derivation: Derivation) -> Derivation:
-    """The working with a note for each answer to which an earlier part or item came already."""
+    """The same working with a note for each answer to which an earlier part came already."""
     parts = derivation.asked
     order = list(parts)
-    # The item that a line answers first, by the line and the part in which that is asked.
-    first: dict[tuple[int, str | None], ItemEnd] = {}
-    for end in sorted(derivation.items, key=lambda each: order.index(each.item)):
-        first.setdefault((end.line, end.part), end)
-
-    def again(end: ItemEnd) -> bool:
-        """Whether it is asked for what an item before it came to, and not just above."""
-        own = first[end.line, end.part]
-        apart = order.index(end.item) - order.index(own.item)
-        return not end.shown and (apart > 1 or (apart == 1 and own.shown))
-
     notes = [
         Note(
             end.item,
@@ -72,7 +60,7 @@ def _with_standing(derivation: Derivation) -> Derivation:
         if (line := derivation.line(end.line)) is not None
         and line.item in parts
         and end.case is None
-        and (parts[line.item or ""] != end.part or again(end))
+        and parts[line.item or ""] != end.part
     ]
     return replace(derivation, notes=(*derivation.notes, *notes)) if notes else derivation
 

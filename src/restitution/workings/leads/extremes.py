@@ -11,7 +11,7 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Rela
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Degrees, Letter, Number, is_zero
+from restitution.expression.tree import Apply, Binary, Degrees, Letter, Number, is_zero, letters
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import as_answer
 from restitution.workings.naming.quantities import Naming
@@ -66,7 +66,12 @@ def _where(naming: Naming, place: Link, shown: bool) -> Sentence | lay.Layout:
         case Link(Apply("tan" | "sin" | "cos" as ratio, Letter() as angle), "=", right) if (
             not shown
         ):
-            added = as_answer(Apply(f"arc{ratio}", right))
+            inverse = Apply(f"arc{ratio}", right)
+            worth = None if letters(right) else sp.deg(in_letters(inverse))
+            if worth is not None and worth.is_Rational:
+                exact = Link(angle, "=", Degrees(Fraction(worth.p, worth.q)))
+                return naming.relation(Relation(((exact,),)))
+            added = as_answer(inverse)
             if len(added) == 1:
                 ((value, sign),) = added
                 also = lay.Relation((naming.layout(angle), value), (sign,))

@@ -194,6 +194,15 @@ class SourceLeads(LinesAround):
             if isinstance(node, Quantity)
         )
 
+    def _meeting_behind(self, line: Line) -> Sentence | None:
+        """When spheres meet again, where that is given and a line says that it is so anyway."""
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            relation = None if fact is None else self._naming.meeting(fact)
+            if relation is not None:
+                return condition_of(relation, self._naming, inequality=False)
+        return None
+
     def _meeting(self, name: str, line: Line) -> Sentence | None:
         """When bodies meet, where that is what a given fact tells."""
         fact = self._derivation.fact(name)

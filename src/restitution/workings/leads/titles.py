@@ -743,6 +743,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             match own.relation:
                 case Relation(((Link(_, "<" | "<=" | ">" | ">="),),)) as relation:
                     words = self._of_letter(own) or self._naming.relation(relation)
+                    meeting = self._meeting_behind(own)
+                    if meeting is not None:
+                        yield meeting
                     bounds = range_behind(self._naming, relation)
                     if bounds is None:
                         yield say("derived.anyway", fact=words)

@@ -157,9 +157,14 @@ class Naming(Moments):
         """The meeting of which a given fact tells; None where it tells of something else."""
         for _, step in self.problem.steps():
             if isinstance(step, Given) and step.place == fact.place:
-                match step.relations:
-                    case (Meets() as relation,):
-                        return relation
+                told = [
+                    each
+                    for each in self.derivation.facts
+                    if each.kind == "given" and each.place == fact.place
+                ]
+                if fact in told and len(told) == len(step.relations):
+                    relation = step.relations[told.index(fact)]
+                    return relation if isinstance(relation, Meets) else None
         return None
 
     def _sense_beside(self, fact: Fact) -> str:
