@@ -633,3 +633,32 @@ given total_energy_lost = 7/16 energy(0)
 find e
 """
     assert any(each.startswith("energy(2) = 1/2 m (e u)^2") for each in said(text))
+
+
+def test_a_greatest_tangent_is_found_below_a_part_that_has_the_angle_by_its_letter() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/3
+part a
+given tan(alpha) = 1/2
+find deflection(A)
+part b
+find maximum of tan(deflection(A)) over alpha
+"""
+    assert "greatest value of tan δ = √3/3 ≈ 0.577, when tan α = √3/3" in printed(text)
+
+
+def test_a_claim_and_a_value_that_cannot_be_have_a_sentence_each() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/2
+given deflection(P) = beta
+show tan(beta) = 3 tan(alpha)/(2 - tan^2(alpha))
+given beta = 90°
+find alpha
+"""
+    words = printed(text)
+    assert "It cannot be shown that tan β = 3 tan α/(2 − tan²α), as it cannot be" in words
+    assert "and α, as" not in words

@@ -68,7 +68,9 @@ class Notes:
         def reason(note: Note) -> object:
             own = note.item if note.kind in _ALONE else None
             ends = note.kind != "missing" and self._ends_in(note)
-            return note.kind, note.reason, note.premises, ends, own
+            # That something cannot be shown is one sentence, that a value cannot be found another.
+            shown = not note.premises and isinstance(self._ends.item(note.item), Show)
+            return note.kind, note.reason, note.premises, ends, own, shown
 
         for _, group in groupby(notes, reason):
             own = list(group)

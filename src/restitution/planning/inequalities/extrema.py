@@ -146,7 +146,11 @@ class _Extremum:
         ):
             return tied
         start = self.claims.worths.mark()
-        line = self._lettered() or self._line()
+        line = self._lettered()
+        if line is None:
+            line = self._line()
+            # A tangent is written by the letter that another part has introduced.
+            line = self._lettered() or line
         end = self.end
         defined = self._as_defined(start, line)
         methods = [self._monotone, self._quotient, self._square, self._double]
