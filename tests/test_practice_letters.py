@@ -8,6 +8,7 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -476,3 +477,69 @@ def test_the_letters_of_a_diagram_are_read_again(name: str) -> None:
     assert letters_from_mapping({row.letter: row.meaning for row in rows}, problem).keys() == {
         row.letter for row in rows
     }
+
+
+MULTIPLES = """
+sphere A: mass 2m, velocity u(2i + j)
+sphere B: mass 3m, velocity lambda u(-i + j)
+A hits B: along i, e = 1/2
+given velocity(A) perpendicular to velocity(A, 0)
+find lambda
+"""
+TIMED = """
+wall W: along j, through (4, 0)
+sphere A: mass 2, at (-2, -1), velocity 2i + j
+sphere B: mass 1, at (0, 0), at rest
+A hits B: along i, e = 1/2
+B hits W: e = 1/2
+find time(2)
+"""
+SLANTING = """
+wall W: along 30°
+sphere P: velocity u at 75°
+P hits W: e = 1/sqrt(3)
+find speed(P), deflection(P)
+"""
+
+
+def marked(statement: str, *lines: str) -> dict[str, Any]:
+    return r.mark(r.parse(statement), "\n".join(lines)).json()
+
+
+def test_a_letter_may_be_a_component_as_a_multiple_of_a_speed() -> None:
+    lines = "vA = xui + uj, vB = yui + λuj", "2m(2u) - 3mλu = 2mxu + 3myu", "y - x = ½(2 + λ)"
+    found = marked(MULTIPLES, *lines)
+    assert [line["verdict"] for line in found["lines"]] == ["true"] * 3
+    assert {each["meaning"] for each in found["letters"] if each["letter"] in "xy"} == {
+        "along(velocity(A, 1), i)/u",
+        "along(velocity(B, 1), i)/u",
+    }
+    wrong = marked(MULTIPLES, lines[0], "2m(2u) + 3mλu = 2mxu + 3myu", lines[2])
+    assert [line["verdict"] for line in wrong["lines"]] == ["true", "false", "true"]
+
+
+def test_between_momentum_and_restitution_letters_keep_their_meanings() -> None:
+    lines = "t = 1 when they collide", "2 = x + y", "y - x = ½(2) = 1", "x = 0.5, y = 1.5"
+    found = marked(TIMED, *lines, "time(2) = 1 + 4/1.5 = 3.67")
+    said = ["true", "false", "true", "follows", "follows"]
+    assert [line["verdict"] for line in found["lines"]] == said
+    assert found["lines"][1]["mistake"]["id"] == "mass-omitted"
+
+
+def test_no_velocity_is_an_impulse_and_no_coefficient_a_mass() -> None:
+    lines = "ucos75 = vcosb", "eusin75 = vsinb", "tanb = tan75/√3 = 2.15, b = 65.1"
+    meanings = {each["letter"]: each["meaning"] for each in marked(SLANTING, *lines)["letters"]}
+    assert meanings["v"] == "speed(P, 1)"
+    assert meanings["e"] == "restitution(1)"
+
+
+def test_a_momentum_that_is_a_vector_is_that_of_both() -> None:
+    statement = """
+    sphere A: mass 3, velocity 4i - 2j
+    sphere B: mass 1, velocity -2i + j
+    A hits B: along i - j, e = 1/3
+    find momentum
+    """
+    found = marked(statement, "momentum = 3(-1, 5) + (-1, -1) = (-4, 14)")
+    assert [line["verdict"] for line in found["lines"]] == ["false"]
+    assert found["letters"][0]["meaning"] == "momentum(1)"

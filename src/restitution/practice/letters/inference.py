@@ -60,6 +60,8 @@ _WRONG_SENSE, _OTHER_WAY = 1.0, 0.3
 # What it costs that the same quantities explain more if the letters share them otherwise.
 _WORSE = 1.0
 _VELOCITIES = ("component", "speed", "relative")
+# What has another dimension than a velocity: nobody adds the two.
+_APART = ("time", "place", "distance", "energy", "angle", "deflection")
 
 
 @dataclass(frozen=True)
@@ -591,8 +593,10 @@ def _naturalness(item: Item, means: Mapping[str, Candidate]) -> float:
     if item.pair is None:
         return 1.0
     one, other = (means[name] for name in item.pair.names)
-    if one.kind not in _VELOCITIES or other.kind not in _VELOCITIES:
-        return 1.0
+    kinds = {one.kind, other.kind}
+    if not kinds <= set(_VELOCITIES):
+        apart = not kinds.isdisjoint(_VELOCITIES) and not kinds.isdisjoint(_APART)
+        return _ODD_PAIR if apart else 1.0
     if one.kind != "component" or other.kind != "component" or one.body == other.body:
         return _ODD_PAIR
     if one.event != other.event or one.axis != other.axis or (one.unchanged and other.unchanged):
@@ -624,6 +628,15 @@ def linear_pair(
     a, b, size = coefficients
     equal = np.abs(np.abs(a) - np.abs(b)) < 1e-9 * size
     return LinearPair((names[0], names[1]), 0 if np.any(equal) else int(np.sign(a[0] * b[0])))
+
+
+def is_of_difference(claim: Claim, names: Sequence[str], tester: Tester, frame: Frame) -> bool:
+    """Whether two letters stand in an equation as their difference, as in Newton's law."""
+    coefficients = linear_coefficients(claim, names, tester, frame)
+    if coefficients is None:
+        return False
+    a, b, size = coefficients
+    return bool(np.all(np.abs(a + b) < 1e-9 * size))
 
 
 def linear_coefficients(

@@ -28,6 +28,7 @@ from restitution.practice.letters.dependence import Dependence, Relation
 from restitution.practice.letters.inference import (
     Item,
     State,
+    is_of_difference,
     linear_pair,
     search,
 )
@@ -191,6 +192,7 @@ class _Search(LettersOfLines):
         self.failing: set[int] = set()
         self.relations: dict[tuple[int, tuple[Claim, ...]], Relation] = {}
         self.paired: dict[str, dict[str, set[int]]] = {}
+        self.separations: dict[int, frozenset[str]] = {}
 
     def _slot(self, name: str, line: ScriptLine, segment: int) -> Slot | None:
         scope = line.scope
@@ -232,6 +234,9 @@ class _Search(LettersOfLines):
             replace(each, cost=each.cost - _NAMED) if each.quantity in components else each
             for each in chosen
         ]
+        known = {each.quantity for each in chosen}
+        multiples_ = [each for each in components if each not in known and _is_multiple(each)]
+        chosen += [Candidate(each, "component", "scalar", cost=-_NAMED) for each in multiples_]
         if name in self.turned_speeds:
             chosen = [each for each in chosen if not around.is_a_part(each)]
         if self._points(name):
@@ -343,9 +348,12 @@ class _Search(LettersOfLines):
         frame = Frame(self.around.world.now(line.scope), self.meanings(line.number))
         count = max(1, len(self.items[line.number]))
         weight = (1.0 if link.readings[0].sign == "=" else _INEQUALITY) / count**0.5
-        pair = linear_pair(link.readings[0], sorted(used), self.around.tester, frame)
+        claim, tester = link.readings[0], self.around.tester
+        pair = linear_pair(claim, sorted(used), tester, frame)
         for one, other in permutations(pair.names if pair is not None else (), 2):
             self.paired.setdefault(one, {}).setdefault(other, set()).add(line.number)
+        if pair is not None and is_of_difference(claim, pair.names, tester, frame):
+            self.separations[line.number] = frozenset(pair.names)
         return Item(line.number, link.readings, used, weight, link.decimals, frame, pair)
 
     def _weighed(self, items: Sequence[Item]) -> list[Item]:
@@ -467,12 +475,22 @@ class _Search(LettersOfLines):
         """The lines, the failing first, at which letters from above come again."""
         seen: set[str] = set()
         places: list[int] = []
+        above = 0
         for line in self.lines:
             names = {name for _, each in self.items[line.number] for name in each}
-            if names & seen:
+            if names & seen and not self._belong_together(above, line.number):
                 places.append(line.number)
             seen |= names
+            above = line.number
         return sorted(places, key=lambda number: (number not in self.failing, number))
+
+    def _belong_together(self, above: int, number: int) -> bool:
+        """Whether a line is of restitution in the two letters of the momentum in that above."""
+        names = self.separations.get(number, frozenset())
+        if len(names) != 2 or above in self.separations:
+            return False
+        one, other = sorted(names)
+        return above in self.paired.get(one, {}).get(other, set())
 
 
 def _is_momentum(item: Item) -> bool:
@@ -480,6 +498,12 @@ def _is_momentum(item: Item) -> bool:
     if item.pair is None or not item.pair.sign:
         return False
     return all(kinds_of(name, False)[0] == "component" for name in item.pair.names)
+
+
+def _is_multiple(tree: Expression) -> bool:
+    """Whether a component is told as a multiple of a speed: the x of ``v = x u i``."""
+    inner = tree.operand if isinstance(tree, Negate) else tree
+    return isinstance(inner, Binary) and inner.op == "/"
 
 
 def _is_along_the_line(tree: Expression) -> bool:

@@ -204,6 +204,19 @@ class LettersOfLines:
                 vectors.update(vector_letters(link.readings[0], names, tester, frame, known))
         return frozenset(vectors)
 
+    @cached_property
+    def vector_phrases(self) -> frozenset[str]:
+        """The phrases that lines equate with vectors: ``momentum = 2(3, 1) + (1, 2) = (7, 4)``."""
+        phrases: set[str] = set()
+        for line in self.lines:
+            frame = Frame(None, self.meanings(line.number))
+            for link, _ in self.items[line.number]:
+                claim = link.readings[0]
+                if isinstance(claim.left, Letter) and " " in claim.left.name:
+                    value = self.around.tester.value(claim.right, {}, frame)
+                    phrases |= {claim.left.name} if isinstance(value, Vector) else set()
+        return frozenset(phrases)
+
     def _points(self, name: str) -> bool:
         """Whether the first line of a letter gives it a vector as its value."""
         number, tree = self.definitions.get(name, (0, None))
@@ -215,8 +228,10 @@ class LettersOfLines:
         """What a letter or phrase means where no line tells."""
         phrase = self.around.phrase(name, scope.event)
         if phrase:
-            trees_ = [self.around.staged(tree, scope) for tree in phrase[:1]]
-            return next(of_trees(trees_))
+            meant = list(of_trees([self.around.staged(tree, scope) for tree in phrase]))
+            if name in self.vector_phrases:
+                meant = [each for each in meant if each.nature == "vector"] or meant
+            return meant[0]
         if self._is_velocity(name):
             moving = [each for each in self.around.candidates if each.kind == "velocity"]
             after = [each for each in moving if each.event and scope.event in (None, each.event)]

@@ -91,8 +91,14 @@ def _lettered(
             return
     for component, axis in _parts(vector):
         inner = component.operand if isinstance(component, Negate) else component
+        along: Expression = Quantity("along", (velocity, axis))
+        match inner:
+            case Binary("*", Letter(name) as letter, Letter() as unit) if is_open(name):
+                if not is_open(unit.name):
+                    inner, along = letter, Binary("/", along, unit)  # v = x u i + y u j
+            case _:
+                pass
         if isinstance(inner, Letter) and is_open(inner.name):
-            along: Expression = Quantity("along", (velocity, axis))
             value = Negate(along) if isinstance(component, Negate) else along
             yield NamedComponent(line, inner.name, value)
 

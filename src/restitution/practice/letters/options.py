@@ -28,6 +28,7 @@ from restitution.practice.letters.candidates import (
 from restitution.practice.script import ANYWHERE, Scope
 from restitution.problem import Event, Impact, Kick, Part, Problem
 
+_OF_VELOCITIES = frozenset("uvwUVW")
 # Of another kind than the look of a letter tells: only where numbers cannot agree by chance.
 _ODD, _RARE, _STRANGE = 0.15, 0.5, 0.6
 # Of another kind, but what the part asks for: people give that any letter.
@@ -62,6 +63,8 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         strange = each.kind not in kinds
         if strange and (usage.in_angle or not (each.varies or each.asked)):
             continue
+        if strange and not each.asked and _is_never(usage.letter, each):
+            continue
         extra = _by_suffix(usage.letter, each, problem)
         if extra is None:
             continue
@@ -69,6 +72,15 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         place += (_WANTED if each.asked else _STRANGE) if strange else 0.0
         extra += place + _by_scope(usage.scope, each) + _by_axis(usage.letter, each)
         yield replace(each, cost=max(0.0, min(1.0, each.cost + extra)))
+
+
+def _is_never(letter: str, candidate: Candidate) -> bool:
+    """Whether nobody gives a letter to a quantity of another kind: m is a mass alone.
+
+    So u, v and w are velocities, and e is a coefficient.
+    """
+    base = letter.partition("_")[0].rstrip("'")
+    return candidate.kind == "mass" or base in _OF_VELOCITIES or base == "e"
 
 
 def is_direction(letter: str) -> bool:

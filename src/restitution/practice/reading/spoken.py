@@ -52,6 +52,7 @@ _TIME_TO = re.compile(
     r"(?:the\s+)?(wall|[A-Z])\b",
     re.IGNORECASE,
 )
+_TIME_OF_EVENT = re.compile(r"\btime\(([1-4])\)(?=\s*[=+\-])")
 # What a derivative is of, and that it is one, which no claim says: dy/dt, d/dt(...), d(tan δ)/dα.
 _DERIVATIVE = re.compile(
     r"\bd\s*(?:\([^()]*\)|(?:tan\s*)?[A-Za-zα-ω]{0,5})\s*/\s*d\s*(?:[a-zα-ω]|alpha|theta)(?![\w])"
@@ -156,6 +157,7 @@ def _of_a_velocity(match: re.Match[str], problem: Problem) -> str:
     return f"{match[1]}velocity {when} " if known else match[0]
 
 
+_ORDINALS = ("first", "second", "third", "fourth")
 _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
@@ -168,6 +170,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_MAKES_AN_ANGLE, _angle),
     (_ANGLE_OF_A_VELOCITY, _of_a_velocity),
     (_TIME_TO, lambda match, _: f"time for {match[2] or 'it'} to {match[3]}"),
+    (_TIME_OF_EVENT, lambda match, _: f"time of {_ORDINALS[int(match[1]) - 1]} impact "),
     (_DERIVATIVE, lambda _, __: "derivative: "),
     (_PART, lambda match, _: f"{match[1]} component"),
 )

@@ -50,6 +50,7 @@ _OF_A_SHARE = re.compile(
     r"\s*(?:(?:of\s+(?:the\s+)?)?(?:K\.?E\.?|(?:kinetic\s+)?energy)\s*)?(?:is\s+|was\s+)?(lost|loss)?[\s.!]*",
     re.IGNORECASE,
 )
+_STAGED = re.compile(rf"\s*({'|'.join(sorted(STAGES))})\b\s*(?:,|;|and\b)", re.IGNORECASE)
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 
@@ -379,6 +380,9 @@ class _Reader(Chains):
 
         What may be negative, ``A: u(2 - 3e)``, may be a component rather than a speed.
         """
+        if label.name in self.usage.spheres and _STAGED.match(self.line.text, tokens[-1].end):
+            self.statements.values += (sides[0].tree,)
+            return  # B: u/√2 before, (1 + k)u/√2 after
         own = [Side(self.label_tree(label, sides, tokens))]
         signed = any(
             isinstance(each, Negate) or (isinstance(each, Binary) and each.op == "-")
