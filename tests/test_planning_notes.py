@@ -270,7 +270,7 @@ def test_one_item_without_a_plan_leaves_the_others_theirs() -> None:
     assert [each.item for each in derivation.items] == ["a1", "a2"]
     printed_note = to_text(explanation_of(derivation, solution.problem))
     flat = " ".join(printed_note.split())
-    assert "The steps from here are not written out: 0 < speed of P < u" in flat
+    assert "The steps from here are not written out: 0 < speed of P ≤ u" in flat
 
 
 @pytest.mark.usefixtures("without_ranges")

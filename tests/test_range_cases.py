@@ -200,3 +200,9 @@ def test_a_working_ends_with_each_form(name):
 def test_forms_of_one_range_are_no_choice():
     text = answers(solve(parse(QUESTIONS["least e, or any"].statement)), "text")
     assert "; " in text and " or " not in text
+
+
+def test_a_form_that_asks_nothing_of_its_letter_has_no_condition():
+    wall = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+    ((_, item),) = solve(parse(wall + "find range of speed(P) in terms of u")).items()
+    assert [each.display for each in item.answers] == ["0 < speed of P ≤ u"]
