@@ -276,3 +276,48 @@ def test_what_an_earlier_part_found_is_taken_with_the_values_of_its_own(
 )
 def test_a_counter_example_says_what_is_wrong(statement: str, reason: str) -> None:
     assert reason in working(statement)
+
+
+BACK = """
+sphere A: mass 2m, velocity u i
+sphere B: mass 3m, at rest
+wall W: along j
+A hits B: along i
+B hits W: e = 1/2
+"""
+
+
+# v = (2 - 3e)u/5 and B comes back with (1 + e)u/5.
+@pytest.mark.parametrize(
+    ("statement", "reason"),
+    [
+        (
+            BACK + "given A and B do not collide again\nfind range of e",
+            (
+                "does not close: (2 − 3e)u/5 ≤ −(1 + e)u/5 DM1 e ≥ 3/2 A1 But e ≤ 1. "
+                "So what is described cannot happen."
+            ),
+        ),
+        (
+            BACK + "given velocity(A, 1) opposite to i, e < 1/2\nfind range of e",
+            "2 − 3e < 0 DM1 e > ⅔ A1 But e < ½. So what is described cannot happen.",
+        ),
+        (
+            (
+                "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+                "A hits B: along i, e = 1/2\n"
+                "given velocity(A) opposite to i, k < 1\nfind range of k"
+            ),
+            "k > 2 A1 But k < 1. So what is described cannot happen.",
+        ),
+        (
+            BACK.replace("B hits W: e = 1/2\n", "")
+            + "part a\ngiven velocity(A) opposite to i\nfind range of e\n"
+            "part b\ngiven velocity(A) opposite to i, e < 1/2\nfind range of e",
+            "(b) From part (a), e > ⅔. But e < ½. So what is described cannot happen.",
+        ),
+    ],
+)
+def test_why_a_range_has_no_value(statement: str, reason: str) -> None:
+    solution = solve(parse(statement))
+    assert reason in " ".join(to_text(explain(solution)).split())

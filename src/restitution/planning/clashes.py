@@ -18,7 +18,7 @@ from restitution.components.telling import model
 from restitution.errors import ContradictionError, RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.data.facts import facts_of, links_of
-from restitution.explaining.lines.derivation import Move, Note, Ref, Relation, equation
+from restitution.explaining.lines.derivation import FLIPPED, Move, Note, Ref, Relation, equation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Letter, Name, Quantity, has_quantity, letters, walk
 from restitution.planning.axes.by_changes import frame_at
@@ -38,7 +38,18 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.polynomials import factored, numerator
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
-from restitution.problem import Aligned, AtRest, Compare, Given, Part, Problem, Step, Value
+from restitution.problem import (
+    Aligned,
+    AtRest,
+    Compare,
+    Given,
+    Meets,
+    Part,
+    Problem,
+    Range,
+    Step,
+    Value,
+)
 from restitution.problem import Relation as Said
 from restitution.solving import solve
 from restitution.solving.equations.clash import clause_of
@@ -52,7 +63,8 @@ def write_clash(
 
     None where no item has such a reason, and where no fact is refuted in lines.
     """
-    if part.branches or not names:
+    ranges = all(isinstance(each.item, Range) for each in part.items)
+    if (part.branches and not ranges) or not names:
         return None
     if not all(isinstance(each.error, ContradictionError) for each in part.items):
         return None
@@ -98,7 +110,7 @@ def _facts(problem: Problem, part: Part) -> Iterator[tuple[Given, Said, int]]:
             continue
         for each in step.relations:
             match each:
-                case AtRest() | Aligned():
+                case AtRest() | Aligned() | Meets():
                     yield step, each, events
                 case Compare(operators=("=" | "<" | "<=" | ">" | ">=",)) if any(
                     map(has_quantity, each.operands)
@@ -144,8 +156,12 @@ def _refuted(
             return with_what_is_needed(scene, whole)
         solver.back(standing)
     # A new scene, in which the fact is given again; what the letters are does not rest on it.
-    if isinstance(relation, Compare) and relation.operators != ("=",):
-        return _without_a_value(replace(scene), note, late)
+    if isinstance(relation, Meets | Aligned) or (
+        isinstance(relation, Compare) and relation.operators != ("=",)
+    ):
+        bounded = _without_a_value(replace(scene), note, late)
+        if bounded is not None or not isinstance(relation, Aligned):
+            return bounded
     withheld = desk.withheld
     for hidden in (frozenset[str](), withheld):
         desk.withheld = hidden
@@ -159,7 +175,11 @@ def _without_a_value(scene: Scene, note: Note, facts: Collection[str]) -> Note |
     """The bound of a letter that an inequality becomes, which no value of the letter satisfies."""
     solver = Solver(scene)
     scene.desk.withheld = frozenset()
-    for fact in (scene.facts[each] for each in facts):
+    senses = [each.replace("given", "sense") for each in facts]
+    own = [scene.facts[each] for each in (*facts, *senses) if each in scene.facts]
+    for fact in own:
+        if any(each.sign not in FLIPPED for links in fact.relation.options for each in links):
+            continue
         standing, start = solver.mark(), len(scene.desk.lines)
         try:
             with Claims(scene, solver) as claims:
@@ -170,9 +190,9 @@ def _without_a_value(scene: Scene, note: Note, facts: Collection[str]) -> Note |
         if line is not None:
             trees = trees_of(scene.desk.relation(line))
             names = {name for tree in trees for name in letters(tree)}
-            whole = replace(
-                note, kind="impossible", premises=(line, *background(scene, names)), claim=None
-            )
+            given = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
+            known = (line, *given, *background(scene, names))
+            whole = replace(note, kind="impossible", premises=known, claim=None)
             if scene.judge.excludes(whole):
                 return with_what_is_needed(scene, whole)
         solver.back(standing)
@@ -186,11 +206,12 @@ def scene_without(
 
     The facts among these are withheld from the desk. The part has one solution.
     """
-    kept = [each.relation for each in facts_of(without) if each.id.startswith("given ")]
+    given = (each for each in facts_of(without) if each.id.startswith("given "))
+    kept = [(each.relation, each.part) for each in given]
     desk.withheld = frozenset(
         each.id
         for each in facts_of(problem)
-        if each.id.startswith("given ") and each.relation not in kept
+        if each.id.startswith("given ") and (each.relation, each.part) not in kept
     )
     desk.item = name
     protected = protected_letters(own.part)

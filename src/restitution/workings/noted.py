@@ -145,12 +145,17 @@ class Notes:
             line = self._derivation.line(max(note.lines))
             label = None if line is None else self._ends.part(line)
             if label != note.part:
+                own = [fact for e in bounds if (fact := self._derivation.fact(str(e))) is not None]
+                if label is not None and any(each.part == note.part for each in own):
+                    reasons = tuple(self._known(bounds).values())
+                    found = self._naming.relation(relation)
+                    return say("note.beyond-there", label=label, found=found, reasons=reasons)
                 if label is None:
                     return say("note.impossible-above")
                 return say("note.impossible-there", label=label)
             subject = relation.options[0][0].left
             if isinstance(subject, Letter):
-                return self._out_of_range(subject, bounds)
+                return self._out_of_range(subject, bounds, note.part)
             return self._without_a_root(relation, bounds)
         (bound,) = bounds
         left, right = _bounded(relation, self._bounds_of(bound))
@@ -176,11 +181,20 @@ class Notes:
         """Whether a letter has only values that it cannot have; a coefficient alone has its own."""
         return note.kind == "impossible" and note.reason != COEFFICIENTS
 
-    def _out_of_range(self, subject: Expression, bounds: Sequence[Ref]) -> Sentence:
+    def _out_of_range(
+        self, subject: Expression, bounds: Sequence[Ref], part: str | None
+    ) -> Sentence:
         """What is known of a letter that has only values that it cannot have."""
         about = self._known(bounds)
         if subject not in about:
-            about = {subject: self._positive(subject), **about}
+            given = [
+                each.id
+                for each in self._derivation.facts
+                if each.kind == "range" and each.id.partition(" ")[0] == "given"
+                if each.part in (None, part) and len(each.relation.options) == 1
+                if {node for tree in trees_of(each.relation) for node in walk(tree)} & {subject}
+            ]
+            about = {subject: self._positive(subject), **about, **self._known(given)}
         return say("note.out-of-range", reasons=tuple(about.values()))
 
     def _without_a_root(self, relation: Relation, bounds: Sequence[Ref]) -> Sentence:
@@ -213,7 +227,8 @@ class Notes:
                 angle = read_tree(rest, self._naming.bodies)
                 about[angle] = say("derived.acute", angle=self._naming.layout(angle))
                 continue
-            relation = read_relation(text, self._naming.bodies)
+            fact = self._derivation.fact(text)
+            relation = read_relation(text, self._naming.bodies) if fact is None else fact.relation
             letter = next(
                 e for tree in trees_of(relation) for e in walk(tree) if isinstance(e, Letter)
             )
