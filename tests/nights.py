@@ -20,7 +20,7 @@ FEW = 5
 """A test with fewer cases is whole in the normal run, but for those that take long."""
 
 ONE_IN = {
-    "test_statements": 3,
+    "test_statements": 5,
     # Workings of statements of its own: solved, planned, followed.
     "test_planning_accepted": 3,
     "test_planning_angles": 3,
@@ -44,24 +44,25 @@ ONE_IN = {
     "test_free_letters": 3,
     "test_random_claims": 3,
     "test_ranges": 2,
-    "test_practice_forms": 2,
-    "test_practice_judging": 2,
+    "test_practice_forms": 3,
+    "test_practice_marking": 2,
+    "test_practice_judging": 3,
     "test_practise": 3,
     # Pictures, motions, processes, pages.
     "test_cli": 2,
     "test_experiment_pictures": 3,
     "test_experiment_spheres": 2,
-    "test_experiment_tracks": 2,
+    "test_experiment_tracks": 3,
     "test_fuzz": 2,
-    "test_gas": 2,
+    "test_gas": 3,
     "test_motion_few": 3,
     "test_never_hangs": 3,
-    "test_page_form": 2,
-    "test_page_gallery": 2,
-    "test_page_guides": 2,
-    "test_page_lab": 2,
-    "test_page_question": 2,
-    "test_page_solve": 2,
+    "test_page_form": 3,
+    "test_page_gallery": 3,
+    "test_page_guides": 3,
+    "test_page_lab": 3,
+    "test_page_question": 3,
+    "test_page_solve": 3,
     "test_properties": 2,
 }
 """Of the cases of a test in these modules, one in so many stands in the normal run."""
