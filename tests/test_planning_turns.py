@@ -308,3 +308,14 @@ def test_which_way_a_sphere_turns_rests_on_the_velocity_of_the_other() -> None:
     for wrong in (replace(turn, premises=others), replace(turn, relation=away)):
         lines = tuple(wrong if each == turn else each for each in derivation.lines)
         assert follow(replace(derivation, lines=lines), oracle_of(problem))
+
+
+def test_to_which_side_a_sphere_goes_along_the_line_of_centres_may_be_open() -> None:
+    text = """
+sphere A: mass m, velocity u at theta
+sphere B: mass 2m, velocity -v i
+A hits B: along i, e = 1/2
+find angle(velocity(A), velocity(B))
+"""
+    working = to_text(explain(solve(parse(text))), 200)
+    assert "β = arccos(v(v − u cos θ)/(|v − u cos θ|√(v² + u² sin²θ)))" in working

@@ -320,6 +320,22 @@ class Model:
                 )
         return x.xreplace(put) if put else x
 
+    def differ(self, one: sp.Expr, other: sp.Expr) -> bool:
+        """Whether two values are seen to differ at a point that the solution admits.
+
+        Points of either sign of what stands between bars are among those looked at.
+        """
+        gap = self.in_data(one) - self.in_data(other)
+        if gap == 0:
+            return False
+        names = frozenset(symbol.name for symbol in gap.free_symbols)
+        points = [numbers for _, numbers in self._points(names)]
+        for point in (*self.witnesses(one, other), *points):
+            with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
+                if at(gap, {**self.sample, **point}).sign:
+                    return True
+        return False
+
     def identically_zero(self, x: sp.Expr) -> bool:
         """Whether an expression is proved to vanish whatever its letters and unknowns are."""
         rng = random.Random(41)

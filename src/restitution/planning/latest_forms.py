@@ -50,10 +50,7 @@ def with_squares_of_speeds(derivation: Derivation, oracle: Oracle) -> Derivation
 def _without_its_root(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:
     """With the square of a speed by its components, where the line below it is that square."""
     users = [each for each in derivation.lines if line.number in each.premises]
-    kept = {number for note in derivation.notes for number in note.lines}
-    kept |= {number for case in derivation.cases for number in case.lines}
-    kept |= {end.line for end in derivation.items}
-    if len(users) != 1 or kept & {line.number, users[0].number}:
+    if len(users) != 1 or derivation.held & {line.number, users[0].number}:
         return derivation
     (user,) = users
     match line.relation, user.relation:

@@ -548,6 +548,7 @@ def _write_item(
             if place_trees.serves(asked):
                 _require_form(scene, result)
             _require_found(scene, asked)
+            _require_answer(scene, result)
             _require_letters(scene, result)
 
 
@@ -594,6 +595,29 @@ def _require_found(scene: Scene, asked: Expression) -> None:
             raise NotPlannedError(f"an answer with {', '.join(sorted(open_letters))}")
 
 
+def _measured(value: Any) -> Any:
+    """A value; of an angle that in radians."""
+    return value.measure() if isinstance(value, Angle) else value
+
+
+def _require_answer(scene: Scene, result: ItemResult) -> None:
+    """Refuses an answer that is not that of the solver for all letters which a solution admits.
+
+    That its lines are true is seen at the numbers of the solution, where signs may be others.
+    """
+    number, options = scene.model.branch.number, scene.desk.ends[-1].answer.options
+    answer = next((each for each in result.answers if each.solution == number), None)
+    if answer is None or len(options) != 1 or options[0][-1].sign != "=":
+        return
+    written, wanted = (
+        value if isinstance(value, tuple) else (value,)
+        for value in (_measured(scene.value(options[0][-1].right)), answer.value)
+    )
+    for one, other in zip(written, wanted, strict=True):
+        if other.free_symbols and scene.model.differ(sp.sympify(one, strict=True), other):
+            raise NotPlannedError("an answer that is another for some values of the letters")
+
+
 def _require_letters(scene: Scene, result: ItemResult) -> None:
     """Refuses an answer in letters that are not those of the solver's, which were asked for."""
     asked = {
@@ -607,8 +631,7 @@ def _require_letters(scene: Scene, result: ItemResult) -> None:
             named = {name for name in letters(link.right) - asked if f"let {name}" in scene.facts}
             if named:
                 raise NotPlannedError(f"an answer in {', '.join(sorted(named))}")
-            value = scene.value(link.right)
-            value = value.measure() if isinstance(value, Angle) else value
+            value = _measured(scene.value(link.right))
             parts = value if isinstance(value, tuple) else (value,)
             others = {
                 symbol.name

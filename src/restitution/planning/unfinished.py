@@ -104,7 +104,10 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
                 return relation_of(staged(problem, expression, now), result)
             case Value(expression):
                 asked = staged(problem, expression, now)
-                trees = [tree_of(each.value, angle=each.angle) for each in result.distinct]
+                trees = [
+                    tree_of(each.value, angle=each.angle, as_it_is=each.angle)
+                    for each in result.distinct
+                ]
                 return Relation(tuple((Link(asked, "=", tree),) for tree in trees))
     except UNPLANNED:
         pass

@@ -255,6 +255,17 @@ class Derivation:
         return {item: parts[item] for item in order}
 
     @property
+    def held(self) -> frozenset[int]:
+        """The lines to which ends of items, cases and notes refer: none of them can be left out."""
+        return frozenset(
+            (
+                *(end.line for end in self.items),
+                *(number for case in self.cases for number in (case.line, *case.lines)),
+                *(number for note in self.notes for number in note.lines),
+            )
+        )
+
+    @property
     def meanings(self) -> Mapping[str, Meaning]:
         """The letters that the working introduces."""
         return {

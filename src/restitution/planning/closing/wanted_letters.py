@@ -21,8 +21,7 @@ def with_wanted_letters(derivation: Derivation, oracle: Oracle) -> Derivation:
 def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation | None:
     """The working without a letter that one line puts in; None where it is needed."""
     users = [each for each in derivation.lines if line.number in each.premises]
-    fixed = {end.line for end in derivation.items}
-    fixed |= {number for case in derivation.cases for number in (case.line, *case.lines)}
+    fixed = derivation.held
     letter = _letter_of(line)
     if len(users) != 1 or line.number in fixed or letter is None:
         return None

@@ -291,7 +291,11 @@ def _to_the_line(
     """
     side = scene.model.sign(across.value)
     sense = scene.model.sign(scene.model.in_data(other.value))
-    if not side or not sense or not _of_one_sign(scene, across.value):
+    if (
+        not side
+        or not sense
+        or not (_of_one_sign(scene, across.value) and _of_one_sign(scene, other.value))
+    ):
         raise NotPlannedError("to which side a sphere turns is open")
     trees = [
         negative(tree_of(each.value)) if sign < 0 else tree_of(each.value)

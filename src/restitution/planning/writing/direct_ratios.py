@@ -81,9 +81,13 @@ def _in_letters(
     None where it is used for more than the ratio, or is asked.
     """
     users = [each.number for each in derivation.lines if line.number in each.premises]
-    ends = {item.line for item in derivation.items}
     parts = list(components_put_in(derivation, line))
-    if line.move.id != "define" or users != [ratio.number] or line.number in ends or not parts:
+    if (
+        line.move.id != "define"
+        or users != [ratio.number]
+        or line.number in derivation.held
+        or not parts
+    ):
         return None
     if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
         return None

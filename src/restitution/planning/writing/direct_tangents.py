@@ -148,7 +148,7 @@ def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
             for each in _users(derivation, {own.number})
             if each is not line and derivation.asked.get(each.item or "") == part
         ]
-        if any(each.move.id != "inverse" for each in users) or _is_end(derivation, own.number):
+        if any(each.move.id != "inverse" for each in users) or own.number in derivation.held:
             continue
         links = own.relation.only
         numbers = [each for each in own.premises if isinstance(each, int)]
@@ -174,12 +174,6 @@ def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
 
 def _users(derivation: Derivation, numbers: set[int]) -> list[Line]:
     return [each for each in derivation.lines if numbers & set(each.premises)]
-
-
-def _is_end(derivation: Derivation, number: int) -> bool:
-    """Whether a line is what was asked, or one of cases."""
-    cases = {n for case in derivation.cases for n in (case.line, *case.lines)}
-    return number in cases or any(item.line == number for item in derivation.items)
 
 
 def _is_ratio(line: Line) -> bool:
