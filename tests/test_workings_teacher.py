@@ -390,6 +390,34 @@ show P and Q do not collide again
 """,
         ["v₁ = u/2 = v₂", "So P and Q will not collide again, as required."],
     ),
+    "a place at a time is one before the next wall": (
+        """
+wall L: along j, through (0, 0)
+wall R: along j, through (6, 0)
+sphere P: at (2, 0), velocity -3i + j
+P hits L: e = 1/3
+find position(P, at 4)
+""",
+        ["= (10/3)𝐢 + 4𝐣 ≈ (3.33𝐢 + 4𝐣) m", "and P has not reached R by then, as 10/3 < 6"],
+    ),
+    "an inequality is divided by what is positive": (
+        """
+wall W1: along i
+wall W2: along j
+sphere P: mass m, velocity u at alpha to W1
+P hits W1: e = e
+P hits W2: e = 1/2
+given energy(P) <= 1/4 energy(P, 0)
+find range of e
+""",
+        [
+            "(4e² − 1) sin²α ≤ 0",
+            "Dividing by sin²α, which is positive as α is acute:",
+            "4e² − 1 ≤ 0",
+            "e² ≤ ¼",
+            "0 ≤ e ≤ ½, as e ≥ 0",
+        ],
+    ),
     "a velocity that points back has the sign below the line": (
         """
 sphere A: mass 1, velocity 10i, radius 1

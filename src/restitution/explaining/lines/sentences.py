@@ -929,6 +929,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
     "derived.since-in": "Since {facts:and}, from {equation}:",
     "derived.since-by": "Since {facts:and}, {how}:",
+    "derived.not-yet": "and {body} has not reached {wall} by then, as {bound}",
     "derived.right-angle": "and {angle} if {at}",
     "derived.tangent-for": "for {condition}",
     "derived.upright-too": "also if {at}, where {angle}",
@@ -940,6 +941,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.the": "the {quantity}",
     "derived.divided-by": "Dividing by {factor}:",
     "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",
+    "derived.cancel-positive": "Dividing by {factor}, which is positive as {reasons:and}:",
     "derived.cancel-by": (
         "Dividing {first} by {factor}, which is not zero by {equations:and}, as {reasons:and}:"
     ),

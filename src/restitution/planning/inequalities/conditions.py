@@ -481,10 +481,38 @@ class Conditions:
                         )
                         if after is not None:
                             return after
+                    after = self._with_a_ratio_cancelled(line, link, relation)
+                    if after is not None:
+                        return after
         line = self.judge.write(put, pool, relation)
         if line is not None:
             return line
         return self.judge.write((Move("compare"),), pool, relation)
+
+    def _with_a_ratio_cancelled(self, line: int, link: Link, relation: Relation) -> int | None:
+        """A condition in which sin² + cos² = 1 leaves a ratio of an angle as a factor of all."""
+        gap = self.gap(link)
+        factors = [each.as_base_exp() for each in sp.Mul.make_args(factored(gap))]
+        ratios = [base**power for base, power in factors if base.func in (sp.sin, sp.cos)]
+        rest = [base**power for base, power in factors if base.is_Add]
+        sign = sp.Mul(*(base**power for base, power in factors if base.is_number))
+        if not ratios or not rest or any(each.has(sp.sin, sp.cos) for each in rest):
+            return None
+        mark, known = self.worths.mark(), self.worths.known_in(gap)
+        x = expanded(sp.Mul(1 if sign > 0 else -1, *rest))
+        for move, left in (
+            (Move("identity", "pythagoras"), sp.Mul(x, *ratios)),
+            (Move("cancel"), x),
+        ):
+            bound = Relation(((Link(tree_of(left), link.sign, ZERO),),))
+            number = self.judge.write((move,), [line, *known], bound)
+            if number is None:
+                self.worths.back(mark)
+                return None
+            line = number
+        solved = solve_linear(self.scene, link.sign, x)
+        last = relation if solved is None else Relation(((solved,),))
+        return self.judge.write((Move("rearrange"), Move("cancel")), [line, *known], last) or line
 
     def _by_the_quotient(self, link: Link, pool: Sequence[Ref], first: Relation) -> int | None:
         """A bound of the ratio of two quantities: both stand in it before it is simplified."""

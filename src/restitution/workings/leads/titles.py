@@ -577,7 +577,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                     equations=equations[1:],
                 )
             else:
-                yield say("derived.cancel", factor=formula, reasons=known)
+                assert isinstance(line.relation, Relation)
+                ordered = line.relation.options[0][0].sign in FLIPPED
+                name = "derived.cancel-positive" if ordered else "derived.cancel"
+                yield say(name, factor=formula, reasons=known)
             return
         rearranges = line.move.id == "rearrange"
         angle_divided = cosine_divided(self._derivation, line) if rearranges else None
@@ -646,6 +649,15 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             for each in cited
             if isinstance(each.relation, Relation)
         }
+        facts = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+        values = tuple(
+            self._naming.relation(each.relation)
+            for each in facts
+            if each.kind == "given" and len(each.relation.options) == 1
+            if isinstance(each.relation.only[0].left, Letter)
+        )
+        if values:
+            return say("derived.since", facts=values)
         angles = [e for e in walk(fact.relation.only[0].right) if isinstance(e, Apply)]
         names = {node for each in angles for node in walk(each) if isinstance(node, Letter)}
         names = names & known or names

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
 from restitution.explaining.lines.trees import exchanged, trees_of
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Letter, is_zero, letters, walk
@@ -26,7 +26,9 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
         before, after = (_residual(each.relation) for each in (above, line))  # type: ignore[arg-type]
         numerator, _ = sp.fraction(sp.cancel(before / after))
         _, factor = sp.factor_list(numerator)
-        bases = [base for base, _ in factor]
+        # Of an inequality the whole factor has a sign; an equation is divided by what is not zero.
+        ordered = line.relation.only[0].sign in FLIPPED
+        bases = [base**power if ordered else base for base, power in factor]
         return tree_of(bases[0]) if len(bases) == 1 else None
     except (RestitutionError, UnwrittenError, ZeroDivisionError, TypeError, sp.PolynomialError):
         return None

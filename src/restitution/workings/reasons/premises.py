@@ -36,6 +36,7 @@ from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
+from restitution.workings.reasons.before_walls import walls_ahead
 from restitution.workings.reasons.equality import equal_tangents
 from restitution.workings.reasons.factors import factor_cancelled, factor_left
 from restitution.workings.reasons.grounds import (
@@ -95,6 +96,12 @@ class Reasons:
         since = later_than(self._derivation, self._naming, line)
         if since is not None:
             return (since,)
+        ahead = tuple(
+            say("derived.not-yet", body=body, wall=wall, bound=self._laid(bound))
+            for body, wall, bound in walls_ahead(self._derivation, self._naming.problem, line)
+        )
+        if ahead:
+            return ahead
         tangents = equal_tangents(self._derivation, line)
         if tangents is not None:
             return (say("derived.as", reasons=(self._laid(tangents),)),)

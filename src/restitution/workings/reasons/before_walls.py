@@ -1,0 +1,109 @@
+"""That a body comes to no wall before the time at which its place is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, Sign
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    AtTime,
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+)
+from restitution.planning.writing.forms import coordinates, tree_of
+from restitution.problem import Problem, Wall
+from restitution.vector import Vector
+
+
+def walls_ahead(
+    derivation: Derivation, problem: Problem, line: Line
+) -> Iterator[tuple[str, str, Relation]]:
+    """The walls to which a body moves at a time in numbers, and has not come by then.
+
+    Each with the body, and with the bound that its coordinate keeps. Nothing of a body that has a
+    radius, and of walls that are not along **i** or **j**.
+    """
+    place = _place_at(line)
+    above = None if place is None else _way(derivation, line)
+    if place is None or above is None or any(each.radius for each in problem.spheres):
+        return
+    body, end = place
+    start, stage = above
+    after = [n for n, each in enumerate(problem.events, 1) if n > stage and body in _bodies(each)]
+    for wall in () if after else problem.walls:
+        level = _level(wall)
+        if level is None:
+            continue
+        axis, at = level
+        first, last = start[axis], end[axis]
+        if not all(each.is_number for each in (first, last, at)) or first == last:
+            continue
+        ahead = bool(at > first) if last > first else bool(at < first)
+        if ahead and (last < at if last > first else last > at):
+            sign: Sign = "<" if last > first else ">"
+            yield body, wall.name, Relation(((Link(tree_of(last), sign, tree_of(at)),),))
+
+
+def _place_at(line: Line) -> tuple[str, Vector] | None:
+    """The body and its place, of a line that gives the coordinates at a time in numbers."""
+    match line.relation:
+        case Relation(((Link(Quantity("position", (Name(body),), AtTime(Number())), "="), *_),)):
+            parts = coordinates(line.relation.only[-1].right)
+        case _:
+            return None
+    if parts is None:
+        return None
+    try:
+        x, y = (sp.sympify(in_letters(each), strict=True) for each in parts)
+    except RestitutionError:
+        return None
+    return body, Vector(x, y)
+
+
+def _way(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
+    """From where a body comes to a place, and after which event."""
+    lines = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+    for own in (line, *lines):
+        if own is None or own.move.record != "straight-line" or own.move.event is None:
+            continue
+        match own.relation:
+            case Relation(((Link(_, "=", right), *_),)):
+                first: Expression | None = None
+                match right:
+                    case Binary("+" | "-", left, _):
+                        first = left
+                try:
+                    start = None if first is None else in_letters(first)
+                except RestitutionError:
+                    return None
+                if isinstance(start, Vector):
+                    return Vector(*map(sp.sympify, start)), own.move.event
+    return None
+
+
+def _bodies(event: object) -> tuple[str, ...]:
+    return tuple(getattr(event, name) for name in ("first", "second") if hasattr(event, name))
+
+
+def _level(wall: Wall) -> tuple[int, sp.Expr] | None:
+    """Across which axis a wall stands, 0 for **i**, and at which coordinate."""
+    along = wall.along.operand if isinstance(wall.along, Negate) else wall.along
+    match along, wall.through:
+        case Unit(unit), Pair(x, y):
+            axis = 0 if unit == "j" else 1
+            value = in_letters(x if axis == 0 else y)
+            return axis, sp.sympify(value, strict=True)
+    return None
+
+
+__all__ = ["walls_ahead"]
