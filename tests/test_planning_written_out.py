@@ -122,6 +122,14 @@ CASES = {
         SLOWED.format(mass="m", velocity="3 at 180° - alpha", line="j"),
         ["A moves in the direction of 𝐣: angle between 𝐯_A and 𝐣 = 0° A1"],
     ),
+    "a complement of an angle": (
+        WALL.format(angle="theta", e=": e = 1/3", given=f"{AFTER} = 90° - theta", asked="theta"),
+        ["tan(90° − θ) = ⅓u sin θ/(u cos θ) = ⅓ tan θ", "1/tan θ = ⅓ tan θ", "θ = 60°"],
+    ),
+    "a component that is positive away from a wall": (
+        WALL.format(angle="30°", e="", given="deflection(P) = 45°", asked="e, energy_lost"),
+        ["component of 𝐯_P away from W = (2√3 − 3)u/2", "((2√3 − 3)u/2)²"],
+    ),
     "an obtuse angle in letters": (
         SLOWED.format(mass="5m", velocity="-v i", line="i").replace("alpha", "45°"),
         ["Direction of motion: tan β = ", "β = 180° − arctan("],

@@ -56,6 +56,7 @@ from restitution.workings.naming.measured import (
 )
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.row_sides import turned_side, without_doubles
+from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
 from restitution.workings.naming.sources import is_displacement, is_time, is_vector
 from restitution.workings.rendering.steps import REQUIRED, Row
 
@@ -319,9 +320,10 @@ class Rows:
         back = self._in_the_other_sense(line, links)
         if back is not None:
             sides[1:1], signs[:0] = [self._naming.layout(back)], ["="]
-        if self._towards(line, links, [e for e in sides if id(e) not in map(id, idle.values())]):
-            sides[0] = self._away(links[0].left)
-            turned = {id(side): turned_side(side) or lay.negative(side) for side in sides[1:]}
+        shown = [side for side in sides if id(side) not in map(id, idle.values())]
+        if self._ends.of(line) is None and is_turned(self._naming, links, shown):
+            sides[0] = away(self._naming, links[0].left)
+            turned = {id(side): turned_value(self._naming, links, side) for side in sides[1:]}
             sides[1:] = [turned[id(side)] for side in sides[1:]]
             idle = {n: turned.get(id(side), side) for n, side in idle.items()}
         if line.move.id == "solve" and not last and _is_value(links[0].left):
@@ -466,37 +468,6 @@ class Rows:
             last, sign = shown[-1]
             shown[-1] = (with_unit(last, unit), sign)
         return tuple(shown)
-
-    def _towards(self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout]) -> bool:
-        """Whether a row gives a rebound as a negative component towards a wall, or the reverse."""
-        if self._ends.of(line) is not None:
-            return False
-        match links[0].left:
-            case Quantity("along", (Quantity("velocity", _), axis)):
-                if any(turned_side(side) is None for side in sides[1:]):
-                    return False
-                sense = self._naming.at_the_wall(axis)
-                if sense is not None:
-                    return sense != self._naming.at_the_wall(Negate(axis))
-                event = self._naming.event_of_axis(axis)
-                return (
-                    event is not None
-                    and event.wall
-                    and not self._naming.bold.has_unit(event.number)
-                )
-        return False
-
-    def _away(self, tree: Expression) -> lay.Layout:
-        assert isinstance(tree, Quantity)
-        vector, axis = tree.arguments
-        of = self._naming.layout(vector)
-        sense = self._naming.at_the_wall(Negate(axis))
-        if sense is not None:
-            name, wall = sense
-            return operand(say(name, of=of, wall=wall))
-        event = self._naming.event_of_axis(axis)
-        assert event is not None
-        return operand(say("derived.component-away", of=of, wall=event.bodies[1]))
 
     def _ended(
         self,

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.closing.brackets import bracket_alone
 from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.complements import without_complements
 from restitution.planning.closing.crossing import multiplied_across
 from restitution.planning.closing.one_root import alone, in_squares
 from restitution.planning.closing.ratios import (
@@ -79,7 +80,7 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     symbol = _unknown_of(scene, number, symbol)
     if symbol not in residual(scene, number).free_symbols:
         raise NotPlannedError(f"{symbol} is not in line {number}")
-    number = _by_sine_and_cosine(scene, number, symbol)
+    number = _by_sine_and_cosine(scene, without_complements(scene, number), symbol)
     number = _without_common_sums(scene, root_taken(scene, number, symbol), symbol)
     alone_ = bracket_alone(scene, number, symbol)
     if alone_ is not None:

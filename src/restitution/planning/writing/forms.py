@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.exact.degrees import function_of, with_ratio
 from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -21,7 +22,9 @@ from restitution.expression.tree import (
     Number,
     Pi,
     Unit,
+    has_quantity,
     is_zero,
+    walk,
 )
 from restitution.planning.writing.polynomials import cancelled
 from restitution.render import layout as lay
@@ -337,12 +340,22 @@ def coordinates(tree: Expression) -> tuple[Expression, Expression] | None:
 
 
 def square(tree: Expression) -> Expression:
-    """A tree squared."""
+    """A tree squared, with the sign in which its value is positive: (2√3 − 3)²."""
     if isinstance(tree, Negate):
         tree = tree.operand
     if is_zero(tree):
         return tree
+    if any(isinstance(e, Apply) and e.function == "sqrt" for e in walk(tree)):
+        tree = _positive(tree)
     return Binary("^", tree, Number(Fraction(2)))
+
+
+def _positive(tree: Expression) -> Expression:
+    """The value of a tree with the other sign, if it is negative and the tree is no more."""
+    if has_quantity(tree):
+        return tree
+    value = sp.sympify(in_letters(tree, positive=True), strict=True)
+    return tree_of(-value) if value.is_negative and tree == tree_of(value) else tree
 
 
 def swept(tree: Expression) -> Expression:

@@ -1,0 +1,45 @@
+"""Ratios of 90° less an angle as those of the angle: tan(90° − θ) is 1/tan θ."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import Move
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, walk
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import ONE
+from restitution.planning.writing.scene import Scene
+
+_RIGHT_ANGLE = Degrees(Fraction(90))
+
+
+def without_complements(scene: Scene, number: int) -> int:
+    """The line in ratios of angles themselves; the same line, where it has no others."""
+    link = scene.desk.last_link(number)
+    put = {
+        node: own
+        for side in (link.left, link.right)
+        for node in walk(side)
+        if (own := _of_the_angle(node)) is not None
+    }
+    if link.sign != "=" or not put:
+        return number
+    left, right = (exchanged(side, put) for side in (link.left, link.right))
+    written = scene.judge.write(
+        (Move("identity", "complement"),), (number,), chain(left, (right, None))
+    )
+    return number if written is None else written
+
+
+def _of_the_angle(node: Expression) -> Expression | None:
+    match node:
+        case Apply("sin", Binary("-", right_angle, Letter() as angle)):
+            own: Expression = Apply("cos", angle)
+        case Apply("cos", Binary("-", right_angle, Letter() as angle)):
+            own = Apply("sin", angle)
+        case Apply("tan", Binary("-", right_angle, Letter() as angle)):
+            own = Binary("/", ONE, Apply("tan", angle))
+        case _:
+            return None
+    return own if right_angle == _RIGHT_ANGLE else None
