@@ -613,6 +613,8 @@ def _require_answer(scene: Scene, result: ItemResult) -> None:
         value if isinstance(value, tuple) else (value,)
         for value in (_measured(scene.value(options[0][-1].right)), answer.value)
     )
+    if len(written) != len(wanted):
+        return  # nothing, for a vector
     for one, other in zip(written, wanted, strict=True):
         if other.free_symbols and scene.model.differ(sp.sympify(one, strict=True), other):
             raise NotPlannedError("an answer that is another for some values of the letters")
