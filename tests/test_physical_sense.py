@@ -313,3 +313,21 @@ def test_a_claim_of_what_has_no_value_is_not_shown() -> None:
         item = answer(f"{setting}show {claim}")
         assert item.holds is None
         assert "has no value" in str(item.error)
+
+
+# After L at (0, 2/3) and t = 2/3, P moves with i + j: it comes to R, at x = 6, at t = 20/3.
+@pytest.mark.parametrize(("time", "passed"), [("4", False), ("6", False), ("7", True)])
+def test_a_place_beyond_a_wall_draws_a_warning(time: str, passed: bool) -> None:
+    solution = restitution.solve(
+        restitution.parse(
+            f"""
+wall L: along j, through (0, 0)
+wall R: along j, through (6, 0)
+sphere P: at (2, 0), velocity -3i + j
+P hits L: e = 1/3
+find position(P, at {time})
+"""
+        )
+    )
+    warned = [each for each in solution.warnings if "P comes to R before the time" in each]
+    assert bool(warned) == passed

@@ -1,0 +1,89 @@
+"""Places asked at a time by which a body would have come to a wall, where no impact is told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    AtTime,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    letters,
+    walk,
+)
+from restitution.problem import Problem, Sphere, Value, Wall, bodies_of
+from restitution.solving.equations.solution import ItemResult, PartSolution
+
+
+def walls_passed(problem: Problem, part: PartSolution) -> Iterator[str]:
+    """A warning for each wall that a body would pass on its way to a place that is asked.
+
+    Only numbers are looked at: a time in numbers, and walls along **i** or **j** without ends.
+    """
+    if len(part.branches) != 1:
+        return
+    for (_, now), result in zip(problem.asked(part.part), part.items, strict=True):
+        if isinstance(result.item, Value) and result.error is None:
+            for node in walk(result.item.expression):
+                match node:
+                    case Quantity("position", (Name(body),), AtTime(Number())):
+                        yield from _passed(problem, part, result, node, body, now)
+
+
+def _passed(
+    problem: Problem,
+    part: PartSolution,
+    result: ItemResult,
+    place: Quantity,
+    body: str,
+    now: int,
+) -> Iterator[str]:
+    """The walls between the last event of a body, of those told so far, and its place at a time."""
+    told = enumerate(problem.events[:now], 1)
+    events = [n for n, each in told if body in bodies_of(each)]
+    last = max(events, default=0)
+    (branch,) = part.branches
+    evaluator = branch.story.evaluator(now)
+    assert isinstance(place.stage, AtTime)
+    try:
+        end = evaluator.vector(place)
+        velocity = evaluator.vector(Quantity("velocity", (Name(body),), last))
+        start_time = evaluator.scalar(Quantity("time", (), last))
+        way = evaluator.scalar(place.stage.time) - start_time
+        start = end - velocity * way
+    except RestitutionError:
+        return
+    if not all(sp.sympify(each).is_number for each in (*start, *end, way)) or bool(way <= 0):
+        return
+    sphere = next(each for each in problem.spheres if each.name == body)
+    for wall in problem.walls:
+        level = _level(wall, sphere)
+        if level is not None:
+            axis, at = level
+            if bool((start[axis] - at) * (end[axis] - at) < 0):
+                yield (
+                    f"{body} comes to {wall.name} before the time at which {result.text} is asked, "
+                    f"and no impact is told there: write '{body} hits {wall.name}'"
+                )
+
+
+def _level(wall: Wall, sphere: Sphere) -> tuple[int, sp.Expr] | None:
+    """Across which axis a wall stands, 0 for **i**, and at which coordinate, if in numbers."""
+    along = wall.along.operand if isinstance(wall.along, Negate) else wall.along
+    match along, wall.through:
+        case Unit(unit), Pair(x, y) if sphere.radius is None:
+            axis = 0 if unit == "j" else 1
+            at = (x, y)[axis]
+            return None if letters(at) else (axis, sp.sympify(in_letters(at), strict=True))
+    return None
+
+
+__all__ = ["walls_passed"]
