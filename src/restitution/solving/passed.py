@@ -61,7 +61,8 @@ def _passed(
         start = end - velocity * way
     except RestitutionError:
         return
-    if not all(sp.sympify(each).is_number for each in (*start, *end, way)) or bool(way <= 0):
+    numbers = (sp.sympify(each, strict=True) for each in (*start, *end, way))
+    if not all(each.is_number for each in numbers) or bool(way <= 0):
         return
     sphere = next(each for each in problem.spheres if each.name == body)
     for wall in problem.walls:

@@ -87,7 +87,8 @@ def _way(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
                 except RestitutionError:
                     return None
                 if isinstance(start, Vector):
-                    return Vector(*map(sp.sympify, start)), own.move.event
+                    x, y = (sp.sympify(each, strict=True) for each in start)
+                    return Vector(x, y), own.move.event
     return None
 
 
