@@ -536,6 +536,8 @@ DIAGONAL = (
         (STRUCK_AT, ["n = (-3i+4j)/5", "v = 7/10 n = -0.42i + 0.56j"], "false"),
         (DIAGONAL, ["n = (i - j)/√2", "A.n = 6/√2, B.n = -3/√2"], "true"),
         (DIAGONAL, ["n = (i - j)/√2", "A.n = 5/√2"], "false"),
+        (DIAGONAL, ["p = 5/2, vA = pi - ½j", "(pi - ½j).(i + j) = 2"], "true"),
+        (PAIR_OF_ANGLES, ["x² - √3ux/2 - ½u² = 0"], "true"),
     ],
 )
 def test_products_angles_and_places_in_forms_that_look_like_others(

@@ -543,3 +543,34 @@ def test_a_momentum_that_is_a_vector_is_that_of_both() -> None:
     found = marked(statement, "momentum = 3(-1, 5) + (-1, -1) = (-4, 14)")
     assert [line["verdict"] for line in found["lines"]] == ["false"]
     assert found["letters"][0]["meaning"] == "momentum(1)"
+
+
+HALF_ACROSS = """
+sphere A: mass 2m, velocity u at arccos(12/13)
+sphere B: mass 5m, velocity u j
+A hits B: along i, e = 3/4
+find deflection(B), speed(B)
+"""
+DOUBLED = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/3
+given angle(velocity(A), i) = 2alpha
+find alpha, speed(A)
+"""
+
+
+def test_momentum_in_two_letters_tells_both_however_they_look() -> None:
+    found = marked(DOUBLED, "s + t = ucosα", "⅓(t - s) = ucosα", "s = -ucosα")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", "follows"]
+    assert found["lines"][1]["mistake"]["id"] == "restitution-inverted"
+
+
+def test_no_tangent_of_a_right_angle_breaks_a_law() -> None:
+    lines = "24mu/13 = 2ms + 5mt", "t - s = ¾u", "24u/13 = 7s + 3.75u", "s = -0.272u", "t = 0.478u"
+    found = marked(HALF_ACROSS, *lines, "vB = √(1 + 0.478²)u = 1.11u")
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", *["follows"] * 4]
+    assert found["lines"][1]["mistake"]["id"] == "speed-for-component"
+    meanings = {each["letter"]: each["meaning"] for each in found["letters"]}
+    assert meanings["t"] == "along(velocity(B, 1), i)"
+    assert meanings["v_B"] == "speed(B, 1)"

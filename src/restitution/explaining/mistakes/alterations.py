@@ -241,7 +241,7 @@ def _speed_for_component() -> Iterator[_Plain]:
 
 
 def _speeds_after() -> Iterator[_Plain]:
-    """Momentum with whole speeds after as well: lines, of which no world is made."""
+    """Whole speeds after as well, and of one body alone: lines, of which no world is made."""
     for signs in product(_SIGNS, repeat=2):
         after = [_signed(sign, _after(body)) for sign, body in zip(signs, "FS", strict=True)]
         yield _world("spheres", _momentum(_p("F"), _p("S"), *after), words="whole speeds after")
@@ -249,6 +249,16 @@ def _speeds_after() -> Iterator[_Plain]:
             before = _before("F"), _signed(sign, _before("S"))
             words = "whole speeds before and after"
             yield _world("spheres", _momentum(*before, *after), words=words)
+    yield from _speed_of_one()
+
+
+def _speed_of_one() -> Iterator[_Plain]:
+    """The whole speed before of one body, the other resolved."""
+    for body, sign in product("FS", _SIGNS):
+        put = {each: _p(each) for each in "FS"} | {body: _signed(sign, _before(body))}
+        senses = (_signed(sign, _p(body)),)
+        words = f"the whole speed before {_NAMES[(body,)]}"
+        yield from _with_terms(put["F"], put["S"], senses=senses, words=words)
 
 
 def _exchanged(terms: Mapping[str, int]) -> tuple[tuple[str, str], tuple[str, ...]]:

@@ -405,11 +405,18 @@ class _Sitting:
             if each.verdict == "true" and any(use.principle == "angle" for use in each.uses)
             for name in _names_in(each.line)
         }
+        # Momentum of two letters tells both, however odd they look, if the line is a law in them.
+        momenta = [
+            _names_in(each.line)
+            for each in lines
+            if each.verdict == "true" and each.uses and each.uses[0].principle == "momentum"
+        ]
         names = _names_in_doubt(line)
+        told = named and any(names <= each for each in momenta)
         doubtful: set[str] = set()
         for name, meaning in self.meanings.best.at(line.line.number).items():
             if name in names and meaning.by == "inferred" and not is_phrase(name):
-                support = sum(name in each for each in true) + _SURE * (name in worked)
+                support = sum(name in each for each in true) + _SURE * (name in worked or told)
                 odd = is_odd(name, meaning.quantity)
                 if support < (2 if odd else 0 if named else 1) or (
                     (not support or (support < _SURE and kind_of(meaning.quantity) in _ANGLES))

@@ -61,7 +61,7 @@ _WRONG_SENSE, _OTHER_WAY = 1.0, 0.3
 _WORSE = 1.0
 _VELOCITIES = ("component", "speed", "relative")
 # What has another dimension than a velocity: nobody adds the two.
-_APART = ("time", "place", "distance", "energy", "angle", "deflection")
+_APART = ("time", "place", "distance", "energy", "angle", "deflection", "tangent")
 
 
 @dataclass(frozen=True)

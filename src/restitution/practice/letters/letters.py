@@ -497,7 +497,7 @@ def _is_momentum(item: Item) -> bool:
     """Whether an item looks like an equation of momentum: its sense is that of the letters."""
     if item.pair is None or not item.pair.sign:
         return False
-    return all(kinds_of(name, False)[0] == "component" for name in item.pair.names)
+    return all("component" in kinds_of(name, False) for name in item.pair.names)
 
 
 def _is_multiple(tree: Expression) -> bool:

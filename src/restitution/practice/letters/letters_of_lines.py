@@ -244,6 +244,9 @@ class LettersOfLines:
             return own[-1] if own else after[0] if len(after) == 1 else None
         if name.partition("_")[0] in _IMPULSES and (self._points(name) or name in self.vectors):
             return self._vector_impulse(name, scope)
+        by_squares = self._speed_of_a_body(name, scope)
+        if by_squares is not None:
+            return by_squares
         usage = Usage(name, name in self.angular, scope)
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
         known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
@@ -267,14 +270,29 @@ class LettersOfLines:
         A value that is no quantity at all is a mistake, and no letter of the student's own, where
         no line has the letter beside others.
         """
-        links = [pair for own in self.items.values() for pair in own if name in pair[1]]
-        alone = all(names == {name} for _, names in links)
-        squares = any(is_of_squares(link.readings[0], name) for link, _ in links)
-        if name not in _VELOCITIES or not alone or not squares:
+        if name not in _VELOCITIES or not self._is_of_squares_alone(name):
             return None
         asked = [each for each in self.around.candidates if each.asked]
         speeds = [each for each in asked if getattr(each.quantity, "kind", "") == "speed"]
         return speeds[0] if len(speeds) == 1 else None
+
+    def _is_of_squares_alone(self, name: str) -> bool:
+        """Whether a letter is given by squares, and no line has it beside others."""
+        links = [pair for own in self.items.values() for pair in own if name in pair[1]]
+        alone = all(names == {name} for _, names in links)
+        return alone and any(is_of_squares(link.readings[0], name) for link, _ in links)
+
+    def _speed_of_a_body(self, name: str, scope: Scope) -> Candidate | None:
+        """The last speed of a sphere, for ``vB = √(4² + 5²)``."""
+        if name.partition("_")[0] not in ("v", "V") or not self._is_of_squares_alone(name):
+            return None
+        own = [
+            each
+            for each in self.around.candidates
+            if each.kind == "speed" and each.event and each.body == suffix(name)
+            if scope.event in (None, each.event)
+        ]
+        return max(own, key=lambda each: each.event or 0, default=None)
 
     def _by_shape(self, name: str) -> Candidate | None:
         """The component that a letter is by the shapes of two laws, right or wrong."""

@@ -76,6 +76,8 @@ def is_of_squares(claim: Claim, name: str) -> bool:
     match claim:
         case Claim(Letter(own), "=", Apply("sqrt", Binary("+"))):
             return own == name
+        case Claim(Letter(own), "=", Binary("*", Apply("sqrt", Binary("+")), Letter())):
+            return own == name
         case Claim(Binary("^", Letter(own), Number(power)), "=", Binary("+")):
             return own == name and power == 2
     return False

@@ -137,7 +137,10 @@ class Tester:
         with np.errstate(all="ignore"):
             if sign in _ORDER:
                 return _ORDER[sign](*sides[0]) if len(sides) == 1 else None
-            near = _all(np.abs(a - b) <= _room(a, b, self._near) for a, b in sides)
+            near = _all(
+                (np.abs(a - b) <= _room(a, b, self._near)) & (np.abs(a) + np.abs(b) < _HUGE)
+                for a, b in sides
+            )
             halves = self._halves(left, right, decimals) if not np.all(near) else {}
             if halves:
                 near = near | self._rounded(sides, left, right, put, halves, frame)
@@ -225,6 +228,10 @@ def numbers_of(world: World) -> frozenset[Fraction]:
         for node in walk(tree)
         if isinstance(node, Number)
     )
+
+
+# The tangent of a right angle is as large: beside it anything is small.
+_HUGE = 1e9
 
 
 def _room(a: Array, b: Array, near: float = _NEAR) -> Array:

@@ -71,7 +71,8 @@ def piece(run: str, offset: int, usage: Usage, behind: str = "") -> tuple[str, s
             return "greek", run[offset : offset + len(name)]
     if low.startswith("mu") and "mu" in usage.letters and "u" not in usage.letters:
         return "greek", run[offset : offset + 2]
-    if low.startswith("pi") and len(run) == 2 and "p" not in usage.letters:
+    own = "p" in usage.alone and behind.lstrip()[:1] in ("+", "-") and run == "pi"
+    if low.startswith("pi") and len(run) == 2 and "p" not in usage.letters and not own:
         return "pi", run[offset : offset + 2]
     return "letter", run[offset]
 

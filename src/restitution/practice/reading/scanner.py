@@ -486,6 +486,8 @@ class _Scanner:
         """Whether ``vx`` is the component of v: where no product could be meant."""
         if letter not in "uvwVU" or self.text[stop - 1] in self.usage.letters:
             return False
+        if self.text[stop - 1] == "x" and letter in self.usage.letters and not self.usage.times:
+            return False  # x² + 16ux = 0
         return bool(re.match(r"\s*(?:$|[=+\-/)^,;<>'*]|\s[a-z]{3,})", self.text[stop:]))
 
     def _is_times(self, stop: int) -> bool:
