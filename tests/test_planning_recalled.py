@@ -662,3 +662,16 @@ find alpha
     words = printed(text)
     assert "It cannot be shown that tan β = 3 tan α/(2 − tan²α), as it cannot be" in words
     assert "and α, as" not in words
+
+
+def test_a_tangent_to_i_that_an_earlier_part_has_is_that_of_a_deflection() -> None:
+    text = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass m, at rest
+A hits B: along i
+part a
+show tan(angle(velocity(A), i)) = 2 sqrt(3)/(1 - e)
+part b
+find range of deflection(A)
+"""
+    assert sum("sqrt(3) u/2/((1 - e) u/4)" in each for each in said(text)) == 1

@@ -160,7 +160,7 @@ class _Writer:
         waiting: list[Line] = []
         shown = [each for each in lines if each.shown != "silent"]
         notes = self.notes.places(label, [each.item for each in shown])
-        again = self.ends.again(label, [each.item for each in shown])
+        again = self.ends.again(label, shown)
         due: list[Note] = []
         once_more: list[ItemEnd] = []
         for index, line in enumerate(shown):

@@ -208,9 +208,26 @@ def _across_a_frame(
     shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
     used = [(s, w) for s, w in zip(sources, shares, strict=True) if w != 0]
     used.sort(key=lambda term: tidy(term[0].value * term[1]).could_extract_minus_sign())
-    tree = total(_share(w, s.value) for s, w in used)
     refs = together(each.refs, about, *(s.refs for s, _ in used), frame.refs)
-    return scene.desk.write(move, refs, Relation(((link(tree, ZERO),),)))
+    # In the direction of **i**, or of **j**, they are the shares of a component.
+    common_ = sp.Integer(1) if 0 in direction else _common_surd([w for _, w in used])
+    trees = (
+        total(_share(w / common, s.value) for s, w in used) for common in (common_, sp.Integer(1))
+    )
+    relations = [Relation(((link(tree, ZERO),),)) for tree in trees]
+    # Without a root that both shares have, where that follows too.
+    own = next((e for e in relations if scene.judge.follows(move, refs, e)), relations[-1])
+    return scene.desk.write(move, refs, own)
+
+
+def _common_surd(shares: list[sp.Expr]) -> sp.Expr:
+    """What numbers that are all multiples of one root have in common: √2 of 4√2 and −√2; else 1."""
+    if len(shares) < 2 or any(not each.is_number or each.is_rational for each in shares):
+        return sp.Integer(1)
+    parts = [sp.Abs(each / shares[0]) for each in shares]
+    if not all(each.is_Rational for each in map(tidy, parts)):
+        return sp.Integer(1)
+    return tidy(sp.Abs(shares[0]) * sp.gcd_list([tidy(each) for each in parts]))
 
 
 def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]:

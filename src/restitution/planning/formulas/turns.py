@@ -14,11 +14,13 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Meaning, Move, Ref
+from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Polar,
@@ -26,6 +28,7 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.writing.angles import RIGHT, STRAIGHT, angle_to_a_line
 from restitution.planning.writing.desk import Source, together
@@ -126,8 +129,11 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
             return  # the other angle is what is asked
     move = Move("define", "difference", event, (one,) if one == other else (one, other))
     by_a_unit = one == other and angles.isdisjoint((NONE, RIGHT))
-    # An angle that is given to **i** or **j** is not found again to the line of centres.
-    units_first = by_a_unit and any(_is_given_to_a_unit(scene, side.velocity) for side in (p, q))
+    # An angle that is given, or found, to **i** or **j** is not found again to the line of centres.
+    units_first = by_a_unit and any(
+        _is_given_to_a_unit(scene, side.velocity) or _is_found_to_a_unit(scene, side.velocity)
+        for side in (p, q)
+    )
     for in_units in (True, False) if units_first else (False, True):
         turn: Turn | None = None
         if in_units and by_a_unit:
@@ -144,6 +150,27 @@ def _is_given_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
     """Whether the facts give the angle of a velocity to **i** or **j**."""
     angles = (Quantity("angle", (velocity, each)) for each in (Unit("i"), Unit("j")))
     return any(given_angle(scene, each) is not None for each in angles)
+
+
+def _is_found_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
+    """Whether a line in force has the tangent of the angle of a velocity to **i** or **j**.
+
+    It is one into which nothing is to be put that is known by now.
+    """
+    for axis in (Unit("i"), Unit("j")):
+        angle = Quantity("angle", (velocity, axis))
+        named, tangents = letter_known(scene, angle), [Apply("tan", angle)]
+        if named is not None:
+            tangents.append(Apply("tan", Letter(named[0])))
+        for line in scene.desk.lines:
+            own = line.relation
+            if not isinstance(own, Relation) or own.options[0][0].left not in tangents:
+                continue
+            if len(own.options) > 1 or not scene.desk.holds(line.number):
+                continue
+            if not scene.put(scene.scalar(own.only[-1].right))[1]:
+                return True
+    return False
 
 
 def _from_a_unit(

@@ -74,23 +74,28 @@ class Ends:
         """
         return min(self._at(line), key=lambda each: each.shown, default=None)
 
-    def again(self, label: str | None, items: Sequence[str | None]) -> dict[int, list[ItemEnd]]:
+    def again(self, label: str | None, lines: Sequence[Line]) -> dict[int, list[ItemEnd]]:
         """The ends of items that an earlier item has answered, by the number of lines above them.
 
-        ``items`` are those of the lines of the part. Where nothing stands between both items the
-        answer is not said again.
+        ``lines`` are those of the part. Where nothing stands between both items the answer is not
+        said again.
         """
         order = {item: n for n, item in enumerate(self._parts)}
+        numbers = [each.number for each in lines]
         places: dict[int, list[ItemEnd]] = {}
         for ends in self._ends.values():
             first, *others = sorted(ends, key=lambda each: order[each.item])
             for end in others:
-                if end.part != label or first.part != label or end.shown or first.shown:
+                if end.part != label or end.shown or first.shown or end.line not in numbers:
                     continue
-                above = [n for n, e in enumerate(items, 1) if e and order[e] <= order[end.item]]
-                between = [items[n - 1] for n in above if items[n - 1] != first.item]
-                if between and end.answer == first.answer:
-                    places.setdefault(max(above), []).append(end)
+                last = max(
+                    n
+                    for n, each in enumerate(lines, 1)
+                    if each.item is not None and order[each.item] <= order[end.item]
+                )
+                apart = last > numbers.index(end.line) + 1
+                if apart and end.answer == first.answer and end not in places.get(last, ()):
+                    places.setdefault(last, []).append(end)
         return places
 
     def is_required(self, line: Line) -> bool:
