@@ -418,6 +418,14 @@ find range of e
             "0 ≤ e ≤ ½, as e ≥ 0",
         ],
     ),
+    "a direction beyond 90° is that of a negative component": (
+        REST.format(m="3m", e="") + "given direction(A) > 90°\nfind range of e",
+        [
+            "is more than 90°, so 𝐯_A has a negative\ncomponent along 𝐢:",
+            "¼(1 − 3e)u cos α < 0",
+            "⅓ < e ≤ 1, as e ≤ 1",
+        ],
+    ),
     "a velocity that points back has the sign below the line": (
         """
 sphere A: mass 1, velocity 10i, radius 1

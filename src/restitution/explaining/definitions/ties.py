@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Number,
     Polar,
     Quantity,
+    Unit,
 )
 
 _TIES: Mapping[Expression, Sign] = {
@@ -114,7 +115,15 @@ def _moving(tree: Expression) -> Expression:
 
 
 def past_a_right_angle(link: Link) -> tuple[Expression, Expression, Sign] | None:
-    """Of an angle that is more than 90°, or less: its directions, and the sign of their product."""
+    """Of an angle that is more than 90°, or less: its directions, and the sign of their product.
+
+    A direction beyond 90° is one at more than 90° to **i**; one below it may be so too.
+    """
+    match link:
+        case Link(
+            Quantity("direction", (Name() as body,), int(stage)), ">" | ">=" as sign, right
+        ) if right == Degrees(Fraction(90)):
+            return Quantity("velocity", (body,), stage), Unit("i"), FLIPPED[sign]
     turned = FLIPPED.get(link.sign)
     tie = None if turned is None else tie_of(replace(link, sign="="))
     if turned is None or tie is None or tie[2] != "perpendicular to":

@@ -494,6 +494,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.component": (
         "It is given that {fact}, so the component in the direction of {axis} is zero:"
     ),
+    "given.behind": (
+        "It is given that {fact}, so {velocity} has a negative component along {axis}:"
+    ),
+    "given.not-ahead": (
+        "It is given that {fact}, so {velocity} has no positive component along {axis}:"
+    ),
     "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
     "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.no-negative-product": "It is given that {fact}, so the scalar product is not negative:",

@@ -122,7 +122,7 @@ class Conditions:
         link = fact.relation.options[0][0]
         named = [self.worths.opened(side) for side in (link.left, link.right)]
         angles = [each for each in named if isinstance(each, Quantity)]
-        is_angle = any(each.kind in ("angle", "deflection") for each in angles)
+        is_angle = any(each.kind in ("angle", "deflection", "direction") for each in angles)
         return is_angle or has_quantity_in(fact.relation)
 
     def condition(self, fact: Fact, wanted: Expression | None) -> int | None:
@@ -147,6 +147,13 @@ class Conditions:
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
                 return self._past_a_right_angle(fact, link, angle, wanted)
+            case Quantity("direction", (Name() as body,), int(stage)), Degrees(value) if (
+                value == 90 and link.sign[0] == ">"
+            ):
+                to_axis = Quantity("angle", (Quantity("velocity", (body,), stage), Unit("i")))
+                behind = self._past_a_right_angle(fact, link, to_axis, wanted)
+                if behind is not None:
+                    return behind
             case Quantity("deflection" | "angle") as angle, Degrees(value) if 0 < value < 90:
                 bounded = write_bounded(self.worths, fact, link, angle)
                 if bounded is not None:

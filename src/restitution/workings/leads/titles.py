@@ -109,6 +109,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 axis = self._naming.layout(Unit("i"))
                 return (say("given.direction", fact=sentence, velocity=velocity, axis=axis),)
         past = past_a_right_angle(self._opened(facts[0].relation.options[0][0]))
+        match self._opened(facts[0].relation.options[0][0]).left:
+            case Quantity("direction") if line.move.record == "perpendicular" and past is not None:
+                velocity, axis = map(self._naming.layout, past[:2])
+                name = _BEHIND[past[2]]
+                return (say(name, fact=sentence, velocity=velocity, axis=axis),)
         named = isinstance(facts[0].relation.options[0][0].left, Letter)
         if named and line.move.record == "perpendicular" and past is not None:
             if isinstance(past[1], Unit):
@@ -816,6 +821,8 @@ def _read_off(line: Line) -> str | None:
     return None
 
 
+# The sign of a component along **i**, of a direction beyond 90°.
+_BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
 # The sign of a scalar product, by that with which its line compares it with zero.
 _PRODUCTS: Mapping[str, SentenceId] = {
     ">": "given.positive-product",
