@@ -203,6 +203,26 @@ find range of tan(direction(A)), range of direction(A)
     + """find range of direction(A), range of deflection(A)
 #= range of direction(A) -> X = 0° or X = 180°
 #= range of deflection(A) -> X = 0° or X = 180°""",
+    # The pole k = 25/(16e - 9) is there for e > 9/16; as k grows, tan comes to 12(1 + e)/(16e - 9).
+    "a pole for some values of the data": """sphere A: mass 1, velocity u i, radius r
+sphere B: mass k, at rest, radius r
+A hits B: offset 1.2r, e = 1
+unknown k
+find range of tan(direction(A))
+#= range of tan(direction(A)) -> X < 0 or X > 24/7""",
+    # tan = 3 tan(alpha)/(2e - 1).
+    "a limit whose sign hangs on another letter": """sphere A: mass 1, velocity u at alpha
+sphere B: mass 2, velocity u at 180° - alpha
+A hits B: along i
+unknown alpha, e
+find range of direction(B)
+#= range of direction(B) -> 0° < X < 180°""",
+    "a quantity in which what varies has no part": """sphere A: mass 2, velocity u at alpha
+sphere B: mass 1, at rest
+A hits B: along i
+unknown e
+find range of along(velocity(A), j)
+#= range of along(velocity(A), j) -> X = u sin(alpha)""",
     # A goes on with -3i + (2 - 4e)/3 j.
     "a direction that passes 180°": """sphere A: mass 1, velocity -3i + 2j
 sphere B: mass 2, at rest
@@ -215,6 +235,15 @@ find range of direction(A)
 @pytest.mark.parametrize("text", CASES.values(), ids=CASES.keys())
 def test_ends(text: str) -> None:
     assert disagreements(solve(parse(text)), expected(text)) == []
+
+
+def test_a_range_with_a_pole_for_some_data_is_told_case_by_case() -> None:
+    """With e above 9/16 a heavy B sends A back, and the tangent goes through infinity."""
+    text = "sphere A: mass 1, velocity u i, radius r\nsphere B: mass k, at rest, radius r\n"
+    text += "A hits B: offset 1.2r\nunknown k\nfind range of tan(direction(A))"
+    answers = solve(parse(text))["range of tan(direction(A))"].answers
+    assert [each.condition for each in answers] == [("e < 9/16",), ("e = 9/16",), ("9/16 < e",)]
+    assert isinstance(answers[2].value, sp.Union)
 
 
 def test_an_equation_that_holds_of_itself_for_some_data_says_nothing_there() -> None:

@@ -250,8 +250,11 @@ def _range_of_quantity(
     outcome = desk.outcome(desk.settle(in_terms_of, item, named)) if named else first
     values = values_of_trials(outcome, tree, now)
     present = {s.name for _, value in values for s in value.free_symbols}
-    free = ((_free(first, in_terms_of) | named) & present) - (fixed - named)
-    free = free or _restricted(outcome) & present or _without_dimension(outcome) & present
+    freed = _free(first, in_terms_of) | named
+    free = (freed & present) - (fixed - named)
+    free = free or _restricted(outcome) & present
+    if not freed:
+        free = free or _without_dimension(outcome) & present
     free -= set(in_terms_of or ())
     if not free:
         return [(sp.FiniteSet(*[value for _, value in values]), ())], angle, "algebra"

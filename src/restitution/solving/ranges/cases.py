@@ -50,7 +50,7 @@ class Family(Protocol):
     @property
     def formula(self) -> Formula | None: ...
     def data(self) -> list[str]: ...
-    def pieces_at(self, drawn: Sample) -> list[Piece]: ...
+    def pieces_at(self, drawn: Sample, put: Mapping[sp.Symbol, sp.Expr] = ...) -> list[Piece]: ...
     def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict: ...
 
 
@@ -196,7 +196,7 @@ def _cells(
             yield (low, point), region.pieces_at({**drawn, name: _between(low, point, drawn)})
         yield (
             (End(border, True), End(border, True)),
-            region.pieces_at({**drawn, name: at(border, drawn)}),
+            region.pieces_at({**drawn, name: at(border, drawn)}, {role.symbol(name): border}),
         )
         low = point
     if low.value == last.value:

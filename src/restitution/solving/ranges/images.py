@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise, product
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -141,17 +142,29 @@ class Image:
         shape = self._shape(self.region._drawn(possible.witness))
         return [] if shape is None else [shape]
 
-    def pieces_at(self, drawn: Sample) -> list[Piece]:
-        """The intervals for these values of the data, or none."""
-        shape = self._shape(drawn)
+    def pieces_at(
+        self, drawn: Sample, put: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
+    ) -> list[Piece]:
+        """The intervals for these values of the data, or none; ``put`` has some exactly.
+
+        What an expression comes to may be another thing there than next to it.
+        """
+        candidates = None
+        if put and self.value.has(*put):
+            value = self.value.xreplace(put)
+            candidates = _candidates(self.region.outcome, value, self.free, self.region)
+        shape = self._shape(drawn, candidates)
         return [] if shape is None else shape[0]
 
-    def _shape(self, drawn: Sample) -> tuple[list[Piece], Sample] | None:
+    def _shape(
+        self, drawn: Sample, candidates: Sequence[Candidate] | None = None
+    ) -> tuple[list[Piece], Sample] | None:
         """The intervals for some values of the data, between candidates next to each other."""
+        candidates = self.candidates if candidates is None else candidates
         seen = self._seen(drawn)
         if not seen:
             return None
-        borders = self._borders(seen, drawn)
+        borders = self._borders(candidates, seen, drawn)
         numbers = [number for number, _, _ in borders]
         values = [value for value, _ in seen]
         if not borders or min(values) < numbers[0] or max(values) > numbers[-1]:
@@ -168,10 +181,12 @@ class Image:
             cells += [(end, inside), (None, around[n + 1])]
         return joined_cells(cells), drawn
 
-    def _borders(self, seen: Sequence[Seen], drawn: Sample) -> list[Border]:
+    def _borders(
+        self, candidates: Sequence[Candidate], seen: Sequence[Seen], drawn: Sample
+    ) -> list[Border]:
         """The candidates in order, and which of them are reached."""
         borders: list[Border] = []
-        for candidate in self.candidates:
+        for candidate in candidates:
             number = limit_at(candidate.value, drawn)
             if number is None or not is_near(self.region, candidate, drawn):
                 continue
@@ -431,7 +446,7 @@ def _numbers(region: Region, candidate: Candidate, drawn: Sample) -> Sample | No
 
 def is_reached(region: Region, candidate: Candidate, drawn: Sample) -> bool:
     """Whether the letters may have the values at which a candidate lies."""
-    if candidate.value in (sp.oo, -sp.oo):
+    if candidate.value.has(sp.oo, -sp.oo):
         return False
     for known in _others(region, candidate, drawn):
         values = _numbers(region, candidate, known)

@@ -18,12 +18,21 @@ from restitution.solving.ranges.zeros import zeros
 _INFINITIES = {sp.oo: sp.Integer(1), -sp.oo: sp.Integer(-1)}
 
 
+LONG = 60
+"""What has more operations has no limit that is found by series in any time that is left."""
+
+
+_NO_VALUE = (sp.nan, sp.zoo, sp.oo, -sp.oo)
+
+
 def breaks(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -> list[sp.Expr]:
     """Where an expression can jump: its poles, and where the angle of a vector passes 180°."""
     parts: dict[sp.Expr, None] = {}
     for node in sp.preorder_traversal(exact.in_sines(expression)):
         if isinstance(node, sp.Pow) and node.exp.is_negative:
             parts[node.base] = None
+        elif isinstance(node, sp.sign):
+            parts[node.args[0]] = None
         elif isinstance(node, sp.atan2):
             above, along = node.args
             parts[along if above == 0 else above] = None
@@ -44,6 +53,8 @@ def turning(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -
     """Where an expression can turn: its stationary points, and the kinks where a bar vanishes."""
     bars = sorted((bar for bar in expression.atoms(sp.Abs) if bar.has(symbol)), key=str)
     points: list[sp.Expr] = []
+    # A sign is constant but where it jumps, which is a break.
+    expression = expression.xreplace({each: sp.Dummy() for each in expression.atoms(sp.sign)})
     for bar in bars:
         points += zeros(
             [sp.together(bar.args[0]).as_numer_denom()[0]], [symbol], roles, symbol.name
@@ -56,11 +67,22 @@ def turning(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -
 
 
 def _derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """The numerator of the derivative, which vanishes at stationary points."""
+    """What vanishes at stationary points: the numerator of the derivative.
+
+    A number times a root or an inverse function, and a number more, turns where that does of
+    which it is made.
+    """
     core = expression
-    if isinstance(core, sp.Pow) and core.exp == sp.S.Half:
-        core = core.base
-    return sp.together(sp.diff(core, symbol)).as_numer_denom()[0]
+    while True:
+        core = core.as_independent(symbol, as_Add=True)[1]
+        core = core.as_independent(symbol, as_Add=False)[1]
+        is_root = isinstance(core, sp.Pow) and core.exp == sp.S.Half
+        if not is_root and not isinstance(core, sp.atan | sp.asin | sp.acos):
+            break
+        core = core.args[0]
+    above, below = sp.together(core).as_numer_denom()
+    slope = sp.diff(above, symbol) * below - above * sp.diff(below, symbol)
+    return sp.together(slope).as_numer_denom()[0]
 
 
 def limit(
@@ -69,15 +91,15 @@ def limit(
     """The value of an expression at a point, or its limit there (from below if so asked)."""
     quick = _approached(exact.in_sines(expression), symbol, sp.sympify(point, strict=True), below)
     if quick is not None:
-        return quick if quick in (sp.oo, -sp.oo) else exact.tidy(quick)
+        return quick if quick.has(*_INFINITIES) else exact.tidy(quick)
+    if sp.count_ops(expression) > LONG:
+        return None
     try:
         side = "-" if below or point == sp.oo else "+"
         value = sp.limit(expression, symbol, point, side)
     except (NotImplementedError, ValueError, TypeError, RecursionError):
         return None
-    if value.has(sp.nan, sp.zoo) or isinstance(value, sp.Limit):
-        return None
-    return value
+    return None if value.has(sp.nan, sp.zoo, sp.Limit) else value
 
 
 def limits(
@@ -103,9 +125,17 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
             return x.func(*parts)
     if isinstance(x, sp.atan):
         inner = _approached(x.args[0], symbol, point, below)
-        if inner in (sp.oo, -sp.oo):
-            return sp.pi / 2 if inner == sp.oo else -sp.pi / 2
+        if inner is not None and inner.has(*_INFINITIES):
+            return None if inner.is_Add else inner.xreplace(_INFINITIES) * sp.pi / 2
         return None if inner is None else sp.atan(inner)
+    if isinstance(x, sp.sign):
+        inner = _approached(x.args[0], symbol, point, below)
+        if inner is None or inner.has(*_INFINITIES):
+            return None
+        if inner != 0:
+            return sp.sign(inner)
+        side = _sign_near(x.args[0], symbol, point, below)
+        return None if side is None else sp.Integer(side)
     if isinstance(x, sp.atan2):
         above, along = (_approached(argument, symbol, point, below) for argument in x.args)
         if above is None or along is None or not (above.is_finite and along.is_finite):
@@ -119,16 +149,24 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
     try:
         value, under = (each.xreplace({symbol: point}) for each in (top, bottom))
         value, under = sp.expand(value), sp.expand(under)
+        if under.free_symbols and sp.expand(sp.fraction(sp.together(under))[0]) == 0:
+            under = sp.S.Zero
     except (ZeroDivisionError, TypeError):
         return None
-    if any(each.has(sp.nan, sp.zoo, sp.oo) for each in (value, under)):
+    if any(each.has(*_NO_VALUE) for each in (value, under)):
         return None
     if under != 0:
         return value / under
     if value == 0:
         return None
     sign = _sign_near(bottom, symbol, point, below, value)
-    return None if sign is None else sign * sp.oo
+    if sign is not None:
+        return sign * sp.oo
+    # It hangs on the data: the denominator rises through 0 there, or falls.
+    slope = sp.factor(value * sp.diff(bottom, symbol).xreplace({symbol: point}))
+    if slope == 0 or slope.has(*_NO_VALUE):
+        return None
+    return sp.oo * sp.sign(-slope if below else slope)
 
 
 def _sign_near(
@@ -139,7 +177,7 @@ def _sign_near(
     near = factor * x.xreplace({symbol: point + step})
     rng = random.Random(47)
     names = sorted(s.name for s in near.free_symbols)
-    points = [{name: Enclosed.of(rng.uniform(0.1, 0.9)) for name in names} for _ in range(4)]
+    points = [{name: Enclosed.of(rng.uniform(0, 1)) for name in names} for _ in range(16)]
     return sign_at(near, points) or None
 
 

@@ -9,11 +9,12 @@ the data, or gives values for which it is wrong, from which a better guess is ma
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -436,8 +437,10 @@ class Region:
             return inner
         return inner if outer.proof == "algebra" else outer
 
-    def pieces_at(self, drawn: Sample) -> list[Piece]:
-        """The allowed values for these values of the data."""
+    def pieces_at(
+        self, drawn: Sample, put: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
+    ) -> list[Piece]:
+        """The allowed values for these values of the data; ``put`` has some exactly."""
         numbered: list[Border] = []
         for point in self.critical:
             try:
