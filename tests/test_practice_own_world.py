@@ -107,3 +107,30 @@ def test_algebra_without_a_real_end_is_followed() -> None:
     wrong = Claim(read_expression("sin(alpha)^2"), "=", read_expression("2/3"))
     assert deduced_from(Entry(2, right), [Entry(1, line)], _world()) == (0,)
     assert deduced_from(Entry(2, wrong), [Entry(1, line)], _world()) == ()
+
+
+BETWEEN_CUSHIONS = """
+wall L: along j, through (0, 0)
+wall R: along j, through (6, 0)
+sphere P: at (2, 0), velocity 3i + j
+P hits R: e = 2/3
+find position(P), time(1)
+P hits L: e = 1/2
+find time(2), position(P)
+"""
+
+
+@pytest.mark.parametrize(("value", "verdict"), [("10/3", "follows"), ("8/3", "false")])
+def test_a_letter_given_another_value_is_its_quantity_after_a_later_event(
+    value: str, verdict: str
+) -> None:
+    lines = (
+        "t = 4/3, y = 4/3",
+        "after R v = -2i + 2/3 j",
+        "time to L = 6/2 = 3 so t2 = 13/3",
+        f"y = 4/3 + 2/3(3) = {value}" if verdict == "follows" else f"y = {value}",
+    )
+    problem = restitution.parse(BETWEEN_CUSHIONS)
+    letters = {"t": "time(1)", "y": "along(position(P, 1), j)", "t_2": "time(2)"}
+    marking = restitution.mark(problem, "\n".join(lines), letters=letters)
+    assert [line.verdict for line in marking.lines] == ["true", "false", "true", verdict]

@@ -44,6 +44,7 @@ from restitution.practice.judging.judged_link import (
     Question,
 )
 from restitution.practice.judging.other_forms import (
+    after_later_events,
     by_energies,
     same_left,
 )
@@ -107,6 +108,7 @@ class Following(OwnValues):
             or self._with_own_energies(line, link)
             or self._in_units(line, link, self.students(), "follows")
             or self._of_own_speeds(line, link)
+            or self._of_later_event(line, link)
             or self._adopted(line, link)
             or self._consistent(line, link)
         )
@@ -223,6 +225,35 @@ class Following(OwnValues):
                 numbers = tuple(each.number for each in relative.values())
                 return JudgedLink("follows", claim, grade, numbers, self._impossible(claim))
         return None
+
+    def _of_later_event(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A letter that has a value, and is given another: its quantity after a later event."""
+        for claim in link.readings if self.wrong else ():
+            left = claim.left
+            if (
+                not isinstance(left, Letter)
+                or claim.sign != "="
+                or left.name in letters(claim.right)
+            ):
+                continue
+            meant = self.meanings(line.number).get(left.name)
+            if meant is None or is_phrase(left.name) or not self._has_value(left, line):
+                continue
+            for later in after_later_events(meant, len(self._base.events)):
+                other = replace(claim, left=later)
+                for world in self.students():
+                    grade = self.accuracy(other, world, line, link)
+                    if grade is not None:
+                        sources, own = sources_of(other, self.entries), ((left.name, later),)
+                        return JudgedLink("follows", claim, grade, sources, meant=own)
+        return None
+
+    def _has_value(self, letter: Letter, line: ScriptLine) -> bool:
+        """Whether a line above gives a letter its value."""
+        return any(
+            each.is_value and each.claim.left == letter and each.number < line.number
+            for each in self.entries
+        )
 
     def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A line with a letter that has no meaning yet, and holds with one in his own world.

@@ -10,7 +10,7 @@ from itertools import chain, product
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.trees import exchanged
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -324,3 +324,22 @@ def with_units(claim: Claim, world: World) -> Iterator[Claim]:
                 for part in factors:
                     right = Binary("*", right, part)
                 yield replace(claim, right=right)
+
+
+def after_later_events(tree: Expression, last: int) -> Iterator[Expression]:
+    """A quantity after one event as it is after each later one, up to the ``last``."""
+    stages = {
+        each.stage
+        for each in walk(tree)
+        if isinstance(each, Quantity) and isinstance(each.stage, int)
+    }
+    for now in stages if len(stages) == 1 else ():
+        for later in range(now + 1, last + 1):
+
+            def moved(node: Expression, now: int = now, later: int = later) -> Expression:
+                match node:
+                    case Quantity(kind, arguments, stage) if stage == now:
+                        return Quantity(kind, arguments, later)
+                return node
+
+            yield rebuilt(tree, moved)
