@@ -302,3 +302,19 @@ def test_a_product_that_is_zero_by_the_other_letter() -> None:
     assert solution["q/p"].exact == 0
     (branch,) = solution.parts[None].branches
     assert branch.values == {"q": 0}
+
+
+def test_a_root_for_one_sense_of_a_letter_is_given_for_that_alone() -> None:
+    """Where tan is −3/4 for u, it is 3/4 for −u: 1 − v²/4 is less than 0 for all four."""
+    text = "wall W: along i\nsphere P: mass 2, velocity u i - v j\nP hits W: e = 1/4\n"
+    solution = solve(parse(f"{text}given tan(deflection(P)) = -3/4\nfind v"))
+    u = sp.Symbol("u", real=True)
+    answers = solution["v"].answers
+    assert len(answers) == 4
+    for answer in answers:
+        (condition,) = answer.condition
+        sense = {"u < 0": -1, "0 < u": 1}[condition]
+        v = float(answer.value.subs(u, sense))
+        # The velocities before and after: (u, -v) and (u, v/4).
+        assert abs(sense * 5 * v / 4) / (1 - v * v / 4) == pytest.approx(-0.75)
+    assert sorted(each.condition for each in answers) == [("0 < u",)] * 2 + [("u < 0",)] * 2

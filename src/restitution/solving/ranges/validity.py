@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Literal
 
 import sympy as sp
@@ -20,10 +21,12 @@ from restitution.oracle import (
     Formula,
     Oracle,
     Relation,
+    Some,
+    joined,
     letters_of,
     relations,
 )
-from restitution.oracle.roles import Role
+from restitution.oracle.roles import REAL, Role
 from restitution.render.layout import Layout, Phrase, Words, from_set, relation
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms
@@ -39,6 +42,8 @@ from restitution.solving.story.admission import Demand, demands_for
 from restitution.solving.story.conditions import Condition
 
 MOST_LETTERS = 6
+# Of more letters of either sign the senses are not gone through.
+MOST_SENSES = 2
 # What is longer is not factorised.
 LONGEST_EQUATION = 400
 _SIGNS = {">": ">", ">=": "≥", "!=": "≠", "=": "="}
@@ -64,6 +69,7 @@ def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
     demands = _at_contacts(outcome, trial) if admission is None else admission.demands
     demands = (*demands, *_at_equations(outcome, trial))
     base = Oracle(roles, presupposed(outcome)) if demands else Oracle(roles)
+    demands = (*demands, *_of_senses(base, trial))
     rest = [
         demand
         for demand in dict.fromkeys(demands)
@@ -88,6 +94,34 @@ def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
         for factor in each:
             if not factor.free_symbols & unknowns:
                 yield Demand(Relation(factor, "!="), "", "fact")
+
+
+def _of_senses(base: Oracle, trial: Trial) -> Iterator[Demand]:
+    """For which signs of letters that may have either the equations of a solution hold.
+
+    What was squared on the way to it is true for both signs of a letter, and the fact for one.
+    """
+    for equation in () if trial.admission is None else trial.admission.equations:
+        inside = {s for bar in equation.atoms(sp.Abs) for s in bar.free_symbols}
+        letters = sorted(
+            (s for s in inside if base.roles.get(s.name) == REAL), key=lambda s: s.name
+        )
+        if not 0 < len(letters) <= MOST_SENSES:
+            continue
+        claim = Relation(equation, "=")
+        senses: list[Formula] = []
+        every = list(product((1, -1), repeat=len(letters)))
+        for signs in every:
+            sense = joined(Relation(s * x, ">") for s, x in zip(signs, letters, strict=True))
+            verdict = base.with_facts([sense]).decide(claim)
+            if verdict.answer == "proved":
+                senses.append(sense)
+            elif verdict.answer == "undecided":
+                senses = []
+                break
+        if 0 < len(senses) < len(every):
+            either = senses[0] if len(senses) == 1 else Some(tuple(senses))
+            yield Demand(either, "", "fact")
 
 
 def _at_contacts(outcome: Outcome, trial: Trial) -> tuple[Demand, ...]:
