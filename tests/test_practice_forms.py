@@ -616,3 +616,19 @@ def test_what_a_chain_ends_in_with_a_slip_is_gone_on_with() -> None:
         "x = -16u/91",
     )
     assert verdicts(statement, *lines) == ["true", "false", "follows", "follows"]
+
+
+def test_a_component_of_a_number_times_a_sine_is_a_chain() -> None:
+    statement = (
+        "wall W: along 5i + 12j\nsphere P: mass 2, velocity 13 i\nP hits W: e = 5/12\n"
+        "find along(velocity(P), W)\n"
+    )
+    marking = restitution.mark(
+        solution_of(statement), "tan α = 12/5, α = 67.4\ncomponent along wall = 13 sin α = 12"
+    )
+    assert [line.verdict for line in marking.lines] == ["true", "false"]
+    assert marking.mistakes == ("sine-cosine",)
+    right = restitution.mark(
+        solution_of(statement), "tan α = 12/5, α = 67.4\ncomponent along wall = 13 cos α = 5"
+    )
+    assert [line.verdict for line in right.lines] == ["true", "true"]

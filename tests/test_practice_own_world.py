@@ -134,3 +134,21 @@ def test_a_letter_given_another_value_is_its_quantity_after_a_later_event(
     letters = {"t": "time(1)", "y": "along(position(P, 1), j)", "t_2": "time(2)"}
     marking = restitution.mark(problem, "\n".join(lines), letters=letters)
     assert [line.verdict for line in marking.lines] == ["true", "false", "true", verdict]
+
+
+QUARTER_LOST = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given energy_lost = 1/4 energy(0)
+find range of e
+"""
+
+
+@pytest.mark.parametrize(
+    ("bound", "verdict"), [("1-e > ¼, e < ¾", "follows"), ("1-e > ½, e < ½", "false")]
+)
+def test_a_wrong_sine_is_at_most_one(bound: str, verdict: str) -> None:
+    lines = "½mu²sin²α - ½meu²sin²α = ⅛mu²", "sin²α = 1/(4(1-e))", f"sin²α < 1 so {bound}"
+    marking = restitution.mark(restitution.parse(QUARTER_LOST), "\n".join(lines))
+    assert [line.verdict for line in marking.lines] == ["false", "follows", verdict]

@@ -179,6 +179,25 @@ def bounded_by(
             region = _COMPARISONS[condition.sign](value, _worth(condition.right, put))
             if np.mean((region == own)[there]) > 1 - 1 / _POINTS:
                 return other.number
+    for other in reversed(entries):
+        sine = _of_a_sine(other.claim, put)
+        if sine is not None and np.mean(((np.abs(sine) < 1) == own)[there]) > 1 - 1 / _POINTS:
+            return other.number
+    return None
+
+
+def _of_a_sine(claim: Claim, put: Mapping[str, Array]) -> Array | None:
+    """What an equation gives a sine, a cosine or the square of one, which is at most 1."""
+    if claim.sign != "=" or claim.others:
+        return None
+    for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
+        base = one.left if isinstance(one, Binary) and one.op == "^" else one
+        if isinstance(base, Apply) and base.function in ("sin", "cos"):
+            try:
+                with np.errstate(all="ignore"):
+                    return np.broadcast_to(_worth(other, put), (_POINTS,))
+            except _OpenError:
+                return None
     return None
 
 

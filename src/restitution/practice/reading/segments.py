@@ -275,6 +275,10 @@ def _is_velocity_along(tokens: Sequence[Token], first: int, place: int, second: 
 def _parting(tokens: Sequence[Token], first: int, place: int, second: int) -> Parting:
     """How certain it is that a relation begins at a place."""
     right = tokens[place:second]
+    if right[0].name in ("sin", "cos") and first + 2 == place:
+        value = tokens[second + 1 : second + 2]
+        if value and value[0].kind == "number" and value[0].value > 1:
+            return "doubtful"  # along = 13 sin α = 12: no sine is 12
     if right[0].kind == "function":
         start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
         same = {each.name for each in tokens[start:first] if each.kind == "letter"} == {
