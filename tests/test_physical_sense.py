@@ -331,3 +331,13 @@ find position(P, at {time})
     )
     warned = [each for each in solution.warnings if "P comes to R before the time" in each]
     assert bool(warned) == passed
+
+
+def test_what_is_at_rest_is_named_where_it_has_no_direction() -> None:
+    text = """
+sphere A: mass 2, velocity u at alpha
+sphere B: mass 4, at rest
+A hits B: along i, e = 1/4
+find deflection(B)
+"""
+    assert "B is at rest before the impact, and a body at rest has no" in str(answer(text).error)

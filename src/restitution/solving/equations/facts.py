@@ -29,6 +29,7 @@ from restitution.solving.story import missing, places
 from restitution.solving.story.conditions import AnyOf, Condition, Equation
 from restitution.solving.story.forward import Story
 from restitution.solving.story.happenings import Happening
+from restitution.solving.story.quantities import reason_of_rest
 from restitution.vector import Vector
 
 Requirement = Equation | Condition | AnyOf
@@ -183,9 +184,9 @@ def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> 
     if relation.relation == "perpendicular to":
         return [Equation(dot, why, place, True)]
     if relation.relation in ("in the direction of", "opposite to"):
-        for each in (a, b):
+        for each, tree in ((a, relation.left), (b, relation.right)):
             if story.still(each):
-                raise ImpossibleError("a body at rest has no direction of motion")
+                raise ImpossibleError(reason_of_rest(tree))
     requirements_: list[Requirement] = [Equation(cross, why, place, True)]
     if relation.relation == "in the direction of":
         requirements_.append(Condition(dot, ">", "the directions would be opposite", "fact"))

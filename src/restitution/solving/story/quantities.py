@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from restitution import law
 from restitution.errors import ImpossibleError, StatementError, UnsupportedError
@@ -12,6 +12,9 @@ from restitution.problem import Arrival, Impact
 from restitution.solving.story.happenings import Happening
 from restitution.solving.story.state import State
 from restitution.vector import Vector
+
+_RULE = "a body at rest has no direction of motion"
+_TIMES = ("before", "after")
 
 
 def stage_number(state: State, tree: Quantity, now: int, name: str | None) -> int:
@@ -89,7 +92,8 @@ def quantity(state: State, tree: Quantity, now: int) -> Value:
         case "deflection":
             name = _sphere(state, tree, body)
             event = event_of(state, tree, now, name)
-            return angle_between(state, event.before[name], event.after[name])
+            reasons = [f"{name} is at rest {when} the impact, and {_RULE}" for when in _TIMES]
+            return angle_between(state, event.before[name], event.after[name], reasons)
         case "impulse":
             if body is not None:
                 return impulse_on(
@@ -146,18 +150,31 @@ def _without_a_line(state: State, event: Happening) -> str:
     )
 
 
-def angle_between(state: State, a: Vector, b: Vector) -> Angle:
-    """The angle between two vectors, 0 to 180°."""
-    for each in (a, b):
+def angle_between(
+    state: State, a: Vector, b: Vector, reasons: Sequence[str] = (_RULE, _RULE)
+) -> Angle:
+    """The angle between two vectors, 0 to 180°.
+
+    Raises ImpossibleError where one of them is zero, with the reason that belongs to it.
+    """
+    for each, reason in zip((a, b), reasons, strict=True):
         if state.field.is_zero(each.x) and state.field.is_zero(each.y):
-            raise ImpossibleError("a body at rest has no direction of motion")
+            raise ImpossibleError(reason)
     x, y = a.dot(b), state.field.abs(a.cross(b))
     return Angle(x, y, lambda: state.field.arctan2(y, x))
 
 
+def reason_of_rest(tree: Expression) -> str:
+    """Why what is at rest has no direction, with the body of whose velocity a tree speaks."""
+    match tree:
+        case Quantity("velocity" | "momentum", (Name(body),)):
+            return f"{body} is at rest, and {_RULE}"
+    return _RULE
+
+
 def _angle(state: State, left: Expression, right: Expression, now: int) -> Angle:
     a, b = state.direction(left, now), state.direction(right, now)
-    angle = angle_between(state, a, b)
+    angle = angle_between(state, a, b, [reason_of_rest(left), reason_of_rest(right)])
     if not (is_line(state, left) or is_line(state, right)):
         return angle
     x = state.field.abs(angle.x)
