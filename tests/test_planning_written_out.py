@@ -29,6 +29,13 @@ let beta = angle(velocity(A), i)
 given {given}
 find {asked}
 """
+SQUARE_TURN = """
+wall W: along i - 2j
+sphere P: mass 1, velocity 7i - 2j
+P hits W
+given {given}
+find e
+"""
 SLANTING = """
 sphere A: mass m, velocity u i
 sphere B: mass m, at rest
@@ -121,6 +128,14 @@ CASES = {
     "an angle to a line along which a sphere moves": (
         SLOWED.format(mass="m", velocity="3 at 180° - alpha", line="j"),
         ["A moves in the direction of 𝐣: angle between 𝐯_A and 𝐣 = 0° A1"],
+    ),
+    "a right angle at a slanting wall": (
+        SQUARE_TURN.format(given="deflection(P) = 90°"),
+        ["−(12√5/5) × (12√5 e/5) + (11√5/5) × (11√5/5) = 0 DM1 e = 121/144"],
+    ),
+    "a perpendicular velocity at a slanting wall": (
+        SQUARE_TURN.format(given="velocity(P) perpendicular to velocity(P, 0)"),
+        ["is perpendicular to 𝐮_P, so the scalar product is zero: −(12√5/5)", "e = 121/144"],
     ),
     "a complement of an angle": (
         WALL.format(angle="theta", e=": e = 1/3", given=f"{AFTER} = 90° - theta", asked="theta"),

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Move
+from restitution.explaining.definitions.common import RIGHT_ANGLE
+from restitution.explaining.lines.derivation import Link, Move
 from restitution.expression.tree import Expression, Letter, Name, Quantity
 from restitution.oracle.roles import REAL
 from restitution.planning.axes.open_lines import ray_of, tried, without_root, write_ray
@@ -28,8 +29,20 @@ def wall_of(scene: Scene, given: GivenEquation) -> int | None:
         (body,) = scene.spheres(number)
         ray = ray_of(scene, body, number)
         if ray is not None and ray.given is given and ray.letter is None:
-            return number
+            # Of a right angle the scalar product tells as much with the components themselves.
+            square = _is_square(given) and 0 not in ray.direction
+            return None if square else number
     return None
+
+
+def _is_square(given: GivenEquation) -> bool:
+    """Whether a fact says that a body turns through a right angle."""
+    match given.link:
+        case Link(Quantity("deflection"), "=", angle):
+            return angle == RIGHT_ANGLE
+        case Link(Quantity("velocity", (one,)), "perpendicular to", Quantity("velocity", (other,))):
+            return one == other
+    return False
 
 
 def write_resolved(scene: Scene, number: int, symbol: sp.Symbol | None) -> bool:
