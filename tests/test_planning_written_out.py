@@ -135,7 +135,7 @@ CASES = {
     ),
     "a perpendicular velocity at a slanting wall": (
         SQUARE_TURN.format(given="velocity(P) perpendicular to velocity(P, 0)"),
-        ["is perpendicular to 𝐮_P, so the scalar product is zero: −(12√5/5)", "e = 121/144"],
+        ["is perpendicular to 𝐮_P, so the scalar product is zero: −(12√5 e/5)", "e = 121/144"],
     ),
     "a complement of an angle": (
         WALL.format(angle="theta", e=": e = 1/3", given=f"{AFTER} = 90° - theta", asked="theta"),
