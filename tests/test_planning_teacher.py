@@ -16,6 +16,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain, to_text
 
 PAIR = """
 sphere A: mass m, velocity u at alpha
@@ -456,3 +457,35 @@ given velocity(B) parallel to i + 3j
 find e
 """
     assert "2(sqrt(2) u) - w = 0" in said(text)
+
+
+def test_a_product_of_equal_roots_is_a_square_and_a_cosine_above_one_has_its_reason() -> None:
+    text = """
+sphere A: mass 2m, velocity 3u at alpha
+sphere B: mass m, velocity 2u at beta from -i
+A hits B: along i, e = 1/2
+given cos(alpha) = 2/3, velocity(A) perpendicular to velocity(A, 0)
+find cos(beta)
+"""
+    words = " ".join(to_text(explain(solve(parse(text))), 100).split())
+    assert "u(1 − cos β) × 2u + (√5 u)² = 0" in words
+    assert "This cannot be, as cos β is at most 1." in words
+
+
+def test_a_tangent_that_comes_out_on_the_right_is_written_on_the_left_once() -> None:
+    text = """
+point S: (0, 1)
+wall W1: along i, through (0, 0)
+wall W2: along j, through (3, 0)
+wall W3: along i, through (0, 2)
+sphere P: at (0, 1), velocity u at alpha from -j
+given e = 1/2
+P hits W1
+P hits W2
+P hits W3
+P reaches S
+find alpha, time(4)
+"""
+    told = said(text)
+    assert "tan(alpha) = 1" in told
+    assert "1 = tan(alpha)" not in told

@@ -220,8 +220,11 @@ def _by_one(scene: Scene, line: int, above: sp.Expr, kind: Any, symbol: sp.Symbo
     if poly.degree() == 1:
         value = tidy(-poly.nth(0) / poly.nth(1))
         relation = chain(subject, (tree_of(value), None))
-        move = Move("rearrange")
-        refs = scene.judge.enough(move, (line,), relation, _background(scene, line))
+        move, above = Move("rearrange"), scene.desk.line(line)
+        link, pool = scene.desk.last_link(line), (line,)
+        if (link.right, link.left) == (subject, tree_of(value)) and above.move == move:
+            pool = above.premises  # 1 = tan α need not stand above tan α = 1
+        refs = scene.judge.enough(move, pool, relation, _background(scene, line))
         if refs is None:
             return None
         known = scene.desk.write(move, refs, relation)

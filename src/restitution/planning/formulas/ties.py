@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import sympy as sp
@@ -27,7 +28,7 @@ from restitution.planning.formulas.velocity_formulas import (
 )
 from restitution.planning.formulas.whereabouts import source_of
 from restitution.planning.writing.desk import NotPlannedError, Source, link, together
-from restitution.planning.writing.forms import ONE, ZERO, product, total, tree_of
+from restitution.planning.writing.forms import ONE, ZERO, product, square, total, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import whole_direction
@@ -97,7 +98,7 @@ def _two_velocities(
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
     cited = [_cited(pair) for pair in pairs]
-    first, second = (product(*(tree_of(each.value) for each in pair)) for pair in cited)
+    first, second = (_product(each.value for each in pair) for pair in cited)
     bodies = tuple(dict.fromkeys(body for body, _ in both))
     move = Move("define", record, frame.number, bodies)
     for along, still in ((a, d), (c, b)) if record == "perpendicular" else ():
@@ -111,6 +112,17 @@ def _two_velocities(
     refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     return scene.desk.write(move, refs, Relation(((own,),)))
+
+
+def _product(values: Iterable[sp.Expr]) -> Expression:
+    """Components side by side; the square of one with a root in front as such: (√5 u)²."""
+    factors = list(values)
+    if len(factors) > 1 and all(each == factors[0] for each in factors):
+        number, _ = factors[0].as_coeff_Mul()
+        roots = [each for each in factors[0].atoms(sp.Pow) if each.is_number]
+        if number.is_Rational and roots:
+            return square(tree_of(factors[0]))
+    return product(*map(tree_of, factors))
 
 
 def _as_vectors(scene: Scene, both: list[tuple[str, int]]) -> list[list[Source]] | None:

@@ -42,16 +42,29 @@ def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
 
 def _of_a_ratio(link: Link, naming: Naming) -> Sentence | None:
     """A ratio above 1, as cos α = 25/8, or below −1."""
-    match link.left:
-        case Apply(function) if function in _UNIT:
-            value = _number(link.right)
-        case _:
-            return None
-    if value is not None and (value - 1).is_positive:
-        return say("no-root.unit", square=naming.layout(link.left))
-    if value is not None and (value + 1).is_negative:
-        return say("no-root.least", ratio=naming.layout(link.left))
+    ratio, value = _ratio_and_value(link)
+    if ratio is not None and value is not None and (value - 1).is_positive:
+        return say("no-root.unit", square=naming.layout(ratio))
+    if ratio is not None and value is not None and (value + 1).is_negative:
+        return say("no-root.least", ratio=naming.layout(ratio))
     return None
+
+
+def _ratio_and_value(link: Link) -> tuple[Expression | None, sp.Expr | None]:
+    """The one sine or cosine of an equation without other letters, and what it makes of that."""
+    nodes = {node for side in (link.left, link.right) for node in walk(side)}
+    ratios = [node for node in nodes if isinstance(node, Apply) and node.function in _UNIT]
+    letters = {node for node in nodes if isinstance(node, Letter)}
+    if len(ratios) != 1 or letters != {ratios[0].argument}:
+        return None, None
+    (letter,) = letters
+    assert isinstance(letter, Letter)
+    symbol, t = sp.Symbol(letter.name, real=True), sp.Dummy("t")
+    gap = sp.expand(_value(link.left, symbol) - _value(link.right, symbol))
+    gap = gap.subs({"sin": sp.sin, "cos": sp.cos}[ratios[0].function](symbol), t)
+    if symbol in gap.free_symbols or not gap.is_polynomial(t) or sp.degree(gap, t) != 1:
+        return None, None
+    return ratios[0], -gap.subs(t, 0) / sp.diff(gap, t)
 
 
 def _of_a_quadratic(link: Link, naming: Naming) -> Sentence | None:
