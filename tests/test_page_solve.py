@@ -413,6 +413,17 @@ def test_what_is_not_decided_is_said(open_):
     accessible(page)
 
 
+def test_long_values_stand_below_a_long_name(open_):
+    page = open_(
+        "sphere A: mass 1, velocity 3i + j\nsphere B: mass k, at rest\nA hits B: along i\n"
+        "unknown e\nfind range of tan(direction(A))\n"
+    )
+    assert "fork>1" in answers(page)
+    row = page.locator("#answers li").first
+    wide, there = row.evaluate("each => [each.scrollWidth, each.clientWidth]")
+    assert wide <= there  # else a part of the answer is cut off
+
+
 def test_an_answer_with_its_condition(open_):
     page = open_(
         "wall W: along i\nsphere P: velocity a i - 4j\nP hits W\ngiven speed(P) = 5\nfind e\n"
