@@ -426,6 +426,16 @@ find range of e
             "⅓ < e ≤ 1, as e ≤ 1",
         ],
     ),
+    "who was at rest has the direction of the line of centres": (
+        """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass 2m, at rest, radius r
+A hits B: offset 1, e = 1
+given direction(B) = 30°
+find r
+""",
+        ["is 30°. B was at rest, so it moves\nalong the line of centres:", "tan 30° = tan φ"],
+    ),
     "a velocity that points back has the sign below the line": (
         """
 sphere A: mass 1, velocity 10i, radius 1

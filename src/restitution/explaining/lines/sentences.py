@@ -481,6 +481,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.fact-across": (
         "It is given that {fact}, and {body} moves perpendicular to the line of centres:"
     ),
+    "given.fact-from-rest": (
+        "It is given that {fact}. {body} was at rest, so it moves along the line of centres:"
+    ),
     "given.fact": "It is given that {fact}:",
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",

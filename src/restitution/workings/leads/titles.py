@@ -176,6 +176,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return lead
         if line.move.record == "tan-direction" and (still := self._standing(line).get("along")):
             return (say("given.fact-across", fact=sentence, body=still),)
+        if line.move.record == "tan-direction" and self.tells_of_rest(
+            line.move.bodies[0], line.move.event or 0, line
+        ):
+            return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 
