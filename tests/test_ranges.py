@@ -375,3 +375,20 @@ show {claim}"""
     assert shown.counterexample is None
     assert [each.value for each in shown.answers] == [truth]
     assert shown.answers[0].display in answers(solution)
+
+
+def test_a_limit_whose_sign_hangs_on_the_data_is_no_extremum() -> None:
+    # A light sphere is turned back from an impact that is nearly direct, a heavy one goes on.
+    text = """
+sphere A: mass k m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1
+{given}
+find maximum of deflection(A) over alpha
+"""
+    ((_, item),) = solve(parse(text.format(given=""))).items()
+    assert "depends on the values of the data" in str(item.error)
+    ((_, item),) = solve(parse(text.format(given="given k > 1"))).items()
+    assert item.answers[0].display.endswith("when α = arctan(√((k − 1)/(1 + k)))")
+    ((_, item),) = solve(parse(text.format(given="given k < 1"))).items()
+    assert item.answers[0].display == "180° approached as α → 0°"

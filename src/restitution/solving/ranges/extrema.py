@@ -35,7 +35,7 @@ from restitution.solving.ranges.allowed_values import (
     values_in,
     values_of_trials,
 )
-from restitution.solving.ranges.images import Candidate, is_near, is_reached
+from restitution.solving.ranges.images import Candidate, is_near, is_reached, tends
 from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.ranges.validity import defined, with_condition
@@ -203,13 +203,21 @@ def _candidates(region: Region, value: sp.Expr) -> list[Candidate]:
     points = turning(value, region.symbol, roles) + broken
     points += region.critical
     points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
-    return [
-        Candidate(at_point, {region.letter: point}, sides)
-        for point in dict.fromkeys(points)
-        for at_point, sides in limits(
-            value, region.symbol, point, region.role, broken=point in broken
-        )
-    ]
+    # The sign of what grows without bound may hang on the data: then either limit is one.
+    turned = value.replace(sp.atan, lambda x: -sp.atan(x))
+    forms_ = (
+        (value, turned) if turned != value and value.free_symbols - {region.symbol} else (value,)
+    )
+    return list(
+        {
+            (at_point, point, *sides.items()): Candidate(at_point, {region.letter: point}, sides)
+            for point in dict.fromkeys(points)
+            for form in forms_
+            for at_point, sides in limits(
+                form, region.symbol, point, region.role, broken=point in broken
+            )
+        }.values()
+    )
 
 
 def _winner(
@@ -221,6 +229,8 @@ def _winner(
         if number is None or not is_near(region, candidate, drawn):
             continue
         reached = is_reached(region, candidate, drawn)
+        if not reached and not tends(region, value, candidate, drawn):
+            continue
         if (
             best is None
             or sign * number > sign * best[2]

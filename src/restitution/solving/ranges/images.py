@@ -480,6 +480,32 @@ def _others(region: Region, candidate: Candidate, drawn: Sample) -> list[Sample]
 
 
 def _is_near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
+    return any(True for _ in _nearby(region, candidate, drawn))
+
+
+def tends(region: Region, value: sp.Expr, candidate: Candidate, drawn: Sample) -> bool:
+    """Whether a quantity is seen to come near to a candidate's value at its place.
+
+    Of what a limit is, the sign of something in the data may decide.
+    """
+    number, near = limit_at(candidate.value, drawn), list(_nearby(region, candidate, drawn))
+    if number is None or candidate.value.is_infinite or not near:
+        return True
+    for values in near:
+        try:
+            if abs(float(at(value, values) - number)) < _CLOSE * (1 + abs(float(number))):
+                return True
+        except (UndefinedError, KeyError):
+            continue
+    return False
+
+
+# A limit is not reached; values at a place 10⁻⁷ from its own are this near to it.
+_CLOSE = 1e-2
+
+
+def _nearby(region: Region, candidate: Candidate, drawn: Sample) -> Iterator[Sample]:
+    """Allowed values that are as near to a candidate's place as is looked at."""
     values: Sample = dict(drawn)
     names = list(candidate.where)
     for step in (at(sp.Rational(1, 10**7), {}),):
@@ -503,5 +529,4 @@ def _is_near(region: Region, candidate: Candidate, drawn: Sample) -> bool:
                         ok = False
                         break
             if ok and region._possible(trial):
-                return True
-    return False
+                yield trial
