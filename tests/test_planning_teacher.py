@@ -435,17 +435,7 @@ find total_energy_lost
     assert any(each.startswith("total_energy_lost(2) = 2523/160 + 441/200") for each in told)
 
 
-# --- numbers in products --------------------------------------------------------------------------
-
-
-def test_a_number_stands_behind_a_mass_that_begins_with_one() -> None:
-    text = """
-sphere A: mass 3m, velocity 2i + j
-sphere B: mass 2m, at rest
-A hits B: along i, e = 1/2
-find impulse
-"""
-    assert "impulse(1) = 2m (9/5) = 18m/5 [rearrange]" in said(text)
+# --- roots in products ----------------------------------------------------------------------------
 
 
 def test_components_in_proportion_have_no_root_in_common() -> None:

@@ -230,9 +230,7 @@ def product(*factors: Expression) -> Expression:
             return ZERO
         if each != ONE:
             kept.append(each)
-    # 2w, and not w × 2; but 2m × 4/3, and not 4/3 × 2m.
-    if not (kept and _has_its_number(kept[0])):
-        kept.sort(key=lambda each: not is_rational(each))
+    kept.sort(key=lambda each: not is_rational(each))  # 2w, not w × 2
     total: Expression = kept[0] if kept else ONE
     for each in kept[1:]:
         total = Binary("*", total, each)
@@ -245,11 +243,6 @@ def is_rational(tree: Expression) -> bool:
         case Number() | Binary("/", Number(), Number()):
             return True
     return False
-
-
-def _has_its_number(tree: Expression) -> bool:
-    """Whether a tree is a product that begins with a number, and is more than that."""
-    return not is_rational(tree) and is_rational(factors(tree)[0])
 
 
 def factors(tree: Expression) -> list[Expression]:
