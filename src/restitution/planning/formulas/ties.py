@@ -120,7 +120,7 @@ def _product(values: Iterable[sp.Expr]) -> Expression:
     if len(factors) > 1 and all(each == factors[0] for each in factors):
         number, _ = factors[0].as_coeff_Mul()
         roots = [each for each in factors[0].atoms(sp.Pow) if each.is_number]
-        if number.is_Rational and roots:
+        if number.is_Rational and roots and factors[0].free_symbols:
             return square(tree_of(factors[0]))
     return product(*map(tree_of, factors))
 
