@@ -217,3 +217,19 @@ def test_facts_of_energies_and_whole_speeds_among_components(
         letters = {"v'": letters["v"], "w": letters["w"]}
     found = restitution.mark(restitution.parse(statement), working, letters=letters)
     assert found.mistakes == (name,)
+
+
+ONE_SIDE = """
+sphere A: mass 2m, velocity 4u i + u j
+sphere B: mass 3m, velocity -2u i
+A hits B: along i, e = 2/5
+find velocity(A)
+"""
+
+
+@pytest.mark.parametrize(
+    "line", ["8mu - 6mu = mv + mw", "8u - 6u = 2v + 2w", "12u - 6u = 2v + 3w", "8u - 6u = v + w"]
+)
+def test_masses_left_out_on_one_side_of_momentum(line: str) -> None:
+    found = restitution.mark(restitution.parse(ONE_SIDE), line, letters=V)
+    assert found.mistakes == ("mass-omitted",)

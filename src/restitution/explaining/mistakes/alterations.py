@@ -379,6 +379,21 @@ def _mass_omitted() -> Iterator[_Plain]:
         )
 
 
+def _mass_omitted_once() -> Iterator[_Plain]:
+    """Masses left out on one side alone: lines, of which no world is made.
+
+    There the bodies have none, or both that of one of them.
+    """
+    before, after = (f"mass(F) {each('F')} + mass(S) {each('S')}" for each in (_p, _q))
+    for mass in ("1", "mass(F)", "mass(S)"):
+        for law, when in (
+            (f"{before} = {mass} ({_q('F')} + {_q('S')})", "after"),
+            (f"{mass} ({_p('F')} + {_p('S')}) = {after}", "before"),
+        ):
+            words = f"masses left out in momentum {when} the impact"
+            yield _world("spheres", AlteredLaw("momentum", law), words=words)
+
+
 def _masses_exchanged() -> Iterator[_Plain]:
     law = f"mass(S) {_p('F')} + mass(F) {_p('S')} = mass(S) {_q('F')} + mass(F) {_q('S')}"
     yield _world("spheres", AlteredLaw("momentum", law), words="each mass with the other velocity")
@@ -652,6 +667,7 @@ _OF_LINES: Mapping[str, Callable[[], Iterator[_Plain]]] = {
     "speed-for-component": _speeds_after,
     "restitution-whole-speed": _relative_speeds,
     "masses-exchanged": _masses_exchanged_once,
+    "mass-omitted": _mass_omitted_once,
 }
 
 
