@@ -45,14 +45,13 @@ from restitution.workings.reasons.grounds import (
     grounds_of,
     motion_of,
 )
-from restitution.workings.reasons.growing import growth, limit_at_an_end, reached_at_an_end, way_of
+from restitution.workings.reasons.growth_reasons import GrowthReasons
 from restitution.workings.reasons.later_times import later_than
 from restitution.workings.reasons.multipliers import multipliers_of
 from restitution.workings.reasons.plain_signs import are_squares, positive_letters
 from restitution.workings.reasons.rejected_roots import made_by_a_root
 from restitution.workings.reasons.right_angles import RightAngles
-from restitution.workings.reasons.seen import growth_said, less_than_its_limit, shown
-from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons, is_short
+from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
@@ -71,6 +70,7 @@ class Reasons:
         self._naming = naming
         self._shapes = ShapeReasons(derivation, naming, self._roles)
         self._right_angles = RightAngles(derivation, naming, self._roles)
+        self._growth = GrowthReasons(derivation, naming, self._roles, self._shapes, self._reason)
 
     def is_positive(self, name: str) -> bool:
         """Whether a letter of the statement is positive for all that it may be."""
@@ -124,8 +124,8 @@ class Reasons:
         if would is not None:
             return (say("derived.as", reasons=(would,)),)
         reasons = (
-            *self._monotone(line),
-            *self._at_its_end(line),
+            *self._growth.between_ends(line),
+            *self._growth.at_its_end(line),
             *self._shapes.of(line),
             *self._known(line),
             *self._silent(line),
@@ -508,138 +508,6 @@ class Reasons:
         ]
         yield from (self._laid(each) for each in _merged(bounds))
 
-    def _monotone(self, line: Line) -> Iterator[Sentence]:
-        """That a quantity increases, or decreases, between the ends that are cited."""
-        if line.move.id != "monotone":
-            return
-        if any(self._shapes.square_of_a_ratio(line)):
-            return  # a limit says no more than that
-        growths = [
-            own.relation
-            for ref in line.premises
-            if isinstance(ref, int)
-            and (own := self._derivation.line(ref)) is not None
-            and isinstance(own.relation, Relation)
-        ]
-        above = [
-            Link(each.only[0].left, "=", each.only[-1].right)
-            for each in growths
-            if each.only[0].sign == "="
-        ]
-        ends = [link for each in growths for link in each.only if link.sign != "="]
-        ends += [
-            link
-            for ref in line.premises
-            if isinstance(relation := self._reason(ref, line), Relation)
-            for links in relation.options
-            for link in links
-        ]
-        for ref in line.premises:
-            if isinstance(ref, str) and ref.startswith("acute:"):
-                angle = read_tree(ref.removeprefix("acute:"), self._naming.bodies)
-                ends += [
-                    Link(angle, ">", Degrees(Fraction(0))),
-                    Link(angle, "<", Degrees(Fraction(90))),
-                ]
-        if len(above) != 1:
-            return
-        assert isinstance(line.relation, Relation)
-        positive = {name for name, role in self._roles.items() if role.kind == "positive"}
-        grown = growth(above[0].right, line.relation, ends, positive)
-        if grown is not None:
-            name, sense = grown
-            whole = above[0].right
-            if not is_short(whole):
-                part = _part_with(whole, name)
-                turn = 0 if part is None else way_of(part, name, ends, line.relation)
-                whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
-            letter_ = Letter(name)
-            letter = self._naming.layout(letter_)
-            growth_, itself = growth_said(
-                whole, name, sense, ends, self._roles, self._naming.layout
-            )
-            far = _far_end(line.relation, above[0].left, name, sense, ends)
-            if far is not None and self._is_no_range(line):
-                less = less_than_its_limit(whole, name, sense, ends, self._roles)
-                if less is not None:
-                    yield say("derived.fact", fact=self._laid(less))
-                    return
-            yield growth_
-            limit: tuple[Expression | None, Expression | None] = far, None
-            near: tuple[Sentence, ...] = ()
-            if name in positive and far is not None:
-                if len(line.relation.only) > 1:  # the other end is where the letter is near 0
-                    least = (turned(e) if e.right == letter_ else e for e in ends)
-                    low = (e for e in least if e.left == letter_ and e.sign in DOWN)
-                    low_end = next(low, Link(letter_, ">", ZERO))
-                    near = (say("derived.fact", fact=self._laid(Relation(((low_end,),)))),)
-            elif any(end.line == line.number and end.shown for end in self._derivation.items):
-                reached = reached_at_an_end(above[0].right, line.relation, name, ends)
-                if reached is not None:
-                    at = self._laid(Relation(((Link(letter_, "=", reached[1]),),)))
-                    value_there = self._naming.layout(reached[0])
-                    yield say("derived.it-is", value=value_there, at=at)
-                    return
-                limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
-            else:
-                return
-            value, end = (None if each is None else self._naming.layout(each) for each in limit)
-            if value is not None:
-                # Of what grows the limit may be another.
-                named = not itself or whole not in (above[0].left, above[0].right)
-                subject = self._naming.side(above[0].left)
-                words = isinstance(subject, lay.Words | lay.Phrase)
-                quantity = say("derived.the", quantity=subject) if words else subject
-                first = say("derived.its", quantity=quantity) if named else ""
-                if named:
-                    yield from near
-                yield (
-                    say("derived.tends", first=first, value=value, letter=letter)
-                    if end is None
-                    else say("derived.tends-to", first=first, value=value, letter=letter, end=end)
-                )
-                # What falls "and tends to 0" is named once: nothing stands between.
-                yield from () if named else near
-
-    def _at_its_end(self, line: Line) -> Iterator[Sentence]:
-        """How a bound goes with a letter that is in it twice, where its end is put in for that."""
-        assert isinstance(line.relation, Relation)
-        cited = [self._shapes.relation_of(ref) for ref in line.premises if isinstance(ref, int)]
-        match line.relation.options, cited:
-            case [((Link(subject, sign_, bound),),), [Relation(((Link(own, first, worth),),))]]:
-                pass
-            case _:
-                return
-        if line.move.id != "compare" or subject != own or sign_[0] != first[0] or sign_ == "=":
-            return
-        ends = [
-            link
-            for ref in line.premises
-            if isinstance(ref, str) and isinstance(reason := self._reason(ref, line), Relation)
-            for link in reason.options[0]
-        ]
-        names = [node.name for node in walk(worth) if isinstance(node, Letter)]
-        for name in sorted(letters(worth) - letters(bound)):
-            sense = way_of(worth, name, ends, Relation(((Link(worth, sign_, bound),),)))
-            if names.count(name) > 1 and shown(worth, name, sense, ends, self._roles) is not None:
-                layout = self._naming.layout
-                yield growth_said(worth, name, sense, ends, self._roles, layout)[0]
-
-    def _is_no_range(self, line: Line) -> bool:
-        """Whether a line leads to what is shown, or to a value that is only approached.
-
-        Where a range is asked, its ends are limits.
-        """
-        above = {line.number}
-        for each in self._derivation.lines:
-            if above & set(each.premises):
-                above.add(each.number)
-        end = next((each for each in self._derivation.items if each.line in above), None)
-        if end is None:
-            return False
-        last = self._derivation.line(end.line)
-        return end.shown or (last is not None and last.move.record == "approached")
-
 
 def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
     """Whether a relation says that a letter is more than something."""
@@ -648,35 +516,6 @@ def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
         for links in relation.options
         for link in links
     )
-
-
-def _far_end(
-    bound: Relation, subject: Expression, name: str, sense: int, ends: list[Link]
-) -> Expression | None:
-    """The bound that is approached as a letter grows, where nothing cited bounds it above."""
-    for end in ends:
-        above = end.left if end.sign in UP else end.right
-        if above == Letter(name):
-            return None
-    for link in bound.only:
-        for side, other, signs in (
-            (link.left, link.right, UP if sense > 0 else DOWN),
-            (link.right, link.left, DOWN if sense > 0 else UP),
-        ):
-            if side == subject and link.sign in signs:
-                return other
-    return None
-
-
-def _part_with(tree: Expression, name: str) -> Expression | None:
-    """The one factor of a product, or above in a quotient, that has a letter, if it is short."""
-    above = tree
-    if isinstance(tree, Binary) and tree.op == "/":
-        if name in letters(tree.right):
-            return None
-        above = tree.left
-    parts = [factor for factor in factors(above) if name in letters(factor)]
-    return parts[0] if len(parts) == 1 and is_short(parts[0]) else None
 
 
 def _by_its_ends(relation: Relation) -> Relation:
