@@ -159,7 +159,7 @@ SAYS = {
             "sphere A: mass 2, velocity x i + 3j\nsphere B: mass 3, velocity -2i + j\n"
             "A hits B: along i, e = 1/2\ngiven impulse = 9, x > 0\nunknown x\nfind x"
         ),
-        ["v = (x − 18)/10", "9 = 2(x − (x − 18)/10)", "x = 3"],
+        ["9 = 3(w + 2)", "w = 1 m s⁻¹", "x = 3"],
     ),
     "the size of an impulse that is known as a vector": (
         (
