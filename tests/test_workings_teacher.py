@@ -153,7 +153,7 @@ SAYS = {
         ),
         ["(b)", "w = 2 + 4e", "Since e = ½:\n    w = 4", "4 − v = ½(4 + 2)", "v = 1"],
     ),
-    # 4 = −5x/... : v = (x − 18)/10 by both laws, and 9 = 2(x − v).
+    # 9 = 3(w + 2) gives w = 1, and the two laws v and x.
     "a component of the data by an impulse": (
         (
             "sphere A: mass 2, velocity x i + 3j\nsphere B: mass 3, velocity -2i + j\n"
