@@ -180,6 +180,20 @@ def test_a_sum_that_is_never_zero_has_its_square_completed() -> None:
     assert "= u(1 − e + e²)/3 = u((e − ½)² + ¾)/3" in working
 
 
+def test_a_speed_may_rest_on_alternatives() -> None:
+    text = """
+wall W: along i
+sphere P: mass 1/2, velocity p i - 4j
+P hits W
+given speed(P, 0) = sqrt(17)
+given speed(P)/speed(P, 0) = 5/sqrt(153)
+find p, e
+"""
+    working = to_text(explain(solve(parse(text))))
+    assert "p = 1 or p = −1" in working
+    assert "not written out" not in working
+
+
 def test_a_root_is_rejected_by_what_is_given() -> None:
     text = """
 sphere A: mass 2, velocity u i + 2 j

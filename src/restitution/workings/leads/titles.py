@@ -307,7 +307,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             isinstance(node, Quantity) and node.kind == "velocity"
             for own in above
             if isinstance(own, Relation)
-            for node in walk(own.only[-1].right)
+            for links in own.options
+            for node in walk(links[-1].right)
         )
 
     def _by_speeds(self, line: Line) -> bool:
