@@ -96,12 +96,16 @@ def impulse_on(
     # At a wall the two point opposite ways: sizes are added.
     walled = frame.wall is not None
     change_tree = total((last, negative(first))) if walled else difference(last, first)
+    tree, value = product(tree_of(mass.value), change_tree), tidy(mass.value * change)
+    if not scene.unknown(value) and not model.decide(change, ">=", 0):
+        # Which way the body comes is open.
+        tree, value = Apply("abs", tree), sp.Abs(value)
     return Formula(
         Move("law", "impulse", event, (body,)),
         itself,
         quantity,
-        product(tree_of(mass.value), change_tree),
-        tidy(mass.value * change),
+        tree,
+        value,
         together(mass.refs, early.whole, late.whole, frame.names_axis("along")),
     )
 
