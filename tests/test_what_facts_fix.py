@@ -318,3 +318,11 @@ def test_a_root_for_one_sense_of_a_letter_is_given_for_that_alone() -> None:
         # The velocities before and after: (u, -v) and (u, v/4).
         assert abs(sense * 5 * v / 4) / (1 - v * v / 4) == pytest.approx(-0.75)
     assert sorted(each.condition for each in answers) == [("0 < u",)] * 2 + [("u < 0",)] * 2
+
+
+def test_a_coefficient_that_is_too_unwieldy_to_be_bounded_has_its_condition() -> None:
+    """With α = 81° and M less than m, the formula has 1.16 and more."""
+    text = "sphere A: mass m, velocity u at alpha\nsphere B: mass M, at rest\n"
+    text += "A hits B: along 3i + 4j\ngiven tan(deflection(A)) = sqrt(3)\nfind e"
+    (answer,) = solve(parse(text))["e"].answers
+    assert answer.display.endswith(", for 0 ≤ e ≤ 1")

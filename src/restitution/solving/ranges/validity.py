@@ -7,6 +7,7 @@ of one letter, with ends in the others.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
@@ -16,6 +17,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import (
     BeyondError,
     Formula,
@@ -32,6 +34,7 @@ from restitution.render.text import to_text
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.clearing import polynomial_of
 from restitution.solving.algebra.intervals import inside_of, to_set
+from restitution.solving.algebra.numbers import at, sample
 from restitution.solving.algebra.polynomials import factors
 from restitution.solving.equations.part import Outcome
 from restitution.solving.equations.setting import Trial
@@ -42,6 +45,7 @@ from restitution.solving.story.admission import Demand, demands_for
 from restitution.solving.story.conditions import Condition
 
 MOST_LETTERS = 6
+TRIED = 24
 # Of more letters of either sign the senses are not gone through.
 MOST_SENSES = 2
 # What is longer is not factorised.
@@ -65,6 +69,8 @@ class Limitation:
 def limitations(outcome: Outcome, trial: Trial) -> tuple[Limitation, ...]:
     """What an accepted solution asks of the letters beyond what the statement does."""
     admission = trial.admission
+    if admission is None and (unwieldy := tuple(_of_unwieldy(outcome, trial))):
+        return unwieldy
     roles = outcome.letters.all_roles() if admission is None else admission.roles
     demands = _at_contacts(outcome, trial) if admission is None else admission.demands
     demands = (*demands, *_at_equations(outcome, trial))
@@ -94,6 +100,32 @@ def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
         for factor in each:
             if not factor.free_symbols & unknowns:
                 yield Demand(Relation(factor, "!="), "", "fact")
+
+
+def _of_unwieldy(outcome: Outcome, trial: Trial) -> Iterator[Limitation]:
+    """That a coefficient whose value is too unwieldy to be bounded lies from 0 to 1.
+
+    Nothing, where it does at all values of the letters that are tried.
+    """
+    roles = outcome.letters.all_roles()
+    for name, value in trial.root.values.items():
+        role = outcome.setting.roles.get(name)
+        if role is None or role.kind != "restitution" or not value.free_symbols:
+            continue
+        names = sorted(x.name for x in value.free_symbols)
+        if any(each.startswith("_") or each not in roles for each in names):
+            continue
+        rng = random.Random(53)
+        for _ in range(TRIED):
+            try:
+                number = at(value, sample(names, roles, rng))
+            except UndefinedError:
+                continue
+            if number < 0 or number > 1:
+                low, high = Relation(value, ">="), Relation(1 - value, ">=")
+                limit = _chain(name, low, high)
+                yield replace(limit, layout=limit.own or limit.layout)
+                break
 
 
 def _of_senses(base: Oracle, trial: Trial) -> Iterator[Demand]:
