@@ -35,12 +35,13 @@ from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.conditions import is_same
+from restitution.workings.leads.given_leads import GivenLeads
 from restitution.workings.leads.introductions import Introductions
 from restitution.workings.leads.meetings import meetings
 from restitution.workings.leads.radii import Radii
 from restitution.workings.leads.sides import Sides
 from restitution.workings.leads.staying import Staying
-from restitution.workings.leads.titles import TITLED, Leads
+from restitution.workings.leads.titles import TITLED
 from restitution.workings.leads.touching import Touching
 from restitution.workings.naming.bold_letters import Used
 from restitution.workings.naming.data_angles import DataAngles
@@ -122,7 +123,7 @@ class _Writer:
         for letter in filter(None, map(letter_of_offset, derivation.lines)):
             self.naming.introduced_early.add(letter)
             self.naming.knows(derivation.meanings[letter].quantity, letter)
-        self.leads = Leads(derivation, self.naming, self.sources, self.reasons)
+        self.leads = GivenLeads(derivation, self.naming, self.sources, self.reasons)
         self.meetings = dict(meetings(derivation, self.ends, self.naming))
         self.angles = DataAngles(derivation, self.naming)
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)

@@ -1,0 +1,293 @@
+"""The words before what is given: the fact, and what it says of a component or an angle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from fractions import Fraction
+
+from restitution.explaining.definitions.ties import past_a_right_angle, tie_of
+from restitution.explaining.lines.derivation import (
+    Fact,
+    Line,
+    Link,
+    Relation,
+)
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import rebuilt, trees_of
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_zero,
+    letters,
+    walk,
+)
+from restitution.render import layout as lay
+from restitution.workings.leads.lines_around import is_rest
+from restitution.workings.leads.titles import Leads
+
+# The sign of a component along **i**, of a direction beyond 90°.
+_BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
+
+# The sign of a scalar product, by that with which its line compares it with zero.
+_PRODUCTS: Mapping[str, SentenceId] = {
+    ">": "given.positive-product",
+    "<": "given.negative-product",
+    ">=": "given.no-negative-product",
+    "<=": "given.no-positive-product",
+}
+
+
+class GivenLeads(Leads):
+    """All words before lines, those that take what is given among them."""
+
+    def given(self, line: Line) -> tuple[Sentence, ...]:
+        """The given fact that a definition turns into an equation."""
+        if line.move.id != "define":
+            return ()
+        facts = [
+            fact
+            for ref in (*line.premises, *self._under_a_tie(line))
+            if isinstance(ref, str)
+            and (fact := self._derivation.fact(ref)) is not None
+            and (fact.kind == "given" or (fact.kind == "range" and ref.startswith("given")))
+            and fact.id not in self._given
+        ]
+        if line.move.record in ("perpendicular", "parallel"):
+            # What else is given is a value that is put in.
+            facts = [
+                each
+                for each in facts
+                for own in (self._opened(each.relation.only[0]),)
+                if tie_of(own) is not None or past_a_right_angle(own) is not None
+            ]
+        if line.move.record in ("sum", "difference"):
+            # An angle of the data is a value too.
+            facts = [each for each in facts if any(map(has_quantity, trees_of(each.relation)))]
+        if len(facts) != 1:
+            return ()
+        self._given |= {each.id for each in facts}
+        sentence = self._naming.fact(facts[0])
+        along = self._moving_along(line)
+        if along is not None and line.move.record == "tan":
+            return (say("given.fact-along", fact=sentence, body=along),)
+        match facts[0].relation.options[0][0]:
+            case Link(Quantity("velocity", _, _), "=", right) if isinstance(sentence, lay.Layout):
+                if not has_quantity(right):
+                    return ()  # a velocity that is given is a datum
+                resolved = self.resolved(line) if line.move.record == "component" else None
+                if resolved is not None:
+                    return (say("given.and", fact=sentence), resolved)
+        match facts[0].relation.options[0][0]:
+            case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
+                abs(_degrees(angle)) == 90
+            ):
+                velocity = self._naming.layout(Quantity("velocity", (body,), stage))
+                axis = self._naming.layout(Unit("i"))
+                return (say("given.direction", fact=sentence, velocity=velocity, axis=axis),)
+        past = past_a_right_angle(self._opened(facts[0].relation.options[0][0]))
+        match self._opened(facts[0].relation.options[0][0]).left:
+            case Quantity("direction") if line.move.record == "perpendicular" and past is not None:
+                velocity, axis = map(self._naming.layout, past[:2])
+                name = _BEHIND[past[2]]
+                return (say(name, fact=sentence, velocity=velocity, axis=axis),)
+        named = isinstance(facts[0].relation.options[0][0].left, Letter)
+        if named and line.move.record == "perpendicular" and past is not None:
+            if isinstance(past[1], Unit):
+                return (say("derived.since", facts=(sentence,)),)
+            return (say(_PRODUCTS[past[2]], fact=sentence),)
+        if named and not isinstance(sentence, Sentence):
+            if self.title(line) is not None:
+                own = facts[0].relation.options[0][0].left
+                of_the_motion = {
+                    each.relation.only[0].right
+                    for each in self._derivation.facts
+                    if each.id.partition(" ")[0] == "let"
+                }
+                if own not in of_the_motion and not any(
+                    own in walk(each) for each in trees_of(line.relation)
+                ):
+                    return ()  # a value of the data, which is put in
+                self._behind[line.number] = say("derived.as", reasons=(sentence,))
+                return ()
+            return (say("derived.since", facts=(sentence,)),)
+        assert isinstance(line.relation, Relation)
+        match facts[0].relation.options[0][0], line.relation.only:
+            case Link(Quantity("velocity"), "perpendicular to", Unit() as unit), (link,) if (
+                line.move.record == "perpendicular" and is_zero(link.right)
+            ):
+                return (say("given.component", fact=sentence, axis=self._naming.layout(unit)),)
+        if line.move.record in ("sum", "difference") and len(line.move.bodies) == 1:
+            turned = self._turned(line)
+            if turned is not None:
+                return (say("given.and", fact=sentence), turned)
+        if line.move.record == "perpendicular" and (pair := self._square_to_the_line(line)):
+            return (say("given.square-to", fact=sentence, one=pair[0], other=pair[1]),)
+        if isinstance(line.relation.options[0][0].left, Letter):
+            return (say("given.fact", fact=sentence),)
+        if line.move.record == "perpendicular" and past is not None:
+            return (say(_PRODUCTS[past[2]], fact=sentence),)
+        nothing = is_zero(line.relation.options[0][-1].right)
+        if line.move.record == "perpendicular" and nothing:
+            match line.relation.options[0][0].left:
+                case Quantity("along" | "across"):
+                    pass
+                case Binary("*") if (mover := self._on_the_line(line)) is not None:
+                    return (say("given.product-along", fact=sentence, body=mover),)
+                case _:
+                    return (say("given.product", fact=sentence),)
+        other = _across(self._of_a_wall(facts[0].relation.options[0][0].right))
+        if line.move.record == "parallel" and nothing and other is not None:
+            return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
+        if line.move.record == "parallel":
+            match line.relation.options[0][0].left:
+                case Quantity("along") if nothing:
+                    return (say("given.fact", fact=sentence),)
+            return (say("given.proportion", fact=sentence),)
+        if line.move.record in ("energy-lost", "energy-change") and not self._by_speeds(line):
+            event = self._naming.events.get(line.move.event or 0)
+            spheres = line.move.record == "energy-lost" and event is not None and not event.wall
+            name = "given.by-those-that-change" if spheres else "given.by-what-changes"
+            return (say("given.and", fact=sentence), say(name))
+        if line.move.record == "scalar-angle" and (lead := self._cosine_told(line, facts[0])):
+            return lead
+        if line.move.record == "tan-direction" and (still := self._standing(line).get("along")):
+            return (say("given.fact-across", fact=sentence, body=still),)
+        if line.move.record == "tan-direction" and self.tells_of_rest(
+            line.move.bodies[0], line.move.event or 0, line
+        ):
+            return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
+        offset = self._sine_of_an_offset(line)
+        return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _cosine_told(self, line: Line, fact: Fact) -> tuple[Sentence, ...]:
+        """What is said before the cosine of a given angle between two velocities; else nothing."""
+        assert isinstance(line.relation, Relation)
+        match fact.relation.options[0][0].left:
+            case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
+                sentence, cosine = self._naming.fact(fact), line.relation.options[0][0].left
+            case _:
+                return ()
+        if isinstance(cosine, Apply):
+            return say("given.and", fact=sentence), say("given.by-the-product")
+        if letters(cosine) or has_quantity(cosine):
+            return ()
+        worth = self._naming.layout(cosine)
+        return (
+            say("given.of-cosine", fact=sentence, cosine=worth),
+            say("given.by-the-product"),
+        )
+
+    def _of_a_wall(self, axis: Expression) -> Expression:
+        """The direction that the statement gives a wall; any other direction as it is."""
+        links = (fact.relation.options[0][0] for fact in self._derivation.facts)
+        own = Quantity("direction", (axis,))
+        return next((each.right for each in links if each.left == own), axis)
+
+    def _and_its_sense(self, line: Line, fact: Sentence | lay.Layout) -> Sentence | None:
+        """A given angle to a line, of which the tangent has a component of a certain sign below.
+
+        Or a given speed of what has one component, which has a certain sign.
+        """
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0]:
+            case (Link(left, "=", Binary("/", _, below)), *_) if line.move.record == "tan":
+                if letters(left):
+                    return None
+            case (Link(left, "=", below),) if line.move.record == "speed":
+                pass
+            case _:
+                return None
+        for own in map(self._cited, line.premises):
+            match None if own is None else own.relation:
+                case Relation((((Link(Letter(), "=") as first), *_),)) as relation:
+                    known = self._reasons.sign_by_a_bound(below)
+                    if relation.only[-1].right != below or known is None:
+                        continue
+                    sense = Relation(((Link(first.left, known[0], Number(Fraction(0))),),))
+                    bound = self._naming.relation(Relation(((known[1],),)))
+                    return say(
+                        "given.fact-sense",
+                        fact=fact,
+                        sense=self._naming.relation(sense),
+                        bound=bound,
+                    )
+        return None
+
+    def given_before(self, line: Line) -> tuple[Sentence, ...]:
+        """The given fact that says a velocity by another one, before a law that takes it."""
+        for ref in line.premises if line.move.id == "law" else ():
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is None or fact.kind != "given" or fact.id in self._given:
+                continue
+            match fact.relation.options[0][0]:
+                case Link(Quantity("velocity"), "=", right) if has_quantity(right):
+                    self._given.add(fact.id)
+                    words = self._naming.fact(fact)
+                    own = self._component_of_multiple(fact)
+                    if own is not None:
+                        component, value = map(self._naming.layout, own)
+                        slots = {"component": component, "value": value}
+                        return (say("given.multiple", fact=words, **slots),)
+                    return (say("given.and", fact=words),)
+                case Link(Quantity("velocity", (Name(body),)), "=") if is_rest(fact):
+                    self._given.add(fact.id)
+                    return (say("given.rest", body=body),)
+        return ()
+
+    def _component_of_multiple(self, fact: Fact) -> tuple[Expression, Expression] | None:
+        """A component along the line of centres and its value, of a multiple of a velocity."""
+        link = fact.relation.options[0][0]
+        for letter, meaning in self._naming.meanings.items():
+            match meaning.quantity:
+                case Quantity("along", (Quantity("velocity") as velocity, line)) if (
+                    velocity in walk(link.right) and meaning.sense is None
+                ):
+                    own = rebuilt(
+                        link.right,
+                        lambda e: Letter(letter) if e == velocity else e,  # noqa: B023
+                    )
+                    if not has_quantity(own) and not _has_vector(own):
+                        return Quantity("along", (link.left, line)), own
+        return None
+
+    def _opened(self, link: Link) -> Link:
+        """A relation of a letter that the statement has for a quantity, said of the quantity."""
+        named = {
+            each.relation.only[0].right: each.relation.only[0].left
+            for each in self._derivation.facts
+            if each.kind == "data" and len(each.relation.options) == 1
+        }
+        is_named = isinstance(link.left, Letter) and link.left in named
+        return replace(link, left=named[link.left]) if is_named else link
+
+
+def _across(axis: Expression) -> Unit | None:
+    """The other one of **i** and **j**."""
+    return Unit("j" if axis.axis == "i" else "i") if isinstance(axis, Unit) else None
+
+
+def _degrees(tree: Expression) -> Fraction:
+    """An angle that is a number of degrees; 0 for any other."""
+    match tree:
+        case Negate(operand):
+            return -_degrees(operand)
+        case Degrees(value):
+            return value
+    return Fraction(0)
+
+
+def _has_vector(tree: Expression) -> bool:
+    return any(isinstance(node, Unit | Pair | Polar) for node in walk(tree))
