@@ -32,7 +32,7 @@ from restitution.workings import explain
             P hits W
             find range of a
             """,
-            ["P hits W between its ends: 1 m s⁻¹ < a < 4 m s⁻¹"],
+            ["P hits W between its ends: 1 < a < 4"],
         ),
         (
             """
@@ -167,7 +167,7 @@ def test_a_condition_is_true_at_the_ends_of_the_letters_and_speaks_of_no_others(
     text += "given speed(P) = v\nfind sin(alpha) in terms of u, v, e\n"
     text += "find energy_lost in terms of m, u, v"
     working = " ".join(str(explain(restitution.solve(parse(text)))).split())
-    assert "is acute, this holds for eu < v < u and e < 1 only." in working
+    assert "< 1, this holds for eu < v < u and e < 1 only." in working
     assert working.lower().count("this holds for") == 1
 
 

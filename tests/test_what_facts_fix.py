@@ -282,7 +282,7 @@ def test_a_sample_is_as_letters_look() -> None:
         "wall W: along i\nsphere P: mass m, velocity a i - b j\nP hits W\n"
         "given e = a^2/b^2\nfind impulse"
     )
-    assert "m(a²/b + b) = m(a² + b²)/b" in to_text(explain(solve(parse(text))), 80)
+    assert "|m(a²/b + b)| = m(a² + b²)/|b|" in to_text(explain(solve(parse(text))), 80)
 
 
 def test_a_letter_for_an_angle_is_below_90_degrees() -> None:
