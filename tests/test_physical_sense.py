@@ -341,3 +341,26 @@ A hits B: along i, e = 1/4
 find deflection(B)
 """
     assert "B is at rest before the impact, and a body at rest has no" in str(answer(text).error)
+
+
+@pytest.mark.parametrize(
+    ("between", "asked", "held"),
+    [
+        ("e = 0", "show A and B collide again", True),
+        ("e = 1/4", "show A and B collide again", False),
+        ("e = 0", "show k < 1", True),
+    ],
+)
+def test_who_hits_a_wall_after_a_direct_impact_goes_away_from_whom_it_met(
+    between: str, asked: str, held: bool
+) -> None:
+    # With k > 1 B comes back behind A, which would be at a wall on that side first.
+    text = f"""
+sphere A: mass m, velocity u i
+sphere B: mass k m, velocity -u i
+wall W: along j
+A hits B: along i, {between}
+B hits W: e = 1/2
+{asked}
+"""
+    assert answer(text).holds is held

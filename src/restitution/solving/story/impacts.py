@@ -78,6 +78,25 @@ def _approach(
     state.contact_lines[key[1], key[0]] = -oriented
 
 
+def _nearer(state: State, number: int, name: str, u: Vector, c: Vector, reason: str) -> None:
+    """Who hits a wall right after a direct impact moves away from whom it met, along its normal.
+
+    On the other side the other is nearer to the wall, and no slower: it would be there first.
+    Where spheres meet obliquely, the story may leave out that the other was there.
+    """
+    last = state.happenings[-1] if state.happenings else None
+    if last is None or last.number != number - 1 or last.unknown_line or last.altered:
+        return
+    spheres = set(last.bodies) & set(state.spheres)
+    if len(spheres) < 2 or name not in spheres or last.centres is None:
+        return
+    if _same_line(state, last.centres, c) and all(
+        _same_line(state, velocity, c) for velocity in last.after.values()
+    ):
+        away = last.oriented() if name == last.bodies[1] else -last.oriented()
+        state.conditions.append(Condition(u.dot(away), ">", reason, "approach"))
+
+
 def _held(state: State, key: tuple[str, str], u: Vector, c: Vector) -> bool:
     """Whether two bodies that met are still in the same order along their line.
 
@@ -143,6 +162,8 @@ def _impact_with_wall(state: State, number: int, step: Impact) -> Happening:
     closing = state.rational(u.dot(c))
     what = f"{name} is moving away from {wall.name}, or along it"
     _approach(state, (name, wall.name), u, c, closing, unknown, what)
+    if time is None and isinstance(shape, Line) and not unknown:
+        _nearer(state, number, name, u, c, f"{what}: what {name} met is nearer to it")
     altered = _altered(state, number, step, {name: u}, c, closing, e, unknown)
     if altered is not None:
         v = altered[name]
