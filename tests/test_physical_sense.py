@@ -364,3 +364,21 @@ B hits W: e = 1/2
 {asked}
 """
     assert answer(text).holds is held
+
+
+def test_what_happens_earlier_than_what_is_told_above_draws_a_warning() -> None:
+    text = """
+point N: (4, 3)
+wall W: along i, through (0, -2)
+sphere A: mass 1, at (-3, 0), velocity 6i
+sphere B: mass 1, at (0, 0), at rest
+A hits B: along 4i + 3j, e = 1/2
+{first}
+{second}
+find velocity(A)
+"""
+    late, early = "B reaches N", "A hits W: e = 1/2"
+    warnings = restitution.solve(restitution.parse(text.format(first=late, second=early))).warnings
+    assert any("A hits W at the time 77/54 = 1.43, before B reaches N" in w for w in warnings)
+    ordered = restitution.solve(restitution.parse(text.format(first=early, second=late)))
+    assert not any("order of time" in each for each in ordered.warnings)

@@ -12,6 +12,7 @@ from restitution.problem import Compare, Given, Problem, Relation, Show, trees_o
 from restitution.solving.equations.part import Desk
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.obtuse import with_hints
+from restitution.solving.out_of_order import events_out_of_order
 from restitution.solving.passed import walls_passed
 from restitution.solving.printed_terms import in_printed_terms, refused
 from restitution.solving.story.unsaid import with_unsaid
@@ -53,6 +54,8 @@ def _solved(problem: Problem) -> Solution:
         parts[part.label] = worker.solve()
         warnings += [warning for warning in worker.warnings if warning not in warnings]
         warnings += walls_passed(problem, parts[part.label])
+        late = events_out_of_order(problem, parts[part.label])
+        warnings += [warning for warning in late if warning not in warnings]
         met = _met_again(parts[part.label], relations)
         warnings += met.values()
         # A letter is met again once; later parts take it as this one does.
