@@ -176,8 +176,11 @@ class Names:
         whole = is_whole_speed(entry, judge.base)
         law = is_law_of_speeds(entry, judge.base)
         unresolved = is_momentum_of_speeds(entry, judge.base)
-        plainer = whole or law or unresolved
-        variants = () if plainer else self._explaining(entry, judge, mended)
+        variants = () if whole or law else self._explaining(entry, judge, mended)
+        if unresolved:
+            # Where the law with speeds explains it as well, it tells of the letters.
+            variants = tuple(each for each in variants if each.mistake == "speed-for-component")
+        plainer = whole or law or (unresolved and not variants)
         slip = _slip(entry, judge, mended)
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
