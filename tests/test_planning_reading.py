@@ -288,7 +288,7 @@ READINGS = [
     (SLANTED, "component of 𝐯₁ towards W = (u/2) sin 75° − (√3 u/5) cos 75°"),
     (COSINE, "the component in the direction of 𝐣 stays 40 × 0.8 = 32 m s⁻¹."),
     (START, "x-coordinate of P at the impact = h((u cos 45°)/(u sin 45°)) = h"),
-    (LATER, "T = √5 ≈ 2.24 s"),
+    (LATER, "T = √5 ≈ 2.24"),
     (TWO_STORIES, "v cos 45° = mw + mx"),
     (UPRIGHT, "= 2/(1 − e), and β = 90° if e = 1"),
     (UPRIGHT_OF_MASSES, "= 90° if 2m = eM"),
