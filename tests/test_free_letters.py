@@ -440,3 +440,16 @@ def test_any_clash_names_facts_none_of_which_can_be_left_out(
         seed = f"{make.__name__} {random.SystemRandom().randrange(10**12)}"
         print("seed:", seed)
         names_what_clashes(make(random.Random(seed), letters))
+
+
+def test_factors_of_long_numbers_are_the_same_each_time() -> None:
+    text = """
+sphere A: mass 11000000, velocity 78 i
+sphere B: mass M, at rest
+A hits B: along i
+given energy_lost = 131756625000/220000009
+find e
+"""
+    item = solve(parse(text))["e"]
+    assert item.error is None
+    assert [each.condition for each in item.answers] == [("693000000/3520000081 <= M",)]

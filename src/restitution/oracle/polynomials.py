@@ -656,9 +656,18 @@ def _radicands(x: sp.Pow) -> list[sp.Expr]:
     """
     base = x.base
     if base.is_Integer and base > 1:
-        factors = sp.factorint(int(base), limit=_TRIED)
-        return [sp.Integer(p) for p, n in sorted(factors.items()) for _ in range(n)]
+        return list(_factors(int(base)))
     return [base]
+
+
+@lru_cache(maxsize=4096)
+def _factors(whole: int) -> tuple[sp.Integer, ...]:
+    """The small primes of a whole number, and what is left: the same each time.
+
+    SymPy finds more of them once it has met these numbers elsewhere.
+    """
+    primes = sp.factorint(whole, limit=_TRIED)
+    return tuple(sp.Integer(p) for p, n in sorted(primes.items()) for _ in range(n))
 
 
 def _role_of(x: sp.Symbol) -> Role:
