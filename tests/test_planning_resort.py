@@ -315,12 +315,12 @@ def test_what_an_item_speaks_of_is_written_before_its_note() -> None:
     (note,) = derivation.notes
     assert (note.item, note.kind) == ("a2", "unwritten")
     assert note.claim is not None
-    assert write_relation(note.claim) == "0 < speed(P, 1) < u"
+    assert write_relation(note.claim) == "0 < speed(P, 1) <= u"
     (number,) = note.lines
     assert said(derivation.lines[number - 1].relation).startswith("speed(P, 1) = ")
     flat = " ".join(to_text(explain(solved(PARTS))).split())
-    assert "The steps from here are not written out: 0 < speed of P < u" in flat
-    assert "0 < speed of P < u M1" not in flat
+    assert "The steps from here are not written out: 0 < speed of P ≤ u" in flat
+    assert "0 < speed of P ≤ u M1" not in flat
 
 
 @pytest.mark.usefixtures("_without_ranges")

@@ -137,11 +137,11 @@ CASES = {
         SQUARE_TURN.format(given="velocity(P) perpendicular to velocity(P, 0)"),
         ["is perpendicular to 𝐮_P, so the scalar product is zero: −(12√5 e/5)", "e = 121/144"],
     ),
-    "an impulse of which the sense is open": (
+    "an impulse at a wall after an impact": (
         AFTER_A_WALL.replace("at rest", "velocity -u i")
         .replace("mass m,", "mass k m,")
         .replace("show A and B collide again", "find impulse(2)"),
-        ["= 2(1 + e)mu|k − 2 + 2ek|/(2 + k) M1 A1"],
+        ["= 2(1 + e)(k − 2 + 2ek)mu/(2 + k) M1 A1"],
     ),
     "a complement of an angle": (
         WALL.format(angle="theta", e=": e = 1/3", given=f"{AFTER} = 90° - theta", asked="theta"),

@@ -158,7 +158,7 @@ def test_the_power_of_a_number_does_not_run_into_a_letter() -> None:
         "sphere A: mass m, velocity 8i\nsphere B: mass 2m, at rest\n"
         "A hits B: along i, e = 1/2\nfind energy_lost"
     )
-    assert "kinetic energy lost = ½m × 8² − ½ × 2m × 4² = 16m" in text
+    assert "kinetic energy lost = ½m(8²) − ½ × 2m(4²) = 16m" in text
 
 
 def test_a_vector_of_long_products_with_a_letter_is_printed() -> None:
