@@ -178,7 +178,7 @@ def test_a_velocity_at_whole_degrees_is_turned_onto_the_line_across() -> None:
         "find M"
     )
     assert any(each.startswith("θ = 45° + 45° = 90°") for each in own)
-    assert any(each.startswith("M = 9 ") for each in own)
+    assert any(each.startswith("M = 9") for each in own)
 
 
 def test_who_was_at_rest_goes_along_a_line_of_centres_that_is_worked_out() -> None:

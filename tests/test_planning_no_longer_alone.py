@@ -96,7 +96,7 @@ find theta
         (
             "tan ψ = (tan φ − tan θ)/(1 + tan φ tan θ)",
             "= tan θ/(1 + 2 tan²θ)",
-            "φ − θ = arctan(1/3)",
+            "tan ψ = (tan φ − tan θ)/(1 + tan φ tan θ)",
             "θ = 45°",
         ),
     ),
@@ -156,5 +156,5 @@ def test_the_working_has_a_plan(name: str) -> None:
 def test_a_bound_is_no_reason_for_a_condition_of_its_own_letter() -> None:
     statement, _ = CASES["items in letters of which one tells the other"]
     text = to_text(explain(solve(parse(statement))))
-    assert "\nThis holds for k > 0 only." in text
+    assert "\nAs φ is acute, this holds for k > 0 only." in text
     assert "As k ≤ 1, this holds for φ ≤ 45° only." in text

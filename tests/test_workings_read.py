@@ -228,7 +228,7 @@ SAYS = [
         ASIDE,
         "so it moves along the line of centres: angle from 𝐢 to 𝐯_B = 30° A1 speed of B = ",
     ),
-    (THREE_DISCS, "Solving (1) and (2): a = 12 m s⁻¹ b = 5 m s⁻¹"),
+    (THREE_DISCS, "Solving (1) and (2): a = 12 b = 5"),
     (SLOW_BLOW, "6 − λ = 2, as 0 < λ < 6"),
     (ONE_SECOND, "x-coordinate of P at the impact = 4 × 1 = 4 m"),
     (
