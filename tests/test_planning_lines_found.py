@@ -22,7 +22,7 @@ A hits B: e = 1
 given angle(impulse(B), i) = 30°, deflection(A) = 60°
 find M, speed(A), speed(B)
 """,
-        ("angle between the line of centres and 𝐢 = 30°", "M = 2 kg", "speed of A = 2 m s⁻¹"),
+        ("angle between the line of centres and 𝐢 = 30°", "M = 2", "speed of A = 2 m s⁻¹"),
     ),
     "the impulse on the first sphere": (
         """

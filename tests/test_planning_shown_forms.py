@@ -31,8 +31,8 @@ show speed(A) < u
 """,
         (
             "tan δ ≤ (1 + e)/(2√2√(1 − e))",
-            "(1 − e)² cos²α + 4 sin²α = (1 − e)² + (1 + e)(3 − e) sin²α increases",
-            "tends to u as α → 90°",
+            "u² − (speed of A)² = ¼(1 + e)(3 − e)u² cos²α",
+            "speed of A < u, as α is acute and 0 ≤ e ≤ 1",
         ),
         ("√2(1 + e)/(4√(1 − e))",),
     ),
@@ -100,7 +100,7 @@ sphere B: mass 3m, velocity -2u i
 A hits B: along i
 find energy_lost
 """,
-        ("= ⅛mu²(64 − (1 + 18e + 81e²) + 48 − 3(1 − 6e + 9e²))",),
+        ("= mu²(64 − (1 + 18e + 81e²) + 48 − 3(1 − 6e + 9e²))/8",),
         (),
     ),
     "terms over one denominator before they are put together": (

@@ -91,7 +91,7 @@ find e, energy_lost/energy(0) as a percentage
             [
                 "e = (tan 40°)/tan 55° ≈ 0.588",
                 "u² = (20 cos² 40°)/(sin² 55° cos² 40° − sin² 40° cos² 55°)",
-                "≈ 6.75 m s⁻¹, as u is positive",
+                "≈ 6.75, as u is positive",
             ],
         ),
         (
