@@ -97,7 +97,7 @@ def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) 
     """Adds what follows from one of some alternatives; returns its last lines of items."""
     numbers = _added(desk, draft, split)
     own = tuple(
-        numbers[each.number] for each in draft.lines[split:] if _under(draft, each.number, split)
+        numbers[each.number] for each in draft.lines[split:] if split in draft.under(each.number)
     )
     count = len(desk.cases) + 1
     desk.cases.append(Case(count, split, option, own))
@@ -123,7 +123,7 @@ def _added(desk: Desk, draft: Desk, split: int) -> dict[int, int]:
     for line in draft.lines[split:]:
         premises = tuple(_renumbered(premise, numbers) for premise in line.premises)
         again = None
-        if not _under(draft, line.number, split):
+        if split not in draft.under(line.number):
             again = next(
                 (e.number for e in desk.lines[split:] if e.relation == line.relation), None
             )
@@ -138,17 +138,3 @@ def _added(desk: Desk, draft: Desk, split: int) -> dict[int, int]:
 
 def _renumbered(ref: Ref, numbers: dict[int, int]) -> Ref:
     return numbers.get(ref, ref) if isinstance(ref, int) else ref
-
-
-def _under(draft: Desk, number: int, split: int) -> bool:
-    """Whether a line rests on the alternatives at which the solutions part."""
-    pending, seen = [number], set()
-    while pending:
-        line: Line = draft.line(pending.pop())
-        for ref in line.premises:
-            if ref == split:
-                return True
-            if isinstance(ref, int) and ref not in seen:
-                seen.add(ref)
-                pending.append(ref)
-    return False

@@ -16,10 +16,9 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
-    letters,
     walk,
 )
-from restitution.problem import Problem, Sphere, Value, Wall, bodies_of
+from restitution.problem import Problem, Value, Wall, bodies_of
 from restitution.solving.equations.solution import ItemResult, PartSolution
 
 
@@ -47,8 +46,8 @@ def _passed(
     now: int,
 ) -> Iterator[str]:
     """The walls between the last event of a body, of those told so far, and its place at a time."""
-    told = enumerate(problem.events[:now], 1)
-    events = [n for n, each in told if body in bodies_of(each)]
+    story = enumerate(problem.events[:now], 1)
+    events = [n for n, each in story if body in bodies_of(each)]
     last = max(events, default=0)
     (branch,) = part.branches
     evaluator = branch.story.evaluator(now)
@@ -57,17 +56,17 @@ def _passed(
         end = evaluator.vector(place)
         velocity = evaluator.vector(Quantity("velocity", (Name(body),), last))
         start_time = evaluator.scalar(Quantity("time", (), last))
-        way = evaluator.scalar(place.stage.time) - start_time
-        start = end - velocity * way
+        duration = evaluator.scalar(place.stage.time) - start_time
+        start = end - velocity * duration
     except RestitutionError:
         return
-    numbers = (sp.sympify(each, strict=True) for each in (*start, *end, way))
-    if not all(each.is_number for each in numbers) or bool(way <= 0):
+    numbers = (sp.sympify(each, strict=True) for each in (*start, *end, duration))
+    if not all(each.is_number for each in numbers) or bool(duration <= 0):
         return
     sphere = next(each for each in problem.spheres if each.name == body)
     for wall in problem.walls:
-        level = _level(wall, sphere)
-        if level is not None:
+        level = level_of(wall) if sphere.radius is None else None
+        if level is not None and level[1].is_number:
             axis, at = level
             if bool((start[axis] - at) * (end[axis] - at) < 0):
                 yield (
@@ -76,15 +75,17 @@ def _passed(
                 )
 
 
-def _level(wall: Wall, sphere: Sphere) -> tuple[int, sp.Expr] | None:
-    """Across which axis a wall stands, 0 for **i**, and at which coordinate, if in numbers."""
+def level_of(wall: Wall) -> tuple[int, sp.Expr] | None:
+    """Across which axis a wall stands, 0 for **i**, and at which coordinate.
+
+    None of a wall that is not along **i** or **j**, or of which no point is known.
+    """
     along = wall.along.operand if isinstance(wall.along, Negate) else wall.along
     match along, wall.through:
-        case Unit(unit), Pair(x, y) if sphere.radius is None:
+        case Unit(unit), Pair(x, y):
             axis = 0 if unit == "j" else 1
-            at = (x, y)[axis]
-            return None if letters(at) else (axis, sp.sympify(in_letters(at), strict=True))
+            return axis, sp.sympify(in_letters((x, y)[axis]), strict=True)
     return None
 
 
-__all__ = ["walls_passed"]
+__all__ = ["level_of", "walls_passed"]

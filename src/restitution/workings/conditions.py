@@ -265,14 +265,14 @@ def _each(
     known: Known,
 ) -> Sentence:
     """The conditions of several values that one line gives, each with its value."""
-    said: list[Sentence] = []
+    sentences: list[Sentence] = []
     for answer in answers:
         own = _sentence(solution, part, item, answer, known)
         if own is not None:
             slots = dict(own.slots)
             name = "answer.value-only-as" if "reasons" in slots else "answer.value-only"
-            said.append(say(name, **slots, value=_as_equation(item, answer)))
-    return reduce(lambda first, second: say("answer.both", first=first, second=second), said)
+            sentences.append(say(name, **slots, value=_as_equation(item, answer)))
+    return reduce(lambda first, second: say("answer.both", first=first, second=second), sentences)
 
 
 def _as_equation(item: ItemResult, answer: Answer) -> Layout:

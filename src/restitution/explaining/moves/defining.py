@@ -125,9 +125,9 @@ def _is_of_a_multiple(step: Step, line: Link) -> bool:
                 Quantity("velocity") as own, "=", Binary("*", factor, other)
             ) if other in sizes and line.sign == "=" and line.left == replace(own, kind="speed"):
                 size, right = Binary("*", factor, sizes[other]), line.right
-                known, told = (step.world.scalar(each) for each in (size, right))
-                same = (known - told).vanishes or (known + told).vanishes
-                if same and (told.vanishes or oriented(step, told) == 1):
+                known, value = (step.world.scalar(each) for each in (size, right))
+                same = (known - value).vanishes or (known + value).vanishes
+                if same and (value.vanishes or oriented(step, value) == 1):
                     return True
     return False
 

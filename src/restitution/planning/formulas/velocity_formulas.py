@@ -184,25 +184,11 @@ def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool
     """Whether a speed is known, or its square has no root of what is open."""
     if not any(scene.unknown(each.value) for each in components):
         return True
-    if _rests_on_what_is_given(scene, speed):
+    under = (own for ref in speed.refs if isinstance(ref, int) for own in scene.desk.under(ref))
+    if any(str(ref).startswith("given ") for ref in (*speed.refs, *under)):
         return False  # the fact that gives the speed is still to tell the components
     squared = sp.sympify(tidy(speed.value**2), strict=True)
     return all(power.exp.is_Integer or not power.free_symbols for power in squared.atoms(sp.Pow))
-
-
-def _rests_on_what_is_given(scene: Scene, source: Source) -> bool:
-    """Whether the lines of a value lead back to a given fact."""
-    pending, seen = list(source.refs), set[Ref]()
-    while pending:
-        ref = pending.pop()
-        if ref in seen:
-            continue
-        seen.add(ref)
-        if isinstance(ref, int):
-            pending += scene.desk.line(ref).premises
-        elif ref.startswith("given "):
-            return True
-    return False
 
 
 def _speed_by_a_multiple(scene: Scene, body: str, stage: int) -> Source | None:

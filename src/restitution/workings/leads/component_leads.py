@@ -176,12 +176,12 @@ class ComponentLeads(LinesAround):
             fact = self._derivation.fact(ref) if isinstance(ref, str) else None
             match fact.relation.options[0][0] if fact is not None else None:
                 case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
-                    fact is not None and _is_square(angle)
+                    fact is not None and is_square(angle)
                 ):
                     velocity = self._naming.layout(Quantity("velocity", (body,), stage))
                     axis = self._naming.layout(Unit("i"))
-                    said = self._naming.fact(fact)
-                    return say("given.none-as-given", fact=said, velocity=velocity, axis=axis)
+                    words = self._naming.fact(fact)
+                    return say("given.none-as-given", fact=words, velocity=velocity, axis=axis)
         return None
 
     def _seen(self, line: Line) -> Sentence | None:
@@ -191,7 +191,7 @@ class ComponentLeads(LinesAround):
             case Link(
                 Quantity("angle", (Quantity("velocity", (Name(body),)), other)), "=", Degrees(angle)
             ):
-                way = self._naming.layout(other)
+                line_ = self._naming.layout(other)
             case _:
                 return None
         square = angle == RIGHT_ANGLE.value
@@ -203,9 +203,9 @@ class ComponentLeads(LinesAround):
             case Quantity():
                 return None
             case Unit() if not square:
-                way = way if angle == 0 else self._naming.layout(Negate(other))
-                return say("derived.along-axis", body=body, axis=way)
-        return say("derived.across-line" if square else "derived.along-line", body=body, line=way)
+                axis = line_ if angle == 0 else self._naming.layout(Negate(other))
+                return say("derived.along-axis", body=body, axis=axis)
+        return say("derived.across-line" if square else "derived.along-line", body=body, line=line_)
 
     def _along_axes(self, line: Line) -> Sentence | None:
         """That one velocity is along **i** and another along **j**, which are at right angles."""
@@ -242,10 +242,7 @@ class ComponentLeads(LinesAround):
         return say("derived.apart", one=still["along"], other=still["across"])
 
 
-def _is_square(angle: Expression) -> bool:
+def is_square(angle: Expression) -> bool:
     """Whether an angle is one of 90°, to either side."""
     own = angle.operand if isinstance(angle, Negate) else angle
-    return isinstance(own, Degrees) and own.value == _RIGHT
-
-
-_RIGHT = 90
+    return own == RIGHT_ANGLE

@@ -19,11 +19,9 @@ from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Pair,
     Polar,
@@ -35,6 +33,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.render import layout as lay
+from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.lines_around import is_rest
 from restitution.workings.leads.titles import Leads
 
@@ -91,8 +90,8 @@ class GivenLeads(Leads):
                 if resolved is not None:
                     return (say("given.and", fact=sentence), resolved)
         match facts[0].relation.options[0][0]:
-            case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
-                abs(_degrees(angle)) == 90
+            case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if is_square(
+                angle
             ):
                 velocity = self._naming.layout(Quantity("velocity", (body,), stage))
                 axis = self._naming.layout(Unit("i"))
@@ -277,16 +276,6 @@ class GivenLeads(Leads):
 def _across(axis: Expression) -> Unit | None:
     """The other one of **i** and **j**."""
     return Unit("j" if axis.axis == "i" else "i") if isinstance(axis, Unit) else None
-
-
-def _degrees(tree: Expression) -> Fraction:
-    """An angle that is a number of degrees; 0 for any other."""
-    match tree:
-        case Negate(operand):
-            return -_degrees(operand)
-        case Degrees(value):
-            return value
-    return Fraction(0)
 
 
 def _has_vector(tree: Expression) -> bool:

@@ -14,14 +14,12 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Name,
-    Negate,
     Number,
-    Pair,
     Quantity,
-    Unit,
 )
 from restitution.planning.writing.forms import coordinates, tree_of
-from restitution.problem import Problem, Wall
+from restitution.problem import Problem, bodies_of
+from restitution.solving.passed import level_of
 from restitution.vector import Vector
 
 
@@ -39,9 +37,9 @@ def walls_ahead(
         return
     body, end = place
     start, stage = above
-    after = [n for n, each in enumerate(problem.events, 1) if n > stage and body in _bodies(each)]
+    after = [n for n, each in enumerate(problem.events, 1) if n > stage and body in bodies_of(each)]
     for wall in () if after else problem.walls:
-        level = _level(wall)
+        level = level_of(wall)
         if level is None:
             continue
         axis, at = level
@@ -89,21 +87,6 @@ def _way(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
                 if isinstance(start, Vector):
                     x, y = (sp.sympify(each, strict=True) for each in start)
                     return Vector(x, y), own.move.event
-    return None
-
-
-def _bodies(event: object) -> tuple[str, ...]:
-    return tuple(getattr(event, name) for name in ("first", "second") if hasattr(event, name))
-
-
-def _level(wall: Wall) -> tuple[int, sp.Expr] | None:
-    """Across which axis a wall stands, 0 for **i**, and at which coordinate."""
-    along = wall.along.operand if isinstance(wall.along, Negate) else wall.along
-    match along, wall.through:
-        case Unit(unit), Pair(x, y):
-            axis = 0 if unit == "j" else 1
-            value = in_letters(x if axis == 0 else y)
-            return axis, sp.sympify(value, strict=True)
     return None
 
 
