@@ -42,12 +42,16 @@ from restitution.wording.words import listed, words
 
 # Beyond this a phrase is a formula: a sum of two quantities is 3.
 _MOST = 3
-# The letters that people take for a quantity, in the order in which they do.
+# The letters that people take for a quantity, in the order in which they do. A speed is V: in a
+# working v and w are components along the line of centres. Angles have the letters that they have
+# there.
 _LETTERS = {
-    "speed": ("v", "w", "V", "U"),
+    "speed": ("V", "U"),
     "velocity": ("v", "w"),
-    "along": ("v", "w", "x", "y"),
-    "across": ("v", "w", "x", "y"),
+    "along": ("p", "q", "r", "s"),
+    "across": ("p", "q", "r", "s"),
+    "angle": ("beta", "theta", "phi", "psi", "gamma"),
+    "deflection": ("delta", "phi", "psi"),
     "energy": ("E", "K"),
     "energy_lost": ("L", "E", "K"),
     "total_energy_lost": ("L", "E", "K"),
@@ -197,7 +201,7 @@ def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
     """Letters that nothing else has."""
     taken = scene.letters | set(scene.denoted.values())
     bases = _LETTERS.get(kind, _ANGLES)
-    if len(group) == 1 or (kind != "time" and len(group) == 2):
+    if len(group) == 1 or (kind not in ("time", "speed") and len(group) == 2):
         free = [each for each in bases if each not in taken]
         if len(free) >= len(group):
             return free[: len(group)]

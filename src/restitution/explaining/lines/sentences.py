@@ -936,7 +936,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} moves in the direction of {way}, so {fact}. Substituting for {letters:and}:"
     ),
     "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
-    "derived.since-in": "Since {facts:and}, from {equation}:",
+    "derived.since-put-in": ("Since {facts:and}, substituting for {letters:and} in {equation}:"),
+    "derived.since-in": "Since {facts:and}, from {equations:and}:",
     "derived.since-by": "Since {facts:and}, {how}:",
     "derived.not-yet": "and {body} has not reached {wall} by then, as {bound}",
     "derived.right-angle": "and {angle} if {at}",

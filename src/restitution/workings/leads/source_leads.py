@@ -105,8 +105,12 @@ class SourceLeads(LinesAround):
                         yield say("derived.moves", body=body, way=direction, fact=moving)
                 elif facts and letters and not source.last and not equations:
                     yield say("derived.since-put", facts=facts, letters=letters)
+                elif facts and letters and not source.last and len(equations) == 1:
+                    yield say(
+                        "derived.since-put-in", facts=facts, letters=letters, equation=equations[0]
+                    )
                 elif facts and equations:
-                    yield say("derived.since-in", facts=facts, equation=equations[0])
+                    yield say("derived.since-in", facts=facts, equations=equations)
                 elif len(facts) == 1 and isinstance(facts[0], Sentence):
                     yield say("given.fact", fact=facts[0])
                 elif facts:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, Literal
@@ -59,6 +59,7 @@ class Source:
     letters: tuple[Expression, ...] = ()
     facts: tuple[str, ...] = ()
     reasons: tuple[int, ...] = ()
+    values: tuple[int, ...] = ()
     eliminated: str = ""
     last: bool = False
 
@@ -232,10 +233,29 @@ class Sources:
         named = {ref for each in sources for ref in (*each.numbered, *each.reasons)}
         order = [each.number for each in shown if each.number in named]
         self.numbers: Mapping[int, int] = {number: n for n, number in enumerate(order, 1)}
+        for line in shown:
+            source = self._of[line.number]
+            if source is not None:
+                self._of[line.number] = self._with_numbered_values(line, source)
 
     def of(self, line: Line) -> Source | None:
         """What is to be said of a line; None where it is plain."""
         return self._of.get(line.number)
+
+    def _with_numbered_values(self, line: Line, source: Source) -> Source:
+        """A source of which the values of other parts that have numbers are named by these."""
+        parts, numbered = self._derivation.asked, source.numbered
+        part = parts.get(line.item or "")
+        far = tuple(
+            each
+            for each in source.values
+            if each in self.numbers and parts.get(self._lines[each].item or "") != part
+        )
+        if not (far and numbered):
+            return source
+        near = tuple(each for each in source.values if each not in far)
+        letters = self._letters(near, numbered[0])
+        return replace(source, numbered=(*numbered, *far), letters=letters, values=near)
 
     def _equations(self, refs: tuple[Ref, ...]) -> list[int]:
         """The equations among premises; of one that is not printed that which says it."""
@@ -397,6 +417,15 @@ class Sources:
                 return
         yield links[0].left
 
+    def _letters(self, values: Iterable[int], target: int | None) -> tuple[Expression, ...]:
+        """The letters and quantities that are put in, of which lines say the values."""
+        return tuple(
+            letter
+            for each in values
+            if (own := self._derivation.line(each)) is not None
+            for letter in self._subjects(own, target)
+        )
+
     def _is_sum_of_times(self, line: Line, cited: list[int]) -> bool:
         """Whether a line adds up the times of several ways."""
         assert isinstance(line.relation, Relation)
@@ -456,13 +485,8 @@ class Sources:
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
-        values = [each for each in cited if each != target]
-        letters = tuple(
-            letter
-            for each in values
-            if (own := self._derivation.line(each)) is not None
-            for letter in self._subjects(own, target)
-        )
+        values = tuple(each for each in cited if each != target)
+        letters = self._letters(values, target)
         facts = self._given(line.premises)
         if self._is_sum_of_times(line, cited):
             return Source("times")
@@ -477,7 +501,7 @@ class Sources:
         # Vectors that are compared are both seen.
         compared = not facts and is_multiple(line.relation)
         numbered = () if target is None or target == above or compared else (target,)
-        last = bool(values) and values == [above]
+        last = values == (above,)
         if not (numbered or letters or facts):
             return None
-        return Source("put", numbered, letters, facts, last=last)
+        return Source("put", numbered, letters, facts, values=values, last=last)

@@ -1,0 +1,63 @@
+"""What a working cites, and the letters that it shares with its question."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.wording import question
+from restitution.wording.text import to_text as to_words
+from restitution.workings import explain, to_text
+
+# The speed of B is found in letters first; each part has values of its own.
+IN_PARTS = """
+sphere A: mass m, velocity 3u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+find speed(B)
+part a
+given energy_lost = 1/8 energy(0), cos(alpha) = 3/5
+find e
+"""
+# v is the component of A in the working; what the question asks for is the speed of B.
+A_SPEED_IN_A_RATIO = """
+sphere A: mass 3m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along i, e = 1/4
+find velocity(A), speed(B)/u
+"""
+TURNED_AT_A_WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 1/2
+find maximum of alpha - angle(velocity(P), W) over alpha
+"""
+
+
+@cache
+def printed(text: str) -> str:
+    return " ".join(to_text(explain(solve(parse(text)))).split())
+
+
+@cache
+def asked(text: str) -> str:
+    return " ".join(to_words(question(parse(text))).split())
+
+
+def test_a_value_of_another_part_is_cited_by_its_number() -> None:
+    said = printed(IN_PARTS)
+    assert "Since cos α = ⅗, from (1) and (3): m(⅗ × 3u) = mv + 2m(3(1 + e)u/5)" in said
+    assert "From above" not in said
+
+
+def test_a_letter_of_the_question_denotes_nothing_else_in_the_working() -> None:
+    assert "V/u, where V is the speed of B" in asked(A_SPEED_IN_A_RATIO)
+    assert "Let v and w be the components of the velocities of A and B" in printed(
+        A_SPEED_IN_A_RATIO
+    )
+
+
+def test_an_angle_has_one_letter_in_the_question_and_in_the_working() -> None:
+    assert "where β is the angle that the direction of motion of P" in asked(TURNED_AT_A_WALL)
+    assert "Let β be the angle between 𝐯_P and W" in printed(TURNED_AT_A_WALL)
