@@ -127,6 +127,7 @@ class Measures:
     of: Counter[str] = field(default_factory=Counter)
     seconds: dict[str, float] = field(default_factory=dict)
     offences: list[str] = field(default_factory=list)
+    losses: Counter[str] = field(default_factory=Counter)
 
     def note(self, what: str, hit: bool, offence: str | None = None, bad: bool = False) -> None:
         """Count a case; an offence is listed where the outcome is the one not wanted."""
@@ -148,6 +149,7 @@ class Measures:
             slowest = sorted(self.seconds.items(), key=lambda each: -each[1])[:3]
             most = ", ".join(f"{seconds:.2f} ({name})" for name, seconds in slowest)
             rows.append(f"seconds a script: median {middle:.2f}, most {most}")
+        rows += [f"  {what:<76} {count:>3}" for what, count in sorted(self.losses.items())]
         return "\n".join(rows)
 
 
@@ -162,7 +164,47 @@ def measure(scripts: Iterable[MarkedScript], declared: bool) -> Measures:
         measures.note("crashed", False)
         measures.seconds[script.name] = seconds
         compare(script, found, measures)
+        measures.losses.update(losses(script, found))
     return measures
+
+
+def losses(script: MarkedScript, found: Mapping[str, Any]) -> Iterable[str]:
+    """How the marker saw what it missed, in words that tell nothing of the script.
+
+    They are counted: of each mistake not found, of each line not followed and of the marks.
+    """
+    lines = {line["n"]: line for line in found["lines"]}
+    letters = _letters_seen(script, found)
+    for number, line in enumerate(script.lines, 1):
+        verdict = lines[number]["verdict"] if number in lines else "nothing"
+        later = any(lines[n]["verdict"] == "false" for n in lines if n > number)
+        if line.verdicts == ("false",) and verdict != "false":
+            accused = "a later line accused" if later else "no later line accused"
+            yield f"mistake not found: {verdict}, {accused}, {letters}"
+        if "follows" in line.verdicts and verdict not in ("follows", "true", *line.verdicts):
+            first = script.mistakes[0] if script.mistakes else number
+            cause = lines[first]["verdict"] if first in lines and first < number else "none"
+            yield f"line not followed: {verdict}, its mistake {cause}, {letters}"
+    marks = found.get("marks")
+    if marks and marks["of"]:
+        difference = marks["earned"] - script.earned * marks["of"] / script.of
+        if difference:
+            still_open = ", some open" if marks["open"] else ""
+            yield f"marks: {difference:+.1f}{still_open}, {letters}"
+
+
+def _letters_seen(script: MarkedScript, found: Mapping[str, Any]) -> str:
+    """How the meanings of the letters compare with those that are declared."""
+    if found["asks"]:
+        return "letters open"
+    meant = {each["letter"]: each["meaning"] for each in found["letters"]}
+    wanted = {
+        each["letter"]: each["meaning"]
+        for each in reply(script, declared=True)[0]["letters"]
+        if each["by"] == "declared"
+    }
+    other = [letter for letter, meaning in wanted.items() if meant.get(letter) != meaning]
+    return "letters otherwise" if other else "letters as declared"
 
 
 def compare(script: MarkedScript, found: Mapping[str, Any], measures: Measures) -> None:

@@ -13,7 +13,17 @@ import pytest
 from altered_scripts import AlteredScript, altered_scripts
 from derived_scripts import DerivedScript, derive, parts_of, planned
 from handwriting import hand_of
-from measure_marking import ROOT, SCRIPTS, MarkedScript, Measures, measure, scripts_of
+from measure_marking import (
+    ROOT,
+    SCRIPTS,
+    MarkedLine,
+    MarkedScript,
+    Measures,
+    losses,
+    measure,
+    reply,
+    scripts_of,
+)
 from mistaken_scripts import mistaken_scripts
 from slipped_scripts import LIKE_LAWS, SlippedScript, slipped
 
@@ -102,6 +112,23 @@ def test_a_sample_of_scripts_is_judged_as_by_hand() -> None:
     assert not measures.counts["crashed"], measures.offences
     assert measures.counts["correct scripts accused"] == 0, measures.offences
     assert measures.share("mistakes called false") >= 0.8, measures.offences
+
+
+def test_what_the_marker_missed_is_counted() -> None:
+    bodies = "sphere A: mass 2, velocity 3i\nsphere B: mass 1, at rest\n"
+    statement = f"{bodies}A hits B: along i, e = 1/2\nfind velocity(B)"
+    lines = (
+        MarkedLine("2*3 = 2v + w", ("false",)),  # it is true
+        MarkedLine("w - v = 3", ("follows",)),  # it does not follow
+        MarkedLine("w = 1", ("false",)),
+    )
+    script = MarkedScript("one", statement, None, {}, False, lines, earned=5, of=6)
+    found, _ = reply(script, declared=False)
+    assert [line["verdict"] for line in found["lines"]] == ["true", "false", "false"]
+    not_followed, marks, not_found = sorted(losses(script, found))
+    assert marks == "marks: -2.0, letters as declared"
+    assert not_followed == "line not followed: false, its mistake true, letters as declared"
+    assert not_found == "mistake not found: true, a later line accused, letters as declared"
 
 
 TYPED = scripts_of(SCRIPTS / "typed")
