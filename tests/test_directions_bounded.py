@@ -15,6 +15,7 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain
 
 SPHERES = """
 sphere A: mass {m}, velocity {a}i + {b}j
@@ -105,7 +106,7 @@ def test_a_cotangent_alone_does_not_tell_on_which_side_a_velocity_points() -> No
     assert "does-not-follow" in complaints(SQUARE, replace(own, premises=rest), derivation)
 
 
-def test_in_letters_the_side_is_a_line_of_its_own() -> None:
+def test_in_letters_the_component_itself_tells_the_side() -> None:
     _, derivation = planned(
         """
         sphere A: mass m, velocity u at alpha
@@ -114,13 +115,13 @@ def test_in_letters_the_side_is_a_line_of_its_own() -> None:
         find range of direction(A)
         """
     )
-    said = [
-        write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
-    ]
-    assert "0° < direction(A, 1) < 180°" in said
-    assert said[-1] == (
+    relation = derivation.lines[-1].relation
+    assert isinstance(relation, Relation)
+    assert write_relation(relation) == (
         "90° - arctan(1/(3tan(alpha))) <= direction(A, 1) <= 90° + arctan(1/(3tan(alpha)))"
     )
+    across = next(each for each in derivation.lines if each.move.record == "unchanged")
+    assert {across.number, "acute: alpha"} <= {*derivation.lines[-1].premises}
 
 
 def test_a_right_angle_that_is_not_reached() -> None:
@@ -292,3 +293,60 @@ def test_an_angle_and_that_of_a_velocity_that_is_turned_round() -> None:
     for alpha in (0.2, 0.8, 1.4):
         late = math.atan2(math.sin(alpha) / 2, math.cos(alpha) / 3)  # to W, and turned round
         assert float(value.subs(letter, alpha)) == pytest.approx(math.pi - (late - alpha) + alpha)
+
+
+TURNED = """
+sphere A: mass m, velocity {velocity}
+sphere B: mass 3m, at rest
+A hits B: along i
+given {given}
+show {claim}
+"""
+
+
+@pytest.mark.parametrize(
+    ("velocity", "given", "claim", "sign", "words"),
+    [
+        (
+            "u at alpha",
+            "e > 1/3",
+            "direction(A) > 90°",
+            "v < 0",
+            "in the direction of 𝐢 and a positive component in the direction of 𝐣:",
+        ),
+        ("3u i - u j", "e > 1/3", "-180° < direction(A) < -90°", "v < 0", "a negative component"),
+        ("3u i + u j", "e < 1/3", "direction(A) < 90°", "v > 0", "a positive component"),
+        ("3u i + u j", "e > 1/3", "angle(velocity(A), i) > 90°", "v < 0", "a negative component"),
+        (
+            "3u i + u j",
+            "e > 1/2",
+            "deflection(A) > 90°",
+            "dot(velocity(A, 0), velocity(A, 1)) < 0",
+            "The scalar product is negative, so the angle is obtuse:",
+        ),
+    ],
+)
+def test_signs_of_components_tell_an_angle_beyond_a_right_angle(
+    velocity: str, given: str, claim: str, sign: str, words: str
+) -> None:
+    statement = TURNED.format(velocity=velocity, given=given, claim=claim)
+    _, derivation = planned(statement)
+    lines = {
+        each.number: write_relation(each.relation)
+        for each in derivation.lines
+        if isinstance(each.relation, Relation)
+    }
+    assert sign in [lines[ref] for ref in derivation.lines[-1].premises if ref in lines]
+    assert words in " ".join(str(explain(solve(parse(statement)))).split())
+    assert "cot" not in " ".join(lines.values())
+
+
+@pytest.mark.parametrize(
+    "wrong", ["direction(A, 1) < 90°", "direction(A, 1) > 180°", "direction(A, 1) > 100°"]
+)
+def test_another_quadrant_is_refused(wrong: str) -> None:
+    statement = TURNED.format(velocity="u at alpha", given="e > 1/3", claim="direction(A) > 90°")
+    _, derivation = planned(statement)
+    own = derivation.lines[-1]
+    other = read_relation(wrong, {"A": "sphere", "B": "sphere"})
+    assert "does-not-follow" in complaints(statement, replace(own, relation=other), derivation)

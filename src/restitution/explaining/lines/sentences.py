@@ -981,6 +981,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "impulse-line.title": "The impulse acts along the line of centres",
     "impulse-normal.title": "The impulse acts perpendicular to {wall}",
     "turned.title": "Angle of deflection",
+    "turned.signs": "{velocity} has {components:and}:",
+    "turned.negative": "a negative component in the direction of {axis}",
+    "turned.positive": "a positive component in the direction of {axis}",
+    "turned.obtuse": "The scalar product is negative, so the angle is obtuse:",
+    "turned.acute": "The scalar product is positive, so the angle is acute:",
     "turned.products": (
         "Tangent of the angle between two velocities = size of their vector product ÷ their scalar "
         "product"

@@ -4,19 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 import sympy as sp
 
 from restitution.explaining.lines.derivation import FLIPPED, Link, Relation, Sign
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
+from restitution.explaining.lines.trees import settled
 from restitution.explaining.moves.bases import equal_in
 from restitution.explaining.steps.step import Step
 from restitution.expression.quantities import ANGLES
-from restitution.expression.tree import Apply, Degrees, Expression, Letter, Negate, Quantity
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Quantity,
+    Unit,
+)
 from restitution.oracle import Relation as Claim
 from restitution.oracle import compared
 
 RIGHT = sp.pi / 2
+ZERO = Number(Fraction(0))
 
 
 def speaks_of_an_angle(step: Step, relation: Relation) -> bool:
@@ -48,7 +60,7 @@ def between_ratios(step: Step, relation: Relation) -> bool:
     if len(angles) != 1:
         return False
     (angle,) = angles
-    if _is_in_a_half_plane(step, relation, angle):
+    if _is_in_a_half_plane(step, relation, angle) or _is_by_components(step, relation, angle):
         return True
     for function in ("tan", "cot"):
         ratios = list(_bounds_of(step, Apply(function, angle)))
@@ -165,6 +177,7 @@ class _Window:
     low: sp.Expr
     high: sp.Expr
     closed: bool = False  # whether the greatest belongs to them
+    from_low: bool = False  # whether the least does
 
 
 _UP, _DOWN = _Window(sp.Integer(0), sp.pi), _Window(-sp.pi, sp.Integer(0))
@@ -182,6 +195,77 @@ def _is_in_a_half_plane(step: Step, relation: Relation, angle: Quantity) -> bool
         return False
     window = _Window(*(_value(step, each) for each in _ends(relation)))
     return window in (_UP, _DOWN) and window == _half_plane(step, angle)
+
+
+def _is_by_components(step: Step, relation: Relation, angle: Quantity) -> bool:
+    """Whether the signs of components that are cited bound an angle by right angles.
+
+    A direction lies in the quadrant that both components tell. An angle between two velocities, or
+    of one to a direction, is obtuse where the scalar product is negative.
+    """
+    bounds: list[tuple[Sign, sp.Expr]] = []
+    for link in relation.only:
+        own = link if _angle(step, link.left) == angle else _turned(link)
+        if own.sign not in FLIPPED or not isinstance(own.right, Degrees | Negate | Number):
+            return False
+        bounds.append((own.sign, _value(step, own.right)))
+    if not all((bound / RIGHT).is_Integer for _, bound in bounds):
+        return False
+    extent = _quadrant(step, angle)
+    return extent is not None and all(
+        (extent.low >= bound and (sign == ">=" or not extent.from_low)) or extent.low > bound
+        if sign[0] == ">"
+        else (extent.high <= bound and (sign == "<=" or not extent.closed)) or extent.high < bound
+        for sign, bound in bounds
+    )
+
+
+def _quadrant(step: Step, angle: Quantity) -> _Window | None:
+    """The angles that the cited signs of components, or of a scalar product, leave."""
+    if angle.kind == "direction":
+        velocity = Quantity("velocity", angle.arguments, angle.stage)
+        x, y = (
+            _proved_sign(step, Quantity("along", (velocity, Unit(unit)))) for unit in ("i", "j")
+        )
+        return {
+            (1, 1): _Window(sp.Integer(0), RIGHT),
+            (-1, 1): _Window(RIGHT, sp.pi),
+            (-1, -1): _Window(-sp.pi, -RIGHT),
+            (1, -1): _Window(-RIGHT, sp.Integer(0)),
+            (1, 0): _Window(-RIGHT, RIGHT),
+        }.get((x, y))
+    product = {1: (sp.Integer(0), RIGHT), -1: (RIGHT, sp.pi)}.get(_sign_of_product(step, angle))
+    if product is None:
+        return None
+    low, high = product
+    return _Window(low, high, from_low=low == 0, closed=low == RIGHT)
+
+
+def _sign_of_product(step: Step, angle: Quantity) -> int:
+    """The cited sign of the scalar product of what an angle is between; 0 where that is open."""
+    match angle:
+        case Quantity("deflection", (body,), int(event)):
+            pair = tuple(Quantity("velocity", (body,), each) for each in (event - 1, event))
+        case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
+            return _proved_sign(step, Quantity("along", (velocity, axis)))
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity")) as pair):
+            pass
+        case _:
+            return 0
+    return _proved_sign(step, settled(Quantity("dot", pair), step.setting.events))
+
+
+def _proved_sign(step: Step, scalar: Expression) -> int:
+    """1 or −1 where what is cited proves that a scalar has this sign; 0 where it does not."""
+    orders: tuple[tuple[int, Sign], ...] = ((1, ">"), (-1, "<"))
+    for sign, order in orders:
+        try:
+            claim = step.formula(Relation(((Link(scalar, order, ZERO),),)))
+        except NotComparableError:
+            return 0
+        if step.oracle.proves(claim):
+            return sign
+    return 0
 
 
 def _ends(relation: Relation) -> tuple[Expression, Expression]:

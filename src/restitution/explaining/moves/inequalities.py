@@ -76,7 +76,12 @@ def by_oracle(step: Step, relation: Relation) -> bool:
 
 def is_comparison(step: Step, relation: Relation) -> bool:
     """Whether an inequality is proved by the lines that are cited."""
-    lines = [each for each in step.cited if isinstance(each.relation, Relation)]
+    # The direction of a line of centres is no line that is compared.
+    lines = [
+        each
+        for each in step.cited
+        if isinstance(each.relation, Relation) and not str(each.ref).startswith("axis ")
+    ]
     if len(lines) + len(step.known) > MOST_COMPARED:
         return False
     signs = {link.sign for links in relation.options for link in links}

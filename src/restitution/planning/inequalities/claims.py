@@ -16,6 +16,7 @@ from restitution.planning.inequalities.directions_bounded import (
     write_of_wide_angle,
 )
 from restitution.planning.inequalities.gaps import has_root, is_plain, write_difference
+from restitution.planning.inequalities.signs_of_components import write_by_components
 from restitution.planning.inequalities.turned_at_walls import write_turn
 from restitution.planning.inequalities.wide_angles import write_by_cosine
 from restitution.planning.writing.desk import NotPlannedError
@@ -23,7 +24,14 @@ from restitution.planning.writing.forms import ONE
 from restitution.planning.writing.inequalities import subject_of
 from restitution.solving.story.letters import roles
 
-_PROOFS = (write_of_direction, write_of_angles, write_turn, write_of_wide_angle, write_by_cosine)
+_PROOFS = (
+    write_by_components,
+    write_of_direction,
+    write_of_angles,
+    write_turn,
+    write_of_wide_angle,
+    write_by_cosine,
+)
 
 
 class Claims(Eliminated):

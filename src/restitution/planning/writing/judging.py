@@ -164,8 +164,11 @@ class Judge:
         return next((line.number for line in lines if self.desk.holds(line.number)), None)
 
     def _compared(self, refs: Sequence[Ref]) -> int:
+        """How many relations are compared: letters and the direction of an axis are none."""
         return sum(
-            not (isinstance(ref, int) and isinstance(self.desk.line(ref).relation, Meaning))
+            not isinstance(self.desk.line(ref).relation, Meaning)
+            if isinstance(ref, int)
+            else not ref.startswith("axis ")
             for ref in refs
         )
 

@@ -280,6 +280,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             else:
                 yield say("given.data")
             return
+        signs = self._by_signs(line)
+        if signs is not None:
+            yield signs
+            return
         letter = letter_of_offset(line)
         if letter is not None:
             offset = next(e for ref in line.premises if (e := self._derivation.fact(str(ref))))

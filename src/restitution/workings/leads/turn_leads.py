@@ -30,6 +30,7 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.workings.leads.lines_around import LinesAround
+from restitution.workings.naming.angles_by_signs import signs_behind
 
 BY = {
     "pythagoras": "derived.pythagoras",
@@ -92,6 +93,24 @@ def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
 
 class TurnLeads(LinesAround):
     """The words before angles of deflection, angles that are the same, and identities."""
+
+    def _by_signs(self, line: Line) -> Sentence | None:
+        """The signs of components, or of a scalar product, by which right angles bound an angle."""
+        signs = signs_behind(self._derivation, line)
+        if not signs:
+            return None
+        (first, order), *_ = signs
+        if first.kind == "dot":
+            return say("turned.obtuse" if order == "<" else "turned.acute")
+        components = tuple(
+            say(
+                "turned.negative" if sign == "<" else "turned.positive",
+                axis=self._naming.layout(component.arguments[1]),
+            )
+            for component, sign in sorted(signs, key=lambda own: repr(own[0].arguments[1]))
+        )
+        velocity = self._naming.layout(first.arguments[0])
+        return say("turned.signs", velocity=velocity, components=components)
 
     def _identity(self, line: Line) -> str:
         """The name of an identity: of a tangent that of a sum, or of a difference."""

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.workings.naming.angles_by_signs import signs_behind
 
 _PAIRED = frozenset({"combine", "divide", "square-add"})
 _SILENT = frozenset({"law", "define", "fact", "let", "answer", "shown", "triangle"})
@@ -300,7 +301,7 @@ class Sources:
             return Source("solve", () if cited == [above] else tuple(cited))
         if line.move.record == "size" and cited and cited[0] != above and self._is_read_off(line):
             return Source("add", tuple(cited[:1]))
-        if move in _SILENT:
+        if move in _SILENT or signs_behind(self._derivation, line):
             return None
         if cited and isinstance(line.premises[0], int) and self._splits(line, cited[0]):
             first = above == cited[0]

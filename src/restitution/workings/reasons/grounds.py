@@ -29,6 +29,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import coordinates, factors, tree_of
+from restitution.workings.naming.angles_by_signs import signs_behind
 
 _ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
 _ORDER = ("<", "<=", ">", ">=")
@@ -51,7 +52,8 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
             yield from _side(derivation, line)
         case "compare":
             yield from _double_angle(derivation, line)
-            yield from _half_plane(derivation, line)
+            if not signs_behind(derivation, line):  # the words before it say them
+                yield from _half_plane(derivation, line)
 
 
 def _side(derivation: Derivation, line: Line) -> Iterator[Relation]:
