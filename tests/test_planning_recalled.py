@@ -675,3 +675,29 @@ part b
 find range of deflection(A)
 """
     assert sum("sqrt(3) u/2/((1 - e) u/4)" in each for each in said(text)) == 1
+
+
+TO_A_SLANTING_WALL = """
+wall AB: along i
+wall BC: along 135°
+sphere P: velocity u at alpha to AB
+P hits AB
+P hits BC
+given e = 1/3, velocity(P, 1) perpendicular to BC
+find tan(alpha), speed(P, 1), speed(P)
+"""
+
+
+def test_what_strikes_a_wall_at_right_angles_has_its_speed_as_its_component() -> None:
+    # tan α = 3, so that the speed is u√(1/10 + 1/10).
+    lines = planned(TO_A_SLANTING_WALL).lines
+    speed = next(e.number for e in lines if e.move.record == "speed")
+    (component,) = (e for e in lines if e.move.record == "component" and speed in e.premises)
+    assert write_relation(component.relation).endswith("= u/sqrt(5)")  # type: ignore[arg-type]
+    said = printed(TO_A_SLANTING_WALL)
+    assert "P strikes BC at right angles, so its component before the impact is its speed:" in said
+
+
+def test_a_right_angle_to_a_wall_says_along_which_vector_it_lies() -> None:
+    said = printed(TO_A_SLANTING_WALL)
+    assert "BC is parallel to −𝐢 + 𝐣, so the scalar product is zero: −u cos α + ⅓u sin α" in said

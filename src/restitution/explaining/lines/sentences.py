@@ -131,6 +131,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "one. Components before the impact:"
     ),
     "resolved.direct": "{body} strikes {wall} at right angles. Component before the impact:",
+    "resolved.direct-speed": (
+        "{body} strikes {wall} at right angles, so its component before the impact is its speed:"
+    ),
     "resolved.direct-radius": (
         "{body} moves along the radius, so it strikes {wall} at right angles. Component before the "
         "impact:"
@@ -511,6 +514,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.none-as-given": "As {fact}, {velocity} has no component in the direction of {axis}:",
     "given.none-along": "So {velocity} has no component along {line}:",
     "given.product": "It is given that {fact}, so the scalar product is zero:",
+    "given.product-by-wall": (
+        "It is given that {fact}. {wall} is parallel to {vector}, so the scalar product is zero:"
+    ),
     "sense.towards-wall": (
         "The impulse on {body} is away from {wall}, so in the sense towards {wall}:"
     ),

@@ -39,6 +39,8 @@ def is_definition(step: Step, line: Link) -> bool:
     """Whether a line says the definition that its move names."""
     if step.move.record == "turned":
         return _is_turned(step, line)
+    if step.move.record == "component" and _is_whole_speed(step, line):
+        return True
     if step.move.record in _RESOLVED or _is_size(step, line.left):
         return _is_resolved(step, line)
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
@@ -159,6 +161,34 @@ def _is_component(step: Step, line: Link) -> bool:
             if step.world.reduced(size).vanishes and step.signs.of(right) == 1:
                 return True
     return False
+
+
+def _is_whole_speed(step: Step, line: Link) -> bool:
+    """The component towards a wall of what strikes it at right angles, as its speed before."""
+    event = step.setting.event(step.move.event)
+    if event is None or not event.wall or line.sign != "=":
+        return False
+    match line.left:
+        case Quantity(
+            "along", (Quantity("velocity", (Name(body),) as own, stage) as velocity, axis)
+        ):
+            pass
+        case _:
+            return False
+    before = step.setting.quantity(Quantity("velocity", own, event.number - 1))
+    if body != event.bodies[0] or axis != axis_of(event) or velocity != before:
+        return False
+    values = {link.left: link.right for link in step.links if link.sign == "="}
+    beside = values.get(Quantity("across", (velocity, axis)))
+    speed = values.get(Quantity("speed", own, stage))
+    if (
+        beside is None
+        or speed is None
+        or not step.world.reduced(step.world.scalar(beside)).vanishes
+    ):
+        return False
+    gap = step.world.scalar(speed) - step.world.scalar(line.right)
+    return step.world.reduced(gap).vanishes
 
 
 def _is_size(step: Step, tree: Expression) -> bool:

@@ -414,6 +414,13 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     shares = [tidy(own.direction(each).dot(direction)) for each in ("along", "across")]
     put = [_put(scene, part) for part in parts]
     value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
+    if kind == "along" and frame.wall is not None and frame.number == stage + 1:
+        velocity = Vector(*(part.value for part in put))
+        directions = own.direction("along"), own.direction("across")
+        beside = sum(a * b.cross(direction) for a, b in zip(velocity, directions, strict=True))
+        speed = _whole_speed(scene, body, stage, frame) if tidy(beside) == 0 else None
+        if speed is not None:
+            return speed
     in_degrees = _are_in_degrees(scene, own, frame) and sum(part.value != 0 for part in put) == 1
     functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
     if in_degrees:
@@ -452,6 +459,22 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     relation = chain(quantity, (first, None), *between, (last, "rearrange"))
     number = scene.desk.write(move, refs, relation)
     return scene.desk.know(quantity, value, (number,))
+
+
+def _whole_speed(scene: Scene, body: str, stage: int, frame: Frame) -> Source | None:
+    """The component towards a wall of what strikes it at right angles: the speed that stands."""
+    speed = scene.desk.known(Quantity("speed", (Name(body),), stage))
+    if speed is None:
+        return None
+    beside = in_direction(scene, "across", body, stage, frame)
+    quantity = frame.component("along", body, stage)
+    relation = chain(quantity, (tree_of(speed.value), None))
+    move = Move("define", "component", frame.number, (body,))
+    refs = scene.judge.needed(move, together(speed.refs, beside.whole), relation)
+    if refs is None:
+        return None
+    number = scene.desk.write(move, refs, relation)
+    return scene.desk.know(quantity, speed.value, (number,))
 
 
 def _of_degrees(tree: Expression) -> list[Expression]:

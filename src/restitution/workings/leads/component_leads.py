@@ -55,6 +55,14 @@ def _axis_of(vector: Expression) -> Unit | None:
     return units.pop() if len(units) == 1 else None
 
 
+def _is_speed(line: Line | None) -> bool:
+    """Whether a line says what a speed is."""
+    match None if line is None else line.relation:
+        case Relation(((Link(Quantity("speed"), "="), *_),)):
+            return True
+    return False
+
+
 class ComponentLeads(LinesAround):
     """The words before components of velocities."""
 
@@ -89,6 +97,8 @@ class ComponentLeads(LinesAround):
             body, wall = event.bodies
             circular = wall in self._naming.circles
             name: SentenceId = "resolved.direct-radius" if circular else "resolved.direct"
+            if any(_is_speed(each) for each in map(self._cited, line.premises)):
+                name = "resolved.direct-speed"
             return say(name, body=body, wall=wall)
         struck = struck_at_rest(self._derivation, self._naming, line)
         if struck is not None and not self.tells_of_rest(struck, stage, event):

@@ -36,6 +36,7 @@ from restitution.render import layout as lay
 from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.lines_around import is_rest
 from restitution.workings.leads.titles import Leads
+from restitution.workings.naming.bold_letters import unit_vector
 
 # The sign of a component along **i**, of a direction beyond 90°.
 _BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
@@ -146,7 +147,7 @@ class GivenLeads(Leads):
                 case Binary("*") if (mover := self._on_the_line(line)) is not None:
                     return (say("given.product-along", fact=sentence, body=mover),)
                 case _:
-                    return (say("given.product", fact=sentence),)
+                    return (self._product_is_zero(line, sentence),)
         other = _across(self._of_a_wall(facts[0].relation.options[0][0].right))
         if line.move.record == "parallel" and nothing and other is not None:
             return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
@@ -170,6 +171,21 @@ class GivenLeads(Leads):
             return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _product_is_zero(self, line: Line, fact: Sentence | lay.Layout) -> Sentence:
+        """That a scalar product is zero; of a wall that an angle gives, the vector along it too."""
+        for ref in line.premises:
+            wall = self._derivation.fact(ref) if isinstance(ref, str) else None
+            match None if wall is None else wall.relation.options[0][0]:
+                case Link(Quantity("direction", (Name(name),)), _, right) if not _has_vector(right):
+                    along = unit_vector(right)
+                case _:
+                    continue
+            if along is not None:
+                whole = along.left if isinstance(along, Binary) and along.op == "/" else along
+                vector = self._naming.layout(whole)
+                return say("given.product-by-wall", fact=fact, wall=name, vector=vector)
+        return say("given.product", fact=fact)
 
     def _cosine_told(self, line: Line, fact: Fact) -> tuple[Sentence, ...]:
         """What is said before the cosine of a given angle between two velocities; else nothing."""
