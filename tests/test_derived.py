@@ -290,7 +290,7 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("rejected-root", ["e = ½, as e ≤ 1"]),
         ("half-angle", ["t = √3/3, as α/2 is acute"]),
         ("brought-to-rest", ["as 3u/(2 − e) − u increases with e and 0 ≤ e ≤ 1 (as required)"]),
-        ("greatest-deflection", ["greatest value of tan δ = ¾, when tan α = ½"]),
+        ("greatest-deflection", ["when 1 − 2 tan α = 0, so tan α = ½ and α"]),
         (
             "direction-reversed",
             ["Let v and w be the components of the velocities of A and B", "Since v < 0:"],

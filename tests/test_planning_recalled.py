@@ -646,7 +646,9 @@ find deflection(A)
 part b
 find maximum of tan(deflection(A)) over alpha
 """
-    assert "greatest value of tan δ = √3/3 ≈ 0.577, when α = 30°" in printed(text)
+    assert "greatest value of tan δ = √3/3 ≈ 0.577, when 1 − √3 tan α = 0, so α = 30°" in printed(
+        text
+    )
 
 
 def test_a_claim_and_a_value_that_cannot_be_have_a_sentence_each() -> None:

@@ -251,7 +251,7 @@ def test_a_sum_of_squares_says_its_identity() -> None:
     text = printed(
         TARGET.format(velocity="u at alpha", mass="2m") + "A hits B: along i, e = 1\nfind speed(A)"
     )
-    assert "as sin² + cos² = 1" in text
+    assert "as sin²α + cos²α = 1" in text
 
 
 def test_an_irrational_quadratic_is_solved_by_the_formula() -> None:

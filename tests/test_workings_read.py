@@ -239,7 +239,7 @@ SAYS = [
     (ACROSS_THE_LINE, "angle from 𝐢 to 𝐯_A = −30° + 90° = 60°"),
     (BALANCE, "From (3) and (4): total momentum = total momentum before the impact"),
     (SENT_ACROSS, "8 = 5 + 5e"),
-    (BLOW_OF_A_SIZE, "As sin² + cos² = 1: 5 = 16 cos θ"),
+    (BLOW_OF_A_SIZE, "As sin²θ + cos²θ = 1: 5 = 16 cos θ"),
     (LOSS_AS_A_NUMBER, " = 12(1 − e²)"),
 ]
 SAYS_NOT = [

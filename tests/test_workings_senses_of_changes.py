@@ -29,19 +29,39 @@ def text_of(statement: str) -> str:
 
 def test_the_first_sphere_is_pushed_away_from_the_second() -> None:
     text = text_of(SPHERES.format(body="A", after="3i - 9j"))
-    assert "is parallel to −3𝐢 − 4𝐣\nThe impulse on A is away from B, so in the sense from" in text
-    assert "from A to B:\n    the line of centres is parallel to 3𝐢 + 4𝐣" in text
+    assert (
+        "is parallel to −3𝐢 − 4𝐣\nThe impulse on A acts away from B, so in the opposite sense:"
+        in text
+    )
+    assert "sense:\n    the direction from A to B is that of 3𝐢 + 4𝐣" in text
 
 
 def test_the_second_sphere_is_pushed_in_the_sense_of_the_line() -> None:
     text = text_of(SPHERES.format(body="B", after="1/2 i - 4j"))
-    assert "The impulse on B is away from A, so in the sense from A to B:" in text
+    assert (
+        "The impulse on B acts away from A, so in the same sense:\n    the direction from A to B is"
+        in text
+    )
     assert "−3𝐢 − 4𝐣" not in text
 
 
 def test_a_wall_pushes_away_from_it() -> None:
     text = text_of(WALL)
-    assert "is parallel to −7𝐢 + 𝐣\nThe impulse on P is away from W, so in the sense tow" in text
+    assert (
+        "is parallel to −7𝐢 + 𝐣\nThe impulse on P acts away from W, so in the opposite sense:"
+        in text
+    )
+
+
+def test_a_line_of_centres_stands_in_the_part_that_needs_it() -> None:
+    text = text_of(
+        "sphere A: mass 4, velocity 3i - j\nsphere B: mass 2, velocity i + 3j\nA hits B\n"
+        "given velocity(A) = 2i\npart a\nfind velocity(B)\npart b\nfind e\n"
+    )
+    first, second = text.split("\n(b)\n")
+    assert "𝐯_B = (3𝐢 + 𝐣)" in first
+    assert "line of centres" not in first
+    assert "The impulse acts along the line of centres:" in second
 
 
 SLANTING = """

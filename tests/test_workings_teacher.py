@@ -336,11 +336,11 @@ sphere B: mass 2m, at rest
 A hits B: along i, e = 1/3
 find maximum of deflection(A) over alpha
 """,
-        ["greatest value of δ = arctan(4/3)", "≈ 53.1°, when tan α = ⅓, so α ≈ 18.4°"],
+        ["greatest value of δ = arctan(4/3)", "when 1 − 3 tan α = 0, so tan α = ⅓ and α ≈ 18.4°"],
     ),
     "a greatest value at an angle that is known by heart": (
         REST.format(m="m", e=", e = 1/3") + "find maximum of deflection(A) over alpha",
-        ["greatest value of δ = 30°, when α = 30°"],
+        ["greatest value of δ = 30°, when 1 − √3 tan α = 0, so α = 30°"],
     ),
     "a tangent of an earlier part has the angle of its own put in": (
         REST.format(m="m", e="")
@@ -354,7 +354,7 @@ find range of deflection(A)""",
             "tan δ = (1 + e)/(3 − e)",
             "⅓ ≤ tan δ ≤ 1",
             "as (1 + e)/(3 − e) increases with e and 0 ≤ e ≤ 1",
-            "arctan(1/3) ≤ δ ≤ 45°, as 0° ≤ δ ≤ 180°",
+            "arctan(1/3) ≤ δ ≤ 45°, as δ is acute",
         ],
     ),
     # B comes back with (1 + e)u/5, and 3e - 2 < 1 + e.

@@ -34,6 +34,7 @@ from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.solving.story.letters import roles
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
+from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.figures import (
@@ -263,6 +264,9 @@ class Rows:
                 laid[1] = with_unit(laid[1], self._measures.unit(trees[0]))
             return Row(tuple(laid), tuple(map(_sign, compared)))
         words = _WORDS.get(links[0].sign)
+        sense = direction_by_its_sense(self._derivation, self._naming, line)
+        if sense is not None:
+            return Row((operand(sense),), ())
         if words is not None:
             left, right = map(self._naming.side, (links[0].left, links[0].right))
             return Row((operand(say(words, left=left, right=right)),), ())

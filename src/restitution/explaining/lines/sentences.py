@@ -517,12 +517,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.product-by-wall": (
         "It is given that {fact}. {wall} is parallel to {vector}, so the scalar product is zero:"
     ),
-    "sense.towards-wall": (
-        "The impulse on {body} is away from {wall}, so in the sense towards {wall}:"
-    ),
-    "sense.to-the-second": (
-        "The impulse on {body} is away from {other}, so in the sense from {one} to {two}:"
-    ),
+    "sense.opposite": "The impulse on {body} acts away from {other}, so in the opposite sense:",
+    "sense.away": "The impulse on {body} acts away from {other}, so in the same sense:",
+    "sense.of-line": "the direction from {one} to {two} is that of {vector}",
+    "sense.of-normal": "the normal towards {wall} is in the direction of {vector}",
     "given.of-cosine": "It is given that {fact}, of which the cosine is {cosine}.",
     "given.by-the-product": "By the scalar product:",
     "given.product-along": (
@@ -632,6 +630,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "range.every": "So every value of {letter} is possible:",
     "range.every-free": "No condition bounds {letter}, so every value of it is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
+    "extremum.at-zero": "{square}, so {place}",
+    "extremum.at-zero-angle": "{square}, so {place} and {angle}",
     "extremum.at-angle": "{place}, so {angle}",
     "extremum.with": "{place} and so {other}",
     "extremum.approached": "as {place}: a bound that is approached and not reached",

@@ -179,7 +179,7 @@ def is_long(right: Expression) -> bool:
     return len(write_expression(right)) > _LONGEST
 
 
-_LONGEST = 56
+_LONGEST = 80
 
 
 def _event(pair: tuple[Moving, Moving]) -> int | None:

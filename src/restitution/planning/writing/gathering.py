@@ -69,22 +69,23 @@ def _where_needed(derivation: Derivation) -> Derivation:
     """The same working, in which what was written on the way stands where it is first used.
 
     That is another ratio of an angle, a bound of letters, or a component, which may have been
-    written for its sign.
+    written for its sign; and whatever no item of its own part rests on.
     """
     parts = derivation.asked
     items = {each: n for n, each in enumerate(parts)}
     used: dict[int, str] = {}
     lines: list[Line] = []
-    within = {number for case in derivation.cases for number in case.lines}
+    held = derivation.held
     for line in reversed(derivation.lines):
         item = used.get(line.number, line.item)
-        ends = any(each.line == line.number for each in derivation.items)
         moves = (
-            (line.move.id in ("triangle", "sign") or line.move.record == "component")
-            and not ends
-            and line.number not in within
+            line.number not in held
             and {item, line.item} <= items.keys()
-            and (parts[item or ""] == parts[line.item or ""] or line.move.record == "component")
+            and (
+                parts[item or ""] != parts[line.item or ""]
+                or line.move.id in ("triangle", "sign")
+                or line.move.record == "component"
+            )
             and items[item or ""] > items[line.item or ""]
         )
         own = replace(line, item=item) if moves else line

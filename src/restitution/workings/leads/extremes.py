@@ -2,16 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equation
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Degrees, Letter, Number, is_zero, letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import as_answer
 from restitution.workings.naming.quantities import Naming
@@ -41,7 +54,9 @@ def extreme(
     places = [place for place, _ in reached_there]
     if line.move.record != "approached":
         called = operand(naming.extreme(link.left, greatest=greatest))
-        where = tuple(_where(naming, place, shown) for place in places)
+        where = tuple(
+            _where(naming, place, shown, _square_above(derivation, line, place)) for place in places
+        )
         reasons: tuple[Sentence, ...] = (say("derived.for", places=where),) if where else ()
         bound = _bound_above(derivation, line)
         if bound is not None:
@@ -59,9 +74,18 @@ def extreme(
     )
 
 
-def _where(naming: Naming, place: Link, shown: bool) -> Sentence | lay.Layout:
-    """Where a value is reached; of the ratio of an angle that is asked, the angle too."""
-    relation = naming.relation(Relation(((place,),)))
+def _where(
+    naming: Naming, place: Link, shown: bool, square: Expression | None
+) -> Sentence | lay.Layout:
+    """Where a value is reached; of the ratio of an angle that is asked, the angle too.
+
+    Where a ``square`` makes the bound, the value is reached where that is zero.
+    """
+    place_alone = Relation(((place,),))
+    relation: Sentence | lay.Layout = naming.relation(place_alone)
+    if square is not None:
+        zero = naming.relation(equation(square, Number(Fraction(0))))
+        relation = say("extremum.at-zero", square=zero, place=relation)
     match place:
         case Link(Apply("tan" | "sin" | "cos" as ratio, Letter() as angle), "=", right) if (
             not shown
@@ -69,14 +93,50 @@ def _where(naming: Naming, place: Link, shown: bool) -> Sentence | lay.Layout:
             inverse = Apply(f"arc{ratio}", right)
             worth = None if letters(right) else sp.deg(in_letters(inverse))
             if worth is not None and worth.is_Rational:
-                exact = Link(angle, "=", Degrees(Fraction(worth.p, worth.q)))
-                return naming.relation(Relation(((exact,),)))
+                exact = naming.relation(equation(angle, Degrees(Fraction(worth.p, worth.q))))
+                if square is None:
+                    return exact
+                return say("extremum.at-zero", square=zero, place=exact)
             added = as_answer(inverse)
             if len(added) == 1:
                 ((value, sign),) = added
                 also = lay.Relation((naming.layout(angle), value), (sign,))
-                return say("extremum.at-angle", place=relation, angle=also)
+                if square is None:
+                    return say("extremum.at-angle", place=relation, angle=also)
+                own = naming.relation(place_alone)
+                return say("extremum.at-zero-angle", square=zero, place=own, angle=also)
     return relation
+
+
+def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression | None:
+    """A sum whose square is in the lines above, and which is zero at a place; None without one."""
+    try:
+        left, right = (in_letters(each, positive=True) for each in (place.left, place.right))
+        for above in _above(derivation, line):
+            for tree in trees_of(above):
+                for node in walk(tree):
+                    match node:
+                        case Binary("^", Binary("+" | "-") as base, Number(power)) if power == 2:
+                            own = in_letters(base, positive=True)
+                            if own.has(left) and tidy(own.subs(left, right)) == 0:
+                                return base
+    except RestitutionError:
+        return None
+    return None
+
+
+def _above(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """What the lines say on which a line rests, the nearest first."""
+    pending, seen = [line], {line.number}
+    while pending:
+        own = pending.pop(0)
+        if isinstance(own.relation, Relation):
+            yield own.relation
+        for ref in own.premises:
+            if isinstance(ref, int) and ref not in seen:
+                seen.add(ref)
+                above = derivation.line(ref)
+                pending += [] if above is None else [above]
 
 
 def _bound_above(derivation: Derivation, line: Line) -> Relation | None:

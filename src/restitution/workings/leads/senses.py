@@ -19,7 +19,7 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     own, above = _direction(line), _change(derivation, line)
     if own is None or above is None:
         return None
-    event = naming.events.get(above.move.event or 0)
+    event = naming.events.get(_event(derivation, line))
     before = _direction(above)
     if event is None or before is None or not above.move.bodies:
         return None
@@ -31,11 +31,20 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
     if towards != (body == event.bodies[0]):
         return None
+    name = "sense.opposite" if towards else "sense.away"
+    return say(name, body=pushed, other=from_)
+
+
+def direction_by_its_sense(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
+    """A line of centres in its sense, from one body to the other; None of any other line."""
+    own = _direction(line)
+    if own is None or sense_of_a_change(derivation, naming, line) is None:
+        return None
+    event = naming.events[_event(derivation, line)]
+    vector = naming.side(own)
     if event.wall:
-        return say("sense.towards-wall", body=pushed, wall=from_)
-    return say(
-        "sense.to-the-second", body=pushed, other=from_, one=event.bodies[0], two=event.bodies[1]
-    )
+        return say("sense.of-normal", wall=event.bodies[1], vector=vector)
+    return say("sense.of-line", one=event.bodies[0], two=event.bodies[1], vector=vector)
 
 
 def sense_of_a_normal(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
@@ -59,6 +68,12 @@ def _direction(line: Line) -> Expression | None:
     return None
 
 
+def _event(derivation: Derivation, line: Line) -> int:
+    """The impact of whose change a direction is made; 0 of any other line."""
+    above = _change(derivation, line)
+    return 0 if above is None else above.move.event or 0
+
+
 def _change(derivation: Derivation, line: Line) -> Line | None:
     """The line of the change, or of the impulse, of which a direction is made."""
     while line.move.id == "rearrange" and len(line.premises) == 1:
@@ -72,4 +87,4 @@ def _change(derivation: Derivation, line: Line) -> Line | None:
     return None
 
 
-__all__ = ["sense_of_a_change", "sense_of_a_normal"]
+__all__ = ["direction_by_its_sense", "sense_of_a_change", "sense_of_a_normal"]

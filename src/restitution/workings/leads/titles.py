@@ -385,7 +385,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if needed is not None:
             yield needed
         elif line.move.id == "identity" and line.move.record in BY:
-            how = self._by_the_half(line) or say(self._identity(line))
+            how = self._by_the_half(line) or self._by_squares(line) or say(self._identity(line))
             equations = () if source is None else self._numbers(source)
             sentence = self._angles_given(line)
             if sentence is not None and line.move.record == "complement":

@@ -31,6 +31,7 @@ from restitution.expression.tree import (
 from restitution.render import layout as lay
 from restitution.workings.leads.lines_around import LinesAround
 from restitution.workings.naming.angles_by_signs import signs_behind
+from restitution.workings.reasons.pythagoras import pythagoras
 
 BY = {
     "pythagoras": "derived.pythagoras",
@@ -156,6 +157,11 @@ class TurnLeads(LinesAround):
         right = Binary("/", sine, Binary("+", Number(Fraction(1)), cosine))
         formula = self._naming.relation(Relation(((Link(half, "=", right),),)))
         return say("derived.by-formula", formula=formula)
+
+    def _by_squares(self, line: Line) -> Sentence | None:
+        """The identity of sine and cosine, for the one angle to which it is applied."""
+        own = pythagoras(self._derivation, line) if line.move.record == "pythagoras" else None
+        return None if own is None else say("derived.as", reasons=(self._naming.relation(own),))
 
     def _angles_given(self, line: Line) -> Fact | None:
         """The given sum or difference of angles of which a line is the tangent."""

@@ -29,10 +29,12 @@ from restitution.expression.tree import (
 )
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import coordinates, factors, tree_of
+from restitution.planning.writing.inequalities import turned
 from restitution.workings.naming.angles_by_signs import signs_behind
 
 _ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
 _ORDER = ("<", "<=", ">", ">=")
+_ABOVE = (">", ">=")
 
 
 def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:
@@ -113,15 +115,48 @@ def motion_of(fact: Fact | None) -> tuple[str, Expression] | None:
 def acute_by_its_tangent(
     line: Line, extent: Relation, cited: Iterable[Relation | None]
 ) -> Letter | None:
-    """The angle of up to 180° that a positive tangent makes acute, where that is compared."""
-    match line.relation, extent.options:
-        case (
-            Relation(((Link(Apply("tan", Letter() as angle) as tangent),),)),
-            ((_, Link(own, "<=", Degrees(Fraction(numerator=180)))),),
-        ) if own == angle and line.move.id == "compare":
-            positive = Relation(((Link(tangent, ">", _ZERO),),))
-            return angle if positive in cited else None
+    """The angle of up to 180° that a positive tangent makes acute, where either is compared."""
+    match extent.options:
+        case ((_, Link(Letter() as angle, "<=", Degrees(Fraction(numerator=180)))),):
+            tangent = Apply("tan", angle)
+        case _:
+            return None
+    if line.move.id != "compare" or not isinstance(line.relation, Relation):
+        return None
+    below = Relation(((Link(tangent, ">", _ZERO),),))
+    match line.relation.options:
+        case ((Link(own),),) if own == tangent:
+            return angle if below in cited else None
+        case ((*_, Link(own, "<" | "<=", bound)),) if own == angle or _is_angle(own):
+            if not _is_less_than_90(bound):
+                return None
+            return angle if any(_is_above_zero(tangent, each) for each in cited) else None
     return None
+
+
+def _is_less_than_90(bound: Expression) -> bool:
+    match bound:
+        case Apply("arctan"):
+            return True
+        case Degrees(value):
+            return value < 90
+    return False
+
+
+def _is_angle(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
+
+
+def _is_above_zero(tangent: Expression, relation: Relation | None) -> bool:
+    """Whether a relation bounds a tangent below by zero, or by a number above that."""
+    for link in () if relation is None or len(relation.options) > 1 else relation.only:
+        own = turned(link) if link.right == tangent else link
+        if own.left != tangent or letters(own.right):
+            continue
+        value = in_letters(own.right)
+        if (own.sign == ">" and value == 0) or (own.sign in _ABOVE and value.is_positive):
+            return True
+    return False
 
 
 def _relation(derivation: Derivation, ref: object) -> Relation | None:

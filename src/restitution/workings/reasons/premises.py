@@ -49,6 +49,7 @@ from restitution.workings.reasons.growth_reasons import GrowthReasons
 from restitution.workings.reasons.later_times import later_than
 from restitution.workings.reasons.multipliers import multipliers_of
 from restitution.workings.reasons.plain_signs import are_squares, positive_letters
+from restitution.workings.reasons.pythagoras import pythagoras
 from restitution.workings.reasons.rejected_roots import made_by_a_root
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons
@@ -88,6 +89,9 @@ class Reasons:
     def of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on, to stand behind it."""
         if self._by_pythagoras(line):
+            identity = pythagoras(self._derivation, line)
+            if identity is not None:
+                return (say("derived.as", reasons=(self._laid(identity),)),)
             return (say("derived.pythagoras"),)
         vertical = self._right_angles.of(line)
         if vertical is not None:
