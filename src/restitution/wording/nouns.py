@@ -75,7 +75,7 @@ _OF_BODY = {
     "energy": ("kinetic energy", "kinetic energies"),
     "momentum": ("momentum", "momenta"),
     "mass": ("mass", "masses"),
-    "position": ("position vector", "position vectors"),
+    "position": ("position", "positions"),
 }
 _INITIAL = "initial "
 _LINE = "line_of_centres"
@@ -684,11 +684,11 @@ def sensed_line(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _position(scene: Scene, tree: Quantity) -> Noun:
-    return _placed(scene, tree, "position vector")
+    return _placed(scene, tree, "position")
 
 
 def _placed(scene: Scene, tree: Quantity, kind: str) -> Noun:
-    """``the position vector of S when it hits W``, ``the initial position of S``."""
+    """``the position of S when it hits W``, ``the initial position of S``."""
     at = place(scene, tree)
     if at.when == INITIALLY:
         return Noun(words(f"the {_INITIAL}{kind} of ", at.head))
