@@ -651,6 +651,19 @@ find impulse
     assert (a, b, impulse) == ("A1", "A1", "M1 A1ft")
 
 
+def test_a_counter_example_is_a_method_and_another_value_a_reason() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at -alpha
+P hits W
+show 1/2 < speed(P)/u <= 1
+show speed(P) = e u
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    assert [written(note.marks) for note in derivation.notes] == ["M1 A1", "B1"]
+    assert all(note.marks == () for note in awarded(derivation, "none").notes)
+
+
 def test_every_impact_earns_its_laws() -> None:
     text = """
 sphere A, B: mass m

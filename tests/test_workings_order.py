@@ -183,7 +183,7 @@ def test_the_product_of_a_fraction_of_a_speed_and_a_cosine_is_seen_in_the_laws()
         "given cos(alpha) = 4/5\nA hits B: along i, e = 1/2\n"
         "given speed(B) = 2u/3\nfind k"
     )
-    assert "km(⅘ × (5u/4))" in words
+    assert "km((5u/4) × ⅘)" in words
 
 
 def test_why_a_sine_less_a_cosine_is_less_than_1() -> None:

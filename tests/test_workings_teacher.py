@@ -42,6 +42,16 @@ SAYS = {
         WALL.format(e="") + "given energy_lost = 1/4 energy(0)\nshow alpha >= 30°",
         ["sin²α ≥ ¼, as e² ≥ 0", "sin α ≥ ½, as α is acute", "α ≥ 30°"],
     ),
+    # v + 2w = 3 and w - v = 1.
+    "a mass stands before the change of velocity": (
+        REST.format(m="2m", e=", e = 1/3").replace("u at alpha", "3i") + "find impulse",
+        ["magnitude of the impulse = 2m × (4/3) = 8m/3"],
+    ),
+    # tan β = 3e/4 and tan 60° = √3.
+    "a known tangent is put in beside the other": (
+        WALL.format(e="") + "given deflection(P) = 60°, tan(alpha) = 3/4\nfind e",
+        ["Since tan α = ¾, substituting for tan β:", "√3 = (¾ + 3e/4)/(1 − 9e/16)"],
+    ),
     # cos²α = 3/(8(1 − e²)) ≥ 3/8.
     "an angle has the end that the bound of its ratio gives": (
         REST.format(m="2m", e="") + "given energy_lost = 1/4 energy(0)\nfind range of alpha",
@@ -120,7 +130,7 @@ SAYS = {
     "an angle of the data that goes": (
         CORNER.format(f="f") + "given total_energy_lost = 1/2 energy(0), f = e, e > 0\nfind e",
         [
-            "½m((eu cos α)² + (eu sin α)²) = ½e²mu², as sin² + cos² = 1",
+            "½m((eu cos α)² + (eu sin α)²) = ½e²mu², as sin²α + cos²α = 1",
             "½mu²(1 − e²) = ½ × ½mu²",
             "e² = ½",
             "e = √2/2",

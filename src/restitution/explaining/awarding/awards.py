@@ -37,7 +37,7 @@ from restitution.explaining.awarding.mark_conditions import (
     single_sides,
     subject_of,
 )
-from restitution.explaining.awarding.mark_rules import FOR_NOTES, PAIR, RULES, Rule
+from restitution.explaining.awarding.mark_rules import PAIR, RULES, Rule, marks_of_note
 from restitution.explaining.lines.derivation import (
     Derivation,
     Fact,
@@ -71,7 +71,7 @@ def awarded(
     return replace(
         derivation,
         lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
-        notes=tuple(replace(note, marks=FOR_NOTES.get(note.kind, ())) for note in derivation.notes),
+        notes=tuple(replace(note, marks=marks_of_note(note)) for note in derivation.notes),
     )
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from restitution.explaining.lines.derivation import (
     MoveId,
-    NoteKind,
+    Note,
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
 
@@ -188,8 +188,17 @@ RULES: tuple[Rule, ...] = (
 """The table. A line that no rule fits earns nothing by itself."""
 
 
-FOR_NOTES: Mapping[NoteKind, Marks] = {"standing": (reasoned(Mark("B")),)}
-"""What notes earn. Steps that are not written out have no line at which marks could stand."""
+def marks_of_note(note: Note) -> Marks:
+    """What a note earns: a counter-example a method, and that the claim is not true the answer.
+
+    Of an equation it is enough that a line above says another value. Steps that are not written out
+    have no line at which marks could stand.
+    """
+    equation = note.claim is not None and {e.sign for e in note.claim.options[0]} == {"="}
+    if note.kind == "refuted" and note.instance and not equation:
+        return (reasoned(Mark("M")), reasoned(Mark("A")))
+    return (reasoned(Mark("B")),) if note.kind in ("standing", "refuted") else ()
+
 
 UNWRITTEN: Marks = (reasoned(Mark("M")), reasoned(Mark("A")))
 """What a student earns by a method that the working does not write out, and by its answer."""

@@ -339,6 +339,10 @@ def term_of_data(scene: Scene, angle: Expression) -> Term:
     if not isinstance(angle, Letter):
         value = sp.tan(scene.scalar(angle))
         return Term(angle, tangent if value.free_symbols else tree_of(tidy(value)))
+    if angle.name in scene.ratio_facts:
+        ratio, worth, ref = given_ratio(scene, angle.name)
+        if ratio == tangent:
+            return Term(angle, worth, (ref,))
     symbol = scene.model.unknowns.letter(angle.name)
     if symbol not in scene.model.final or symbol in scene.free:
         return Term(angle, tangent)

@@ -143,7 +143,7 @@ def given_at_a_wall(
     if premises is not None:
         number = scene.desk.write(move, premises, relation)
         value = scene.desk.last_link(line).right
-        terms = (Term(angle, Apply("tan", angle)), Term(Letter(letter), value, (line,)))
+        terms = (term_of_data(scene, angle), Term(Letter(letter), value, (line,)))
         number_ = by_tangents(scene, number, "sum", terms, tree_of(tidy(sp.tan(turned))))
         if number_ is not None:
             return number_

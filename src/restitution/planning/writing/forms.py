@@ -230,11 +230,20 @@ def product(*factors: Expression) -> Expression:
             return ZERO
         if each != ONE:
             kept.append(each)
-    kept.sort(key=lambda each: not is_rational(each))  # 2w, not w × 2
+    if not any(map(_begins_with_a_number, kept)):
+        kept.sort(key=lambda each: not is_rational(each))  # 2w, not w × 2; but 2m × 4/3
     total: Expression = kept[0] if kept else ONE
     for each in kept[1:]:
         total = Binary("*", total, each)
     return Negate(total) if minus else total
+
+
+def _begins_with_a_number(tree: Expression) -> bool:
+    """Whether a tree is a product, or a quotient, of a number and something else: ``2m``."""
+    match tree:
+        case Binary("*" | "/", left) if not is_rational(tree):
+            return is_rational(left) or _begins_with_a_number(left)
+    return False
 
 
 def is_rational(tree: Expression) -> bool:

@@ -233,7 +233,8 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
             by_line.setdefault(line.number, []).append(point)
             yield point
     for note in derivation.notes:
-        if note.part != label:
+        # That a claim is not true is told in words, which are not marked.
+        if note.part != label or note.kind == "refuted":
             continue
         place = items.get(note.item)
         answer, shown = _asked(solved, place)

@@ -130,6 +130,8 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
                 return product(left, right, sign="×")
             if not isinstance(left, Number) and _begins_with_number(right):
                 return product(left, right, sign="×")
+            if isinstance(left, Letter | Product) and _is_fraction_of_numbers(right):
+                return product(left, right, sign="×")  # 2m × ⅘, not 2m⅘
             if isinstance(right, Product) and _begins_with_digit(right):
                 return product(left, Brackets(right))  # 2m(3u), not 2m3u
             return product(left, right)
@@ -175,6 +177,13 @@ def _begins_with_number(layout: Layout) -> bool:
     if isinstance(layout, Product) and layout.sign == "":
         layout = layout.factors[0]
     return isinstance(layout, Number)
+
+
+def _is_fraction_of_numbers(layout: Layout) -> bool:
+    match layout:
+        case Fraction(Number(), Number()):
+            return True
+    return False
 
 
 def _begins_with_digit(layout: Layout) -> bool:
