@@ -46,6 +46,17 @@ sphere C: mass 1, velocity 5i + j
 A hits W: e = 1/2
 find velocity(A)
 """
+OFF_A_LINE = """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along 30°
+find angle(velocity(B), j)
+"""
+OFF = """
+1 a | let | | let w = along(velocity(B, 1), line_of_centres(1))
+2 a | law unchanged 1 B | velocity B | across(velocity(B, 1), line_of_centres(1)) = 0
+3 a | define parallel 1 B | axis 1, 1, 2 | angle(velocity(B, 1), j) = {}
+"""
 OPEN_RATIO = """
 wall W: along i
 sphere P: velocity 3u i - 5u j
@@ -315,6 +326,10 @@ DECIMAL = f"""
             "does-not-follow",
         ),
         (OPEN_RATIO, ARC.format("3/(5e)"), "does-not-follow"),
+        # the angle to **i**, that to −**j**, and one to the other side
+        (OFF_A_LINE, OFF.format("30°"), "does-not-follow"),
+        (OFF_A_LINE, OFF.format("120°"), "does-not-follow"),
+        (OFF_A_LINE, OFF.format("-60°"), "does-not-follow"),
         (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = 2U", "does-not-follow"),
         # at 180° less an angle one component has the other sign, and one has not
         (SUPPLEMENT, OF_A_SUPPLEMENT.format("-U sin(alpha)", "-U cos(alpha)"), "does-not-follow"),
@@ -384,6 +399,7 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
         (LEFT, ALONG_A_WALL.format("3")),
         (UPWARDS, IMPULSE.format("12")),
         (OPEN_RATIO, ARC.format("5e/3")),
+        (OFF_A_LINE, OFF.format("90° - 30°")),
         (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = U"),
         (SUPPLEMENT, OF_A_SUPPLEMENT.format("U sin(alpha)", "-U cos(alpha)")),
         (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(2)")),

@@ -149,3 +149,34 @@ def test_of_squares_alone_the_tangent_is_seen() -> None:
     )
     assert "tan²α = 1/16" in words
     assert "Dividing by" not in words
+
+
+OFF_A_LINE = """
+sphere A: mass m, velocity u i
+sphere B, C: mass 2m, at rest
+A hits B: along 30°, e = 1/2
+A hits C: along -50°, e = 1/2
+find {asked}
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "wanted"),
+    [
+        ("angle(velocity(B), i)", "angle between 𝐯_B and 𝐢 = 30°"),
+        ("angle(velocity(B), j)", "angle between 𝐯_B and 𝐣 = 90° − 30° = 60°"),
+        ("angle(velocity(B), velocity(A, 0))", "angle between 𝐯_B and 𝐮_A = 30°"),
+        ("angle(velocity(B), velocity(C))", "angle between 𝐯_B and 𝐯_C = 30° + 50° = 80°"),
+    ],
+)
+def test_what_was_at_rest_moves_at_the_angle_of_its_line_of_centres(
+    asked: str, wanted: str
+) -> None:
+    said = working(OFF_A_LINE.format(asked=asked))
+    assert "at rest, so" in said and wanted in said
+    assert "tan" not in said and "cos" not in said
+
+
+def test_an_angle_to_a_wall_is_read_off_the_line_of_centres() -> None:
+    said = working("wall W: along 110°" + OFF_A_LINE.format(asked="angle(velocity(B), W)"))
+    assert "angle between 𝐯_B and W = 110° − 30° = 80°" in said

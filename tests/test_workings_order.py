@@ -33,7 +33,7 @@ P hits C: e = 1/2
 find time(2), velocity(P)
 """
     words = printed(text)
-    reason = "The component towards C is the whole speed, so P moves through the centre:"
+    reason = "P moves along the radius, so it passes through the centre of C:"
     assert words.count(reason) == 1
     assert words.count("A chord makes equal angles with the radii at its ends:") == 1
     assert words.index(reason) < words.index(" P moves through the centre: ")

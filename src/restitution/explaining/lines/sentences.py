@@ -256,9 +256,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "positive"
     ),
     "chord.length": "Chord = diameter × cosine of its angle with the radius",
-    "chord.diameter": (
-        "The component towards {wall} is the whole speed, so {body} moves through the centre"
-    ),
+    "chord.diameter": ("{body} moves along the radius, so it passes through the centre of {wall}"),
     "chord.through": "{body} moves through the centre",
     "chord.time": "Time = length of the chord ÷ speed",
     "chord.as-before": (
@@ -1072,6 +1070,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "angles nor sizes are needed."
     ),
     "derived.along-centres": "{body} moves along the line of centres:",
+    "derived.each-along": "{bodies:and} each move along the line of centres of their impact:",
+    "derived.each-from-rest": (
+        "{bodies:and} were at rest, so each moves along the line of centres of its impact:"
+    ),
     "derived.along-centres-from-rest": (
         "{body} was at rest, so it moves along the line of centres:"
     ),

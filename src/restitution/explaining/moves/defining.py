@@ -11,6 +11,7 @@ from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Event, Link, Meaning
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
+from restitution.explaining.moves.angles_of_lines import is_angle_of_lines
 from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.laws import is_law, is_tie
 from restitution.explaining.steps.step import Step, alike
@@ -43,6 +44,8 @@ def is_definition(step: Step, line: Link) -> bool:
         return True
     if step.move.record in _RESOLVED or _is_size(step, line.left):
         return _is_resolved(step, line)
+    if step.move.record in ("perpendicular", "parallel") and is_angle_of_lines(step, line):
+        return True
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return is_tie(step, line)
     if step.move.record == "speed" and (_is_read_off(step, line) or _is_component(step, line)):

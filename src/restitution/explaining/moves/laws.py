@@ -224,8 +224,15 @@ def _from_rest(step: Step, template: Link, rules: Rules) -> Link:
 def is_tie(step: Step, line: Link) -> bool:
     """Whether two directions stand to each other as a line says, by the components cited."""
     tie = tie_of(line)
-    event = step.setting.event(step.move.event)
     if tie is None or tie[2] != step.move.record + " to":  # type: ignore[operator]
+        return False
+    return stands(step, line, step.setting.event(step.move.event))
+
+
+def stands(step: Step, line: Link, event: Event | None) -> bool:
+    """Whether two directions are parallel, or perpendicular, by components at an event."""
+    tie = tie_of(line)
+    if tie is None:
         return False
     rules = step.rules()
     if isinstance(line.left, Quantity) and line.left.kind == "direction" and line.sign == "=":

@@ -97,10 +97,8 @@ def along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     if model_frame is None or model_frame.wall is not None or model_frame.axis is not None:
         return None
     frame = scene.frame(stage)
-    angle = angle_of_centres(scene, stage)
     along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
-    if angle is None:
-        angle = _in_whole_degrees(frame)
+    angle = angle_of_the_line(scene, frame)
     if angle is None:
         return None
     if along.value == 0 and across.value != 0:
@@ -116,6 +114,12 @@ def along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     pool = together(across.whole, along.whole, frame.refs, () if known is None else known.refs)
     premises = scene.judge.needed(move, [*pool, *nonzero(scene, along.value)], relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def angle_of_the_line(scene: Scene, frame: Frame) -> Expression | None:
+    """The angle of a line of centres from **i**, by its letter or in degrees; None without."""
+    angle = angle_of_centres(scene, frame.number)
+    return _in_whole_degrees(frame) if angle is None else angle
 
 
 def _in_whole_degrees(frame: Frame) -> Expression | None:

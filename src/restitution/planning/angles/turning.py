@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.angles.along_lines import angle_along_the_centres
 from restitution.planning.angles.at_sight import angle_at_sight
 from restitution.planning.angles.directions import (
     along_an_axis,
@@ -131,6 +132,8 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         line = along_the_centres(scene, asked) or along_an_axis(scene, asked)
     if line is None:
         line = write_right_angle_of_axes(scene, asked) or angle_at_sight(scene, asked)
+    if line is None:
+        line = angle_along_the_centres(scene, asked)
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:

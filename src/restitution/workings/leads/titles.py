@@ -19,6 +19,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.saying import Sentence, say, slots_of
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -42,6 +43,7 @@ from restitution.workings.leads.offsets import (
     is_offset,
     offset_sentence,
 )
+from restitution.workings.leads.one_component import went_from_rest
 from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_normal
 from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
@@ -108,7 +110,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if letter_of_offset(line) is not None:
             return None
         if record.id == "parallel" and (
-            _read_off(line) or self._seen(line) or self._since_nothing(line)
+            _read_off(line) or _off_lines(line) or self._seen(line) or self._since_nothing(line)
         ):
             return None
         if self._direction_again(line) is not None:
@@ -210,13 +212,29 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return say(_ALONG[rested], body=body)
         return None
 
-    def _along_centres(self, line: Line, body: str) -> str:
+    def _along_centres(self, line: Line, body: str) -> SentenceId:
         """What is said of a body that moves along the line of centres: why, where it is new."""
         assert isinstance(line.relation, Relation)
         own = line.relation.only[0].left
         stage = own.stage if isinstance(own, Quantity) else None
+        return self._from_rest(line, body, stage)
+
+    def _from_rest(self, line: Line, body: str, stage: object) -> SentenceId:
         rested = isinstance(stage, int) and self.tells_of_rest(body, stage, line)
         return "derived.along-centres-from-rest" if rested else "derived.along-centres"
+
+    def _along_its_line(self, line: Line) -> Sentence | None:
+        """That spheres move along lines of centres, where an angle is read off these."""
+        moving = _off_lines(line)
+        if len(moving) == 1:
+            ((body, stage),) = moving
+            return say(self._from_rest(line, body, stage), body=body)
+        if moving:
+            rested = [went_from_rest(self._derivation, self._naming, *each) for each in moving]
+            bodies = tuple(body for body, _ in moving)
+            name: SentenceId = "derived.each-along" if not all(rested) else "derived.each-from-rest"
+            return say(name, bodies=bodies)
+        return None
 
     def _is_given_off(self, line: Line, body: str) -> bool:
         """Whether a line takes the direction that is given of a sphere that was at rest."""
@@ -335,6 +353,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             yield (
                 apart
                 or self._along_axes(line)
+                or self._along_its_line(line)
                 or self._seen(line)
                 or self._none_in(line)
                 or self._direction_again(line)
@@ -581,3 +600,23 @@ def _read_off(line: Line) -> str | None:
         case Relation(((Link(Quantity("direction", (Name(body),), int()), "="), *_),)):
             return body
     return None
+
+
+def _off_lines(line: Line) -> tuple[tuple[str, int], ...]:
+    """The spheres along the lines of centres of which an angle is read off, each with its event."""
+    if not any(isinstance(ref, str) and ref.startswith("axis ") for ref in line.premises):
+        return ()
+    match line.relation:
+        case Relation(((Link(Quantity("angle", arguments), "=", right), *_),)):
+            straight = right in (Degrees(Fraction(0)), Degrees(Fraction(180)))
+        case _:
+            return ()
+    moving = tuple(
+        (each.arguments[0].name, each.stage)
+        for each in arguments
+        if isinstance(each, Quantity) and each.kind == "velocity" and each.stage
+        if isinstance(each.stage, int)
+        if isinstance(each.arguments[0], Name)
+    )
+    at_sight = straight or (line.move.record == "perpendicular" and len(moving) < len(arguments))
+    return () if at_sight else moving

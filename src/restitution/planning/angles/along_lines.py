@@ -1,0 +1,180 @@
+"""Angles of spheres that move along lines of centres of which the directions are told by angles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    Unit,
+    letters,
+)
+from restitution.oracle.roles import ACUTE
+from restitution.planning.angles.directions import angle_of_the_line
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.velocity_formulas import body_and_stage
+from restitution.planning.writing.desk import NotPlannedError, chain, together
+from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.premises import nonzero
+from restitution.planning.writing.scene import Scene
+
+_RIGHT_ANGLE = Degrees(Fraction(90))
+
+
+@dataclass(frozen=True)
+class _Turn:
+    """The angle of a direction from **i**, and what tells it; a wall points both ways."""
+
+    angle: Expression
+    refs: tuple[Ref, ...] = ()
+    both_ways: bool = False
+
+
+def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
+    """The line of an angle that a sphere which moves along a line of centres makes with a line.
+
+    That is **i** or **j**, a wall, a velocity at the start along **i** or **j**, or the velocity of
+    another such sphere: the angle is the difference of their directions. None of another angle.
+    """
+    match asked:
+        case Quantity("angle", (one, other)):
+            moving = [each for each in (one, other) if _is_velocity(each)]
+        case _:
+            return None
+    mark = scene.desk.mark()
+    turns = [_turn(scene, each) for each in (one, other)] if moving else []
+    known = [each for each in turns if each is not None]
+    angle = _between(scene, *known) if len(known) == len(turns) > 0 else None
+    if angle is not None:
+        steps = _steps(scene, angle)
+        bodies = [body_and_stage(scene, each) for each in moving]
+        record = "perpendicular" if steps[-1] == _RIGHT_ANGLE else "parallel"
+        names = tuple(dict.fromkeys(body for body, _ in bodies))
+        move = Move("define", record, max(stage for _, stage in bodies), names)
+        relation = chain(asked, *zip(steps, (None, "rearrange"), strict=False))
+        premises = scene.judge.needed(move, together(*(each.refs for each in known)), relation)
+        if premises is not None:
+            return scene.desk.write(move, premises, relation)
+    scene.desk.back(mark)
+    return None
+
+
+def _steps(scene: Scene, angle: Expression) -> tuple[Expression, ...]:
+    """A difference of angles, and what it comes to where both are in degrees."""
+    if not isinstance(angle, Binary) or letters(angle):
+        return (angle,)
+    return angle, tree_of(tidy(scene.scalar(angle)), angle=True)
+
+
+def _is_velocity(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "velocity"
+
+
+def _turn(scene: Scene, tree: Expression) -> _Turn | None:
+    """The direction of **i**, **j**, a wall or a velocity along a line of centres, as an angle."""
+    match tree:
+        case Unit(axis):
+            return _Turn(_RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0)))
+        case Name(wall) if f"wall {wall}" in scene.facts:
+            ref = f"wall {wall}"
+            along = _turn_of_a_wall(scene.facts[ref].relation.only[0].right)
+            return None if along is None else _Turn(along, (ref,), both_ways=True)
+        case Quantity("velocity"):
+            return _turn_of_a_velocity(scene, tree)
+    return None
+
+
+def _turn_of_a_wall(right: Expression) -> Expression | None:
+    match right:
+        case Unit(axis):
+            return _RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0))
+        case Degrees():
+            return right
+    return None
+
+
+def _turn_of_a_velocity(scene: Scene, velocity: Quantity) -> _Turn | None:
+    """The direction of a sphere that has no component across the last line of centres."""
+    body, stage = body_and_stage(scene, velocity)
+    if stage == 0:
+        return _turn_at_the_start(scene, body)
+    own = scene.model.frames.get(stage)
+    if own is None or own.wall is not None or own.axis is not None:
+        return None
+    frame = scene.frame(stage)
+    angle = angle_of_the_line(scene, frame)
+    if angle is None:
+        return None
+    try:
+        along, across = (
+            in_direction(scene, kind, body, stage, frame) for kind in ("along", "across")
+        )
+    except NotPlannedError:
+        return None
+    if across.value != 0 or scene.model.proved_sign(scene.model.in_data(along.value)) != 1:
+        return None
+    pool = together(across.whole, along.whole, frame.refs, nonzero(scene, along.value))
+    return _Turn(angle, pool)
+
+
+def _turn_at_the_start(scene: Scene, body: str) -> _Turn | None:
+    """The direction of a velocity of the data along **i** or **j**."""
+    if f"velocity {body}" not in scene.facts:
+        return None
+    initial = scene.initial(body)
+    for (own, other), angle in ((initial.value, 0), (reversed(initial.value), 90)):
+        if other == 0 and (sign := scene.model.proved_sign(own)):
+            turn = angle if sign > 0 else angle - 180 if angle else 180
+            return _Turn(_in_degrees(Fraction(turn)), initial.refs)
+    return None
+
+
+def _in_degrees(value: Fraction) -> Expression:
+    return Negate(Degrees(-value)) if value < 0 else Degrees(value)
+
+
+def _between(scene: Scene, one: _Turn, other: _Turn) -> Expression | None:
+    """The angle between two directions, of 0° to 180°, or to 90° where one points both ways."""
+    degrees = [value for each in (one, other) for value in _degrees(each.angle)]
+    both_ways = one.both_ways or other.both_ways
+    if len(degrees) > 1:
+        return _apart(max(degrees), min(degrees), both_ways=both_ways)
+    match [each.angle for each in (one, other)]:
+        case [Letter(name) as letter, Degrees(value)] | [Degrees(value), Letter(name) as letter]:
+            acute = scene.model.unknowns.roles.get(name) == ACUTE
+            if acute and scene.desk.known(letter) is None and value in (0, 90):
+                return letter if value == 0 else Binary("-", _RIGHT_ANGLE, letter)
+    return None
+
+
+def _apart(high: Fraction, low: Fraction, *, both_ways: bool) -> Expression | None:
+    """The angle between two directions in degrees: as a sum or difference, where that is it."""
+    apart = min((high - low) % 360, (low - high) % 360)
+    apart = min(apart, 180 - apart) if both_ways else apart
+    if not 0 < apart < 180:
+        return None
+    if high - low != apart or 0 in (high, low):
+        return Degrees(apart)
+    return Binary("-" if low > 0 else "+", Degrees(high), Degrees(abs(low)))
+
+
+def _degrees(angle: Expression) -> Iterator[Fraction]:
+    """The number of degrees of an angle that has one."""
+    match angle:
+        case Degrees(value):
+            yield value
+        case Negate(Degrees(value)):
+            yield -value
+
+
+__all__ = ["angle_along_the_centres"]
