@@ -604,7 +604,7 @@ def _read_off(line: Line) -> str | None:
 
 def _off_lines(line: Line) -> tuple[tuple[str, int], ...]:
     """The spheres along the lines of centres of which an angle is read off, each with its event."""
-    if not any(isinstance(ref, str) and ref.startswith("axis ") for ref in line.premises):
+    if not any(isinstance(ref, str) and ref.partition(" ")[0] == "axis" for ref in line.premises):
         return ()
     match line.relation:
         case Relation(((Link(Quantity("angle", arguments), "=", right), *_),)):
