@@ -114,7 +114,7 @@ def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | N
         reason = f"{name} does not meet {wall.name} between its ends"
         shares = share, along.dot(along) - share
         if state.field.exact and where.x.is_number and where.y.is_number:
-            reason += _beyond_its_end(wall.name, where, shares)
+            reason = _off_the_wall(name, wall.name, where, shares) or reason
         state.conditions += [
             Condition(each, ">", reason, "place", end_of=wall.name) for each in shares
         ]
@@ -124,14 +124,16 @@ def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | N
     return time
 
 
-def _beyond_its_end(wall: str, where: Vector, shares: tuple[sp.Expr, ...]) -> str:
+def _off_the_wall(name: str, wall: str, where: Vector, shares: tuple[sp.Expr, ...]) -> str:
     """Where a sphere comes to the line of a wall, if not between its ends; empty if it does."""
     least = min(shares)
     if least > 0:
         return ""
     there = ", ".join(to_text(from_sympy(tidy(each))) for each in where)
-    place = "which is one of these" if least == 0 else "which is beyond them"
-    return f": it comes to the line of {wall} at ({there}), {place}"
+    if least == 0:
+        return f"{name} meets {wall} only at its end ({there}), and not between its ends"
+    between = f"{name} does not meet {wall} between its ends"
+    return f"{between}: it comes to the line of {wall} at ({there}), which is beyond them"
 
 
 def _is_at(state: State, number: int, name: str, wall: Wall) -> bool:
