@@ -21,8 +21,7 @@ find velocity(P)
     [
         (
             "2",
-            "P does not meet W between its ends: it comes to the line of W at (4, 6), which is "
-            "beyond them.",
+            "P does not meet W between its ends: it comes to the line of W at (4, 6), beyond them.",
         ),
         ("6", "P meets W only at its end (4, 6), and not between its ends."),
     ],

@@ -61,3 +61,53 @@ def test_a_letter_of_the_question_denotes_nothing_else_in_the_working() -> None:
 def test_an_angle_has_one_letter_in_the_question_and_in_the_working() -> None:
     assert "where β is the angle that the direction of motion of P" in asked(TURNED_AT_A_WALL)
     assert "Let β be the angle between 𝐯_P and W" in printed(TURNED_AT_A_WALL)
+
+
+def test_a_unit_vector_that_was_found_is_named_and_not_written_again() -> None:
+    said = printed(
+        """
+sphere A: mass 2, velocity 3i + j
+sphere B: mass 3, at rest
+A hits B
+given velocity(A) = i - j
+find line_of_centres, e
+"""
+    )
+    assert "unit vector along the line of centres = (𝐢 + 𝐣)/√2" in said
+    assert "Let 𝐧 be that unit vector along the line of centres." in said
+    assert said.count("(𝐢 + 𝐣)/√2") == 1
+
+
+def test_what_is_put_in_beside_a_letter_is_named_by_its_letter_too() -> None:
+    said = printed(
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 4m, at rest
+A hits B: along i
+part a
+find speed(B)
+part b
+given direction(A) = 90°
+find e
+"""
+    )
+    assert "Substituting for w and v in (1): mu cos α = 4m(⅕(1 + e)u cos α)" in said
+
+
+def test_both_components_of_a_velocity_are_said_again() -> None:
+    said = printed(
+        """
+wall X: along i
+wall Y: along 45°
+sphere P: mass m, velocity u at alpha to X
+given tan(alpha) = 4/3
+part a
+P hits X: e = 1/2
+find speed(P)
+part b
+P hits Y: e = 1/2
+find speed(P)
+"""
+    )
+    again = "From part (a): component of 𝐯₁ along 𝐢 = 3u/5 component of 𝐯₁ along 𝐣 = 2u/5"
+    assert again in said

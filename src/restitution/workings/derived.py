@@ -22,6 +22,7 @@ from restitution.explaining.lines.derivation import (
     Derivation,
     ItemEnd,
     Line,
+    Link,
     Meaning,
     Move,
     Note,
@@ -30,7 +31,7 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Letter, Quantity, is_zero
+from restitution.expression.tree import Expression, Letter, Quantity, is_zero
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -313,7 +314,8 @@ class _Writer:
 
     def _recalled(self, lines: Sequence[Line]) -> Iterator[Step]:
         """The values of earlier parts on which lines rest, where these do not name them."""
-        values: dict[str | None, list[Row]] = {}
+        values: dict[str | None, list[Line]] = {}
+        beside: list[Line] = []
         for line in lines:
             part, source = self.ends.part(line), self.sources.of(line)
             named = () if source is None else source.numbered
@@ -324,9 +326,16 @@ class _Writer:
                 label = self.ends.part(own)
                 if label == part or not self._is_recalled(own):
                     continue
+                if own.move.record == "unchanged":
+                    beside.append(own)
+                    continue
                 self.recalled.add((part, own.number))
-                values.setdefault(label, []).append(self._again(own))
-        for label, rows in values.items():
+                values.setdefault(label, []).append(own)
+        for label, recalled in values.items():
+            # A component that stays is said again beside the other one of that velocity alone.
+            both = {each.number: each for each in (*recalled, *_others(beside, recalled))}
+            self.recalled |= {(self.ends.part(lines[0]), each) for each in both}
+            rows = [self._again(both[each]) for each in sorted(both)]
             where = say("carried.part", label=label) if label else say("carried.above")
             self.afresh()
             item = self.ends.place(lines[0])
@@ -354,7 +363,6 @@ class _Writer:
             and isinstance(relation.only[0].left, Letter | Quantity)
             and line.shown != "silent"
             and line.move.id not in ("triangle", "fact")
-            and line.move.record != "unchanged"
         )
 
     def _whole(self, step: Step, line: Line) -> Step:
@@ -471,6 +479,21 @@ def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
             if each.move.record != "component" or each.move.event != first.move.event:
                 return
             yield each
+
+
+def _others(beside: Sequence[Line], recalled: Sequence[Line]) -> Iterator[Line]:
+    """Of components, those of velocities that have another one among lines."""
+    velocities = {velocity for each in recalled for velocity in _resolved(each)}
+    for each in beside:
+        if not velocities.isdisjoint(_resolved(each)):
+            yield each
+
+
+def _resolved(line: Line) -> Iterator[Expression]:
+    """The velocity of which a line says a component."""
+    match line.relation:
+        case Relation(((Link(Quantity("along" | "across", (velocity, _))), *_),)):
+            yield velocity
 
 
 def _because(mark: Mark) -> Mark:

@@ -133,7 +133,7 @@ def _off_the_wall(name: str, wall: str, where: Vector, shares: tuple[sp.Expr, ..
     if least == 0:
         return f"{name} meets {wall} only at its end ({there}), and not between its ends"
     between = f"{name} does not meet {wall} between its ends"
-    return f"{between}: it comes to the line of {wall} at ({there}), which is beyond them"
+    return f"{between}: it comes to the line of {wall} at ({there}), beyond them"
 
 
 def _is_at(state: State, number: int, name: str, wall: Wall) -> bool:

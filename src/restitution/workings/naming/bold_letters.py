@@ -319,18 +319,22 @@ class BoldLetters:
             return
         if not event.wall and "along" in kinds and self._is_a_line(number, direction):
             name = _OF_A_LINE[which]
+            slots = {each: own for each, own in slots.items() if each in kinds}
             slots["along"] = self._units[number, "along"]
         self._pending.append(say(name, **slots))
 
     def _is_a_line(self, number: int, direction: Vector) -> bool:
         """Whether a line above the components at an event says what a unit vector is."""
         axis = Quantity("line_of_centres", (), number)
+        asked = {end.line for end in self.derivation.items}
         for line in self.derivation.lines:
             if line.move.record == "component" and line.move.event == number:
                 return False
             match line.relation:
-                case Relation(((Link(left, "="), *_),)) if left == axis:
-                    return _in_numbers(line.relation.only[-1].right) == direction
+                case Relation(((Link(left, "=" | "parallel to" as sign), *_),)) if left == axis:
+                    # What is asked as a direction is answered by the unit vector.
+                    if sign == "=" or line.number in asked:
+                        return _in_numbers(line.relation.only[-1].right) == direction
         return False
 
     def _ratios(self, number: int) -> dict[sp.Expr, sp.Expr]:

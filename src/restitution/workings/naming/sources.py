@@ -252,11 +252,9 @@ class Sources:
             for each in source.values
             if each in self.numbers and parts.get(self._lines[each].item or "") != part
         )
-        if not (far and numbered):
-            return source
-        near = tuple(each for each in source.values if each not in far)
-        letters = self._letters(near, numbered[0])
-        return replace(source, numbered=(*numbered, *far), letters=letters, values=near)
+        if far != source.values or not (far and numbered):
+            return source  # beside letters that are put in, it is put in by its letter too
+        return replace(source, numbered=(*numbered, *far), letters=(), values=())
 
     def _equations(self, refs: tuple[Ref, ...]) -> list[int]:
         """The equations among premises; of one that is not printed that which says it."""
