@@ -42,6 +42,23 @@ SAYS = {
         WALL.format(e="") + "given energy_lost = 1/4 energy(0)\nshow alpha >= 30°",
         ["sin²α ≥ ¼, as e² ≥ 0", "sin α ≥ ½, as α is acute", "α ≥ 30°"],
     ),
+    # Of 25 J a quarter is lost: e² = 39/64.
+    "a share that is given is not found again": (
+        WALL.format(e="").replace("u at alpha to W", "3i - 4j").replace("mass m", "mass 2")
+        + "given energy(P) = 3/4 energy(0)\nfind e, energy(P), energy_lost",
+        ["kinetic energy of P = ¾ × 25 = 75/4 J", "kinetic energy lost = 25 − 75/4 = 25/4 J"],
+    ),
+    # 27 > 7k² - 4k + 16.
+    "a factor that goes out of an inequality is positive": (
+        REST.format(m="k m", e=", e = 1/2").replace("alpha", "30°")
+        + "given speed(B) > speed(A)\nfind range of k",
+        ["(1 + k)(7k − 11) < 0", "k < 11/7, as 1 + k > 0"],
+    ),
+    # tan β = e tan α.
+    "a tangent that is asked says where its angle is a right one": (
+        WALL.format(e="") + "find tan(deflection(P)) in terms of e, alpha",
+        ["(1 + e) tan α/(1 − e tan²α), and δ = 90° if e tan²α = 1"],
+    ),
     # v + 2w = 3 and w - v = 1.
     "a mass stands before the change of velocity": (
         REST.format(m="2m", e=", e = 1/3").replace("u at alpha", "3i") + "find impulse",
@@ -130,7 +147,8 @@ SAYS = {
     "an angle of the data that goes": (
         CORNER.format(f="f") + "given total_energy_lost = 1/2 energy(0), f = e, e > 0\nfind e",
         [
-            "½m((eu cos α)² + (eu sin α)²) = ½e²mu², as sin²α + cos²α = 1",
+            "½m((eu cos α)² + (eu sin α)²)",
+            "= ½e²mu², as sin²α + cos²α = 1",
             "½mu²(1 − e²) = ½ × ½mu²",
             "e² = ½",
             "e = √2/2",

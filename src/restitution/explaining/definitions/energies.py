@@ -198,6 +198,13 @@ def energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
         stages = (event.number - 1, event.number)
         before, after = (Quantity("energy", (), stage) for stage in stages)
         yield Link(Binary("-", before, after), "=", lost)
+    if len(step.setting.spheres) == 1:
+        # The energy of all is that of the one body.
+        own = tuple(
+            Quantity("energy", (Name(body),), stage) for body in spheres for stage in stages
+        )
+        for pair in ((before, own[1]), (own[0], after)) if own else ():
+            yield Link(Quantity("energy_lost", (), event.number), "=", Binary("-", *pair))
     yield Link(Quantity("energy_lost", (), event.number), "=", Binary("-", before, after))
     changes = _changes_cited(step, event, spheres)
     if changes:

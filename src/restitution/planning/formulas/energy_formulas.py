@@ -117,6 +117,8 @@ def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:
         known = _known_value(scene, Quantity("energy", names, each))
         if known is not None:
             return known
+    if not bodies and len(scene.model.story.spheres) == 1:
+        return _known_energy(scene, stage, *scene.model.story.spheres)  # that of all is its own
     return None
 
 

@@ -39,6 +39,7 @@ from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.related_velocities import write_related
 from restitution.planning.formulas.separations import event_of_relative
 from restitution.planning.journeys import journeys
+from restitution.planning.routes.given_shares import write_given_share
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.angle_ratios import range_of, write_other_ratio
@@ -63,6 +64,10 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         if by_energy is not None:
             scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
             return
+    shared = write_given_share(scene, asked) if isinstance(asked, Quantity) else None
+    if shared is not None:
+        scene.desk.end(name, shared, chain(asked, (_right(scene, shared), None)))
+        return
     placed = place_trees.serves(asked) or place_trees.is_duration(asked)
     if isinstance(asked, Quantity) and write_total_kept(scene, asked):
         pass  # an impact of two spheres does not change it

@@ -8,7 +8,16 @@ from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
 from restitution.explaining.lines.trees import exchanged, trees_of
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Expression, Letter, is_zero, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.planning.writing.forms import UnwrittenError, factors_above, tree_of
 from restitution.workings.reasons.right_angles import in_letters_alone
 
@@ -85,15 +94,34 @@ def factor_left(derivation: Derivation, line: Line) -> Expression | None:
 
     None where there is no such factor, or more than one.
     """
+    return _factor_beside(derivation, line, frozenset("="))
+
+
+def positive_factor_left(derivation: Derivation, line: Line) -> Expression | None:
+    """The sum of what is positive that is left out of a product of which the sign is known.
+
+    None where there is no such factor: one from which something is taken away has no plain sign.
+    """
+    factor = _factor_beside(derivation, line, frozenset(FLIPPED))
+    if factor is None or any(
+        isinstance(e, Negate | Apply) or (isinstance(e, Binary) and e.op == "-")
+        for e in walk(factor)
+    ):
+        return None
+    return factor
+
+
+def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) -> Expression | None:
+    """The other sum of a product compared with zero, where a line bounds a letter by one."""
     (first, *rest) = line.premises or ("",)
     above = derivation.line(first) if isinstance(first, int) else None
     if above is None or rest or line.move.id not in ("rearrange", "cancel"):
         return None
     match above.relation, line.relation:
         case (
-            Relation((((Link(product, "=", right)),),)),
-            Relation(((Link(Letter(name), "=", value), *_),)),
-        ) if is_zero(right):
+            Relation((((Link(product, one, right)),),)),
+            Relation(((Link(Letter(name), other, value), *_),)),
+        ) if is_zero(right) and {one, other} <= signs:
             sums = [each for each in factors_above(product) if isinstance(each, Binary)]
         case _:
             return None
@@ -106,4 +134,4 @@ def factor_left(derivation: Derivation, line: Line) -> Expression | None:
     return left[0] if len(sums) == 2 and len(left) == 1 else None
 
 
-__all__ = ["cosine_divided", "factor_cancelled", "factor_left"]
+__all__ = ["cosine_divided", "factor_cancelled", "factor_left", "positive_factor_left"]

@@ -38,7 +38,7 @@ from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
 from restitution.workings.reasons.before_walls import walls_ahead
 from restitution.workings.reasons.equality import equal_tangents
-from restitution.workings.reasons.factors import factor_cancelled, factor_left
+from restitution.workings.reasons.factors import factor_cancelled, factor_left, positive_factor_left
 from restitution.workings.reasons.grounds import (
     acute_by_its_tangent,
     compared_quantities,
@@ -94,9 +94,9 @@ class Reasons:
                 return (say("derived.as", reasons=(self._laid(identity),)),)
             return (say("derived.pythagoras"),)
         vertical = self._right_angles.of(line)
-        if vertical is not None:
+        if vertical:
             known = self._known(line) if self._of_sizes(line) else ()
-            return (say("derived.as", reasons=known), vertical) if known else (vertical,)
+            return (say("derived.as", reasons=known), *vertical) if known else vertical
         since = later_than(self._derivation, self._naming, line)
         if since is not None:
             return (since,)
@@ -443,10 +443,13 @@ class Reasons:
             yield self._laid(Relation(((Link(Letter(name), ">", ZERO),),)))
 
     def _dropped(self, line: Line) -> Iterator[lay.Layout]:
-        """That a sum which was a factor of a product that is zero is not zero itself."""
+        """That a sum which was a factor of a product is not zero, or positive."""
         factor = factor_left(self._derivation, line)
         if factor is not None:
             yield self._laid(Relation(((Link(factor, "!=", ZERO),),)))
+        positive = positive_factor_left(self._derivation, line)
+        if positive is not None:
+            yield self._laid(Relation(((Link(positive, ">", ZERO),),)))
 
     def _positive(self, line: Line) -> Iterator[Sentence]:
         """The silent reason: the letter stands for something positive, and for no component."""

@@ -65,9 +65,11 @@ class RightAngles:
         self._poles: dict[int, _Pole | None] = {}
         self._closings: dict[int, Sentence | None] = {}
 
-    def of(self, line: Line) -> Sentence | None:
+    def of(self, line: Line) -> tuple[Sentence, ...]:
         """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
-        return self._right_angle(line) or self._upright_too(line) or self._closes(line)
+        above = self._right_angle(line) or self._upright_too(line) or self._closes(line)
+        own = self._of_an_answer(line)
+        return tuple(each for each in (above, own) if each is not None)
 
     def sign_by_a_bound(self, value: Expression) -> tuple[Sign, Link] | None:
         """That a component is positive, or not negative, by a bound of a coefficient.
@@ -107,11 +109,23 @@ class RightAngles:
                     return Relation(((pole.at,),))
         return None
 
+    def _of_an_answer(self, line: Line) -> Sentence | None:
+        """Where an angle made of two has no tangent, of which that is an answer."""
+        assert isinstance(line.relation, Relation)
+        ends = any(end.line == line.number and not end.shown for end in self._derivation.items)
+        match line.relation.options:
+            case ((Link(Apply("tan", angle), "="), *_),) if line.move.id == "put" and ends:
+                pole = self._pole_at(line, angle, line.relation.only[-1].right)
+                return None if pole is None else self._said(pole)
+        return None
+
     def _right_angle(self, line: Line) -> Sentence | None:
         """Where an angle of the motion has no tangent: it is 90° there, or no angle at all."""
         pole = self._pole(line)
-        if pole is None:
-            return None
+        return None if pole is None else self._said(pole)
+
+    def _said(self, pole: _Pole) -> Sentence:
+        """That an angle is a right one, or for which letters it is any."""
         if not pole.upright:
             apart = Relation(((replace(pole.at, sign="!="),),))
             return say("derived.tangent-for", condition=self._naming.relation(apart))
@@ -245,9 +259,12 @@ class RightAngles:
         assert isinstance(line.relation, Relation)
         match line.relation.options:
             case ((Link(Apply("tan", angle), "="), *_),) if line.move.id in ("define", "rearrange"):
-                value = line.relation.only[0].right
-            case _:
-                return None
+                return self._pole_at(line, angle, line.relation.only[0].right)
+        return None
+
+    def _pole_at(self, line: Line, angle: Expression, value: Expression) -> _Pole | None:
+        """Where an angle has no tangent, of which a side of a line is the value."""
+        assert isinstance(line.relation, Relation)
         meaning = self._naming.meanings.get(angle.name) if isinstance(angle, Letter) else None
         meant = angle if meaning is None else meaning.quantity
         if not isinstance(meant, Quantity) or meant.kind not in ANGLES:
