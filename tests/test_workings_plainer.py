@@ -75,6 +75,14 @@ given sin(alpha) = 3/5, tan(beta) = 4/3
 A hits B: along i, e = 1/2
 find deflection(B)
 """
+# cos²α = e sin²α and (1 − e²) sin²α = 1/4, so e = 3/4.
+TURNED_AND_SLOWED = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given energy_lost = 1/4 energy(0), deflection(P) = 90°
+find alpha
+"""
 TURNED_DOWN = """
 sphere A: mass 1, velocity 2i
 sphere B: mass 3, at rest
@@ -129,12 +137,14 @@ SAYS = [
     (SENT_BACK, "= 135° − arctan(4/3)"),
     (ONE_ANGLE, "δ = θ − α"),
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
+    (TURNED_AND_SLOWED, "e = ¾ Substituting in (2): cos²α = ¾ sin²α tan²α = 4/3"),
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
     (ON_TO_A_WALL, "along the line of centres, at 60° to W"),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
+    (TURNED_AND_SLOWED, "sin⁴α"),
     (SENT_BACK, "β = arctan(4/3)"),
     (ALL_OF_E, "as α = 60°"),
     (ONE_ANGLE, "β"),

@@ -279,8 +279,19 @@ def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
         subject = square(Apply(type(ratio).__name__, Letter(x.name)))
         move = Move("identity", "pythagoras")
         whole = _as_multiple(scene, lines[1], other, 1 - place, subject)
-        if _put_in(scene, (lines[0], whole), unknowns, subject, value, move):
+        # Of squares alone the equation itself gives the tangent.
+        last = lines[0] if k == 0 else None
+        if _put_in(scene, (lines[0], whole), unknowns, subject, value, move, last):
             return True
+    return False
+
+
+def _square_by_a_tangent(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """A square of sine or cosine, where one equation is of squares alone: cos²α = e sin²α."""
+    for angle, other in (unknowns, unknowns[::-1]):
+        own = sp.Poly(_above(scene, lines[0]), sp.sin(angle), sp.cos(angle))
+        if set(own.monoms()) == {(2, 0), (0, 2)}:
+            return _square_expressed(scene, lines, (angle, other))
     return False
 
 
@@ -317,8 +328,12 @@ def _put_in(
     subject: Expression,
     value: sp.Expr,
     move: Move,
+    last: int | None = None,
 ) -> bool:
-    """A line for the first unknown, put into the other line, which is solved for the second."""
+    """A line for the first unknown, put into the other line, which is solved for the second.
+
+    The first is then found from that line, or from the line ``last``.
+    """
     x, y = unknowns
     expressed = _write(scene, move, lines[:1], chain(subject, (tree_of(value), None)))
     if expressed is None:
@@ -330,7 +345,7 @@ def _put_in(
     if put is None:
         return False
     close(scene, _reduced(scene, put), y)
-    close(scene, expressed, x)
+    close(scene, expressed if last is None else last, x)
     return True
 
 
@@ -391,6 +406,7 @@ SHAPES: tuple[Callable[[Scene, Pair, Unknowns], bool], ...] = (
     _linear,
     _polar,
     _divided,
+    _square_by_a_tangent,
     _expressed,
     _square_of_unknown,
     _ratio_expressed,
