@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import pytest
+import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.language import parse
@@ -151,3 +154,17 @@ def test_a_factor_that_surds_show_is_no_condition() -> None:
     (answer,) = solve(parse(text))["M"].answers
     assert answer.display.startswith("2m(u² + v²)/(u² − 2v² + √3 |u||v|), for ")
     assert answer.display.count("<") == 4
+
+
+def test_an_acute_angle_by_its_cosine_has_that_cosine() -> None:
+    statement = (
+        "sphere A: mass 2m, velocity 3u at theta\nsphere B: mass 3m, velocity -u i\n"
+        "A hits B: along i\ngiven angle(velocity(A), i) = 45°\nfind theta\n"
+    )
+    (item,) = solve(parse(statement)).parts[None].items
+    (answer,) = item.distinct
+    (letter,) = answer.value.free_symbols
+    for e in (Fraction(1, 10), Fraction(1, 5)):
+        theta = answer.value.subs(letter, sp.Rational(e)).evalf(40)
+        left = (2 - 3 * e) * sp.cos(theta) - 5 * sp.sin(theta)
+        assert abs(left - (1 + e)) < 1e-30

@@ -14,6 +14,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain, to_text
 
 KICK = """
 sphere P: mass 3, velocity 2i - j
@@ -142,3 +143,14 @@ def test_a_velocity_by_its_size_and_by_how_far_a_blow_turns_it(range_: str, velo
         lines = tuple(each if line is turned else line for line in derivation.lines)
         reasons = {(e.line, e.reason) for e in follow(replace(derivation, lines=lines), oracle)}
         assert (turned.number, "does-not-follow") in reasons
+
+
+def test_a_deflection_that_may_be_obtuse_or_not_is_found_by_its_cotangent() -> None:
+    statement = (
+        "sphere A: mass k m, velocity u at alpha\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/2\nfind deflection(A)\n"
+    )
+    assert not working(statement).notes
+    text = to_text(explain(solve(parse(statement))), 80)
+    assert "= (2k − 1 + 3 sin²α)/(3 sin α cos α), as sin²α + cos²α = 1" in text
+    assert "δ = 90° − arctan((2k − 1 + 3 sin²α)/(3 sin α cos α))" in text

@@ -513,12 +513,12 @@ class Worker:
         if isinstance(tree, Letter) and isinstance(value, Angle):
             measured = value.measure()
             if not measured.has(sp.atan2, sp.Abs):
-                return forms.acute_angle(exact.tidy_angle(measured))
+                return forms.acute_angle(exact.tidy_angle(measured), samples)
         if kind == "direction" and isinstance(value, Vector) and not is_unit(tree):
             return forms.direction(value, samples)
         result = forms.plain(value, samples)
         if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
-            return forms.acute_angle(exact.tidy_angle(result))
+            return forms.acute_angle(exact.tidy_angle(result), samples)
         if isinstance(tree, Quantity) and tree.kind == "speed" and exact.cost(result) > LONG:
             return min((result, *self._resolved(tree, branch, now, samples)), key=exact.cost)
         return result

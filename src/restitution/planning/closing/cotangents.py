@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Letter, Quantity
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import Apply, Binary, Letter, Quantity, letters
 from restitution.planning.formulas.named_angles import letter_of, ratio_line
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import difference, tree_of
-from restitution.planning.writing.premises import nonzero
+from restitution.planning.writing.premises import background, nonzero
 from restitution.planning.writing.scene import Scene
 
 
@@ -62,10 +63,11 @@ def cotangent_of(scene: Scene, line: int, letter: str) -> int | None:
     mark = scene.desk.mark()
     cotangent = Apply("cot", Letter(letter))
     first = ratio_line(scene, own.move, own.premises, cotangent, Binary("/", below, above), value)
-    if scene.judge.follows(own.move, scene.desk.line(first).premises, scene.desk.relation(first)):
-        return first
+    line_, relation = scene.desk.line(first), scene.desk.relation(first)
+    names = {name for tree in trees_of(relation) for name in letters(tree)}
+    premises = scene.judge.enough(own.move, line_.premises, relation, background(scene, names))
     scene.desk.back(mark)
-    return None
+    return None if premises is None else scene.desk.write(own.move, premises, relation)
 
 
 def write_open_angle(scene: Scene, line: int, letter: str, extent: Ref) -> int | None:

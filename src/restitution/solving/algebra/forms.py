@@ -285,13 +285,17 @@ def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
     return exact.tidy_angle(sp.atan(tangent))
 
 
-def acute_angle(angle: sp.Expr) -> sp.Expr:
+def acute_angle(angle: sp.Expr, samples: Samples) -> sp.Expr:
     """An acute angle by its cosine or sine, where its tangent is longer for the letters in it."""
     tangent = angle.args[0] if isinstance(angle, sp.atan) else sp.Integer(0)
     if not tangent.free_symbols or not _has_root(tangent):
         return angle
     above, below = tangent.as_numer_denom()
-    size = exact.tidy(sp.sqrt(tidy(sp.expand(above**2 + below**2))))
+    sign = sign_of(below, samples)
+    if not sign or sign_of(above, samples) != sign:
+        return angle
+    above, below = sign * above, sign * below
+    size = plain(exact.tidy(sp.sqrt(tidy(sp.expand(above**2 + below**2)))), samples)
     others = (sp.acos(tidy(below / size)), sp.asin(tidy(above / size)))
     return min((angle, *others), key=exact.cost)
 

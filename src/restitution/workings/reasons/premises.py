@@ -56,7 +56,7 @@ from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReas
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
-_OF_SQUARES = frozenset({"speed", "size", "energy", "total"})
+_OF_SQUARES = frozenset({"speed", "size", "energy", "total", "tan-deflection"})
 
 
 class Reasons:
