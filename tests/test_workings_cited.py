@@ -111,3 +111,10 @@ find speed(P)
     )
     again = "From part (a): component of 𝐯₁ along 𝐢 = 3u/5 component of 𝐯₁ along 𝐣 = 2u/5"
     assert again in said
+def test_a_speed_in_letters_takes_the_values_that_are_found() -> None:
+    said = printed(
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+        "given tan(alpha) = 2\npart a\nfind speed(P)\n"
+        "part b\ngiven energy_lost = 1/2 energy(0)\nfind e, speed(P)\n"
+    )
+    assert "Substituting in (1): speed of P = √2 u/2 ≈ 0.707u" in said

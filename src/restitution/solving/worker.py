@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import random
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -510,15 +511,16 @@ class Worker:
         open_ = forms.open_in(value, samples)
         if open_:
             raise missing_for(item, branch, open_)
+        sign = functools.partial(forms.sign_of, samples=samples)
         if isinstance(tree, Letter) and isinstance(value, Angle):
             measured = value.measure()
             if not measured.has(sp.atan2, sp.Abs):
-                return forms.acute_angle(exact.tidy_angle(measured), samples)
+                return forms.acute_angle(exact.tidy_angle(measured), sign)
         if kind == "direction" and isinstance(value, Vector) and not is_unit(tree):
             return forms.direction(value, samples)
         result = forms.plain(value, samples)
         if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
-            return forms.acute_angle(exact.tidy_angle(result), samples)
+            return forms.acute_angle(exact.tidy_angle(result), sign)
         if isinstance(tree, Quantity) and tree.kind == "speed" and exact.cost(result) > LONG:
             return min((result, *self._resolved(tree, branch, now, samples)), key=exact.cost)
         return result

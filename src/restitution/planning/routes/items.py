@@ -447,13 +447,31 @@ def _ratios_in(tree: Expression) -> set[Apply]:
 
 
 def _written(scene: Scene, asked: Quantity) -> int | None:
-    """The line that says what a quantity is, with nothing open in it."""
+    """The line that says what a quantity is; with the letters put in that are known since.
+
+    None where something is open in it.
+    """
     known = scene.desk.known(asked)
     if known is None or len(known.refs) != 1 or not isinstance(known.refs[0], int):
         return None
     line = known.refs[0]
-    settled = scene.put(known.value)[0] == known.value
-    return line if settled and scene.desk.last_link(line).left == asked else None
+    if scene.desk.last_link(line).left != asked:
+        return None
+    put, refs = scene.put(known.value)
+    if put == known.value:
+        return line
+    above = (ref for ref in scene.desk.line(line).premises if isinstance(ref, int))
+    read_off = any(
+        isinstance(own := scene.desk.line(ref).relation, Relation)
+        and len(own.options) == 1
+        and isinstance(own.only[0].left, Letter)
+        and scene.model.identically_zero(scene.scalar(own.only[-1].right) - known.value)
+        for ref in above
+    )
+    if read_off or isinstance(put, Vector) or scene.unknown(put):
+        return None
+    relation = chain(asked, (tree_of(tidy(put)), None))
+    return scene.judge.write((Move("put"),), (line, *refs), relation)
 
 
 def _by_its_letter(scene: Scene, asked: Quantity) -> int | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -285,17 +285,21 @@ def _arc(y: sp.Expr, x: sp.Expr, sy: int | None) -> sp.Expr:
     return exact.tidy_angle(sp.atan(tangent))
 
 
-def acute_angle(angle: sp.Expr, samples: Samples) -> sp.Expr:
-    """An acute angle by its cosine or sine, where its tangent is longer for the letters in it."""
+def acute_angle(angle: sp.Expr, sign: Callable[[sp.Expr], int | None]) -> sp.Expr:
+    """An acute angle by its cosine or sine, where its tangent is longer for the letters in it.
+
+    ``sign`` tells the sign of an expression, or None where it is open.
+    """
     tangent = angle.args[0] if isinstance(angle, sp.atan) else sp.Integer(0)
     if not tangent.free_symbols or not _has_root(tangent):
         return angle
     above, below = tangent.as_numer_denom()
-    sign = sign_of(below, samples)
-    if not sign or sign_of(above, samples) != sign:
+    own = sign(below)
+    if not own or sign(above) != own:
         return angle
-    above, below = sign * above, sign * below
-    size = plain(exact.tidy(sp.sqrt(tidy(sp.expand(above**2 + below**2)))), samples)
+    above, below = own * above, own * below
+    size = exact.tidy(sp.sqrt(tidy(sp.expand(above**2 + below**2))))
+    size = size.replace(sp.Abs, lambda x: (sign(x) or 0) * x or sp.Abs(x))
     others = (sp.acos(tidy(below / size)), sp.asin(tidy(above / size)))
     return min((angle, *others), key=exact.cost)
 

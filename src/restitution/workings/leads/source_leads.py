@@ -115,9 +115,9 @@ class SourceLeads(LinesAround):
                     yield say("given.fact", fact=facts[0])
                 elif facts:
                     yield say("derived.since", facts=facts)
-                elif letters and equations and source.last:
+                elif letters and len(equations) == 1 and source.last:
                     yield say("derived.put-last", equation=equations[0])
-                elif letters and equations and self._stand_in(source):
+                elif letters and len(equations) == 1 and self._stand_in(source):
                     yield say("derived.put-in", letters=letters, equation=equations[0])
                 elif equations and not facts:
                     yield say("derived.add", equations=equations)
