@@ -14,9 +14,12 @@ from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Line, Relation
 from restitution.explaining.lines.notation import read_relation, write_relation
+from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.problem import Problem
+from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain
 from restitution.workings.derived import explanation_of
 from restitution.workings.rendering.text import to_text
 
@@ -292,3 +295,13 @@ def test_a_component_that_comes_out_as_zero_is_seen() -> None:
     assert "the component in the direction of 𝐭 stays 0" in " ".join(
         printed(problem, derivation).split()
     )
+
+
+def test_a_chord_that_is_given_after_an_impact_of_unknown_coefficient_is_written() -> None:
+    solution = solve(
+        parse(
+            "wall C: circle centre (0, 5) radius 13\nsphere P: at (-13, 5), velocity 3i + 4j\n"
+            "P hits C\nP hits C\ngiven distance(position(P, 1), position(P, 2)) = 3\nfind e"
+        )
+    )
+    assert "78e/√(16 + 9e²)" in str(explain(solution))

@@ -377,6 +377,21 @@ show {claim}"""
     assert shown.answers[0].display in answers(solution)
 
 
+def test_a_sense_that_hangs_on_the_data_is_no_extremum() -> None:
+    # B moves on in the direction of i where ku > 3v: then its greatest angle with i is 0.
+    item = solve(
+        parse(
+            """sphere A: mass k m, velocity u i
+sphere B: mass 3m, velocity -v i
+sphere C: mass m, at rest
+A hits B: along i
+B hits C: along i, e = f
+find maximum of angle(velocity(B), i) over e"""
+        )
+    )["maximum of angle(velocity(B), i) over e"]
+    assert all(answer.value != sp.pi for answer in item.answers)
+
+
 def test_a_limit_whose_sign_hangs_on_the_data_is_no_extremum() -> None:
     # A light sphere is turned back from an impact that is nearly direct, a heavy one goes on.
     text = """

@@ -35,7 +35,7 @@ from restitution.solving.ranges.allowed_values import (
     values_in,
     values_of_trials,
 )
-from restitution.solving.ranges.images import Candidate, is_near, is_reached, tends
+from restitution.solving.ranges.images import Candidate, is_near, reaches, tends
 from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.ranges.validity import defined, with_condition
@@ -153,7 +153,7 @@ def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, si
 
 
 def _further(
-    region: Region, candidates: list[Candidate], best: Candidate, data: Sample
+    region: Region, value: sp.Expr, candidates: list[Candidate], best: Candidate, data: Sample
 ) -> tuple[sp.Expr, ...]:
     """The other numbers at which an extremum is reached: both ends, say."""
     places: list[sp.Expr] = []
@@ -161,8 +161,10 @@ def _further(
         place = candidate.where[region.letter]
         if place == best.where[region.letter] or not place.is_number or place.is_infinite:
             continue
-        same = candidate.value == best.value and is_near(region, candidate, data)
-        if same and is_reached(region, candidate, data) and place not in places:
+        if candidate.value != best.value or place in places:
+            continue
+        number = limit_at(candidate.value, data)
+        if number is not None and reaches(region, value, candidate, number, data):
             places.append(place)
     return tuple(places)
 
@@ -189,7 +191,7 @@ def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None
     if any(winner[0] != first[0] for winner in winners[1:]):
         raise UnsupportedError("where the extremum lies depends on the values of the data")
     best, reached, _, drawn = first
-    return first, _further(region, candidates, best, drawn) if reached else ()
+    return first, _further(region, value, candidates, best, drawn) if reached else ()
 
 
 def _roles(outcome: Outcome) -> dict[str, Role]:
@@ -228,7 +230,7 @@ def _winner(
         number = limit_at(candidate.value, drawn)
         if number is None or not is_near(region, candidate, drawn):
             continue
-        reached = is_reached(region, candidate, drawn)
+        reached = reaches(region, value, candidate, number, drawn)
         if not reached and not tends(region, value, candidate, drawn):
             continue
         if (

@@ -190,7 +190,7 @@ class Image:
             number = limit_at(candidate.value, drawn)
             if number is None or not is_near(self.region, candidate, drawn):
                 continue
-            reached = self._reaches(candidate, number, drawn) or any(
+            reached = reaches(self.region, self.value, candidate, number, drawn) or any(
                 not (value - number).sign for value, _ in seen
             )
             end = sp.oo * number.sign if abs(number) == INFINITE else candidate.value
@@ -227,19 +227,6 @@ class Image:
             return at(self.value, values)
         except (UndefinedError, KeyError):
             return None
-
-    def _reaches(self, candidate: Candidate, number: Enclosed, drawn: Sample) -> bool:
-        """Whether a candidate's value occurs at its place, and is not only come near to there."""
-        if not is_reached(self.region, candidate, drawn):
-            return False
-        for known in _others(self.region, candidate, drawn):
-            values = _numbers(self.region, candidate, known)
-            try:
-                if values is not None and not (at(self.value, values) - number).sign:
-                    return True
-            except (UndefinedError, KeyError):
-                return not candidate.sides
-        return False
 
     def _meets(self, low: Enclosed, high: Enclosed, seen: Sequence[Seen], drawn: Sample) -> bool:
         """Whether a value between two occurs on the way from a place of less to one of more."""
@@ -452,6 +439,22 @@ def is_reached(region: Region, candidate: Candidate, drawn: Sample) -> bool:
         values = _numbers(region, candidate, known)
         if values is not None and region._possible(values):
             return True
+    return False
+
+
+def reaches(
+    region: Region, value: sp.Expr, candidate: Candidate, number: Enclosed, drawn: Sample
+) -> bool:
+    """Whether a candidate's value occurs at its place, and is not only come near to there."""
+    if not is_reached(region, candidate, drawn):
+        return False
+    for known in _others(region, candidate, drawn):
+        values = _numbers(region, candidate, known)
+        try:
+            if values is not None and not (at(value, values) - number).sign:
+                return True
+        except (UndefinedError, KeyError):
+            return not candidate.sides
     return False
 
 

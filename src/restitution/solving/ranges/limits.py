@@ -140,7 +140,7 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
         above, along = (_approached(argument, symbol, point, below) for argument in x.args)
         if above is None or along is None or not (above.is_finite and along.is_finite):
             return None
-        if above != 0:
+        if above != 0 or (x.args[0] == 0 and along != 0):
             return sp.atan2(above, along)
         ahead = _sign_near(x.args[1], symbol, point, below)
         side = 1 if x.args[0] == 0 else _sign_near(x.args[0], symbol, point, below)
