@@ -284,7 +284,7 @@ def multiples(
 
 def _is_component(tree: Expression) -> bool:
     inner = tree.operand if isinstance(tree, Negate) else tree
-    if not isinstance(inner, Quantity) or inner.kind != "along":
+    if not isinstance(inner, Quantity) or inner.kind not in ("along", "across"):
         return False
     axis = inner.arguments[1]
     return isinstance(axis, Quantity) and axis.kind == "line_of_centres"

@@ -170,14 +170,21 @@ class Surroundings:
         return any(same_size(value, each) for each in known if each is not None)
 
     def directions(self, lines: Iterable[ScriptLine]) -> tuple[Expression, ...]:
-        """Vectors in scalar products of a script that are no unit vectors, such as 3i + 4j."""
+        """Vectors that are no unit vectors, such as 3i + 4j: in scalar products, or as data.
+
+        Data are those of lines of centres.
+        """
         sizes: dict[float, Expression] = {}
         for line in lines:
             for link in line.links:
-                for tree in walk(link.readings[0].right):
-                    if isinstance(tree, Quantity) and tree.kind == "dot":
-                        for each in tree.arguments:
-                            sizes.setdefault(self._size(each), each)
+                for side in (link.readings[0].left, link.readings[0].right):
+                    for tree in walk(side):
+                        if isinstance(tree, Quantity) and tree.kind == "dot":
+                            for each in tree.arguments:
+                                sizes.setdefault(self._size(each), each)
+        for step in self.events:
+            if isinstance(step, Impact) and step.along is not None:
+                sizes.setdefault(self._size(step.along), step.along)
         return tuple(each for size, each in sizes.items() if size not in (0.0, 1.0))
 
     def multipliers(self, lines: Iterable[ScriptLine]) -> dict[str, Expression]:

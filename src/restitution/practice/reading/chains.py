@@ -42,7 +42,7 @@ from restitution.practice.reading.relations import (
 )
 from restitution.practice.reading.segments import Segment
 from restitution.practice.reading.tokens import Token, Usage
-from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS
+from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS, STAGES
 from restitution.practice.script import Claim, Declaration, Link, Sign
 from restitution.problem import Impact, Problem
 
@@ -141,12 +141,24 @@ def _is_lettered_sum(tree: Expression) -> bool:
     return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(letters(tree))
 
 
-def _vectors_of(body: str) -> tuple[Side, ...]:
-    """What a vector behind the name of a sphere may be: its velocity, momentum or impulse."""
+def _vectors_of(body: str, problem: Problem) -> tuple[Side, ...]:
+    """What a vector behind the name of a sphere may be: its velocity, momentum or impulse.
+
+    Of one whose place is known it may be where it is.
+    """
     phrases = (f"velocity of {body}", f"momentum of {body}", f"impulse on {body}")
     momentum, impulse = (Quantity(kind, (Name(body),)) for kind in ("momentum", "impulse"))
-    trees: tuple[Expression, ...] = (*map(Letter, phrases), momentum, impulse, Negate(impulse))
+    velocity, *others = map(Letter, phrases)
+    trees = (velocity, *places_of(body, problem), *others, momentum, impulse, Negate(impulse))
     return tuple(map(Side, trees))
+
+
+def places_of(body: str, problem: Problem) -> tuple[Expression, ...]:
+    """Where a sphere is at each event, if its place is known."""
+    if all(each.name != body or each.position is None for each in problem.spheres):
+        return ()
+    stages = range(len(problem.events) + 1)
+    return tuple(Quantity("position", (Name(body),), stage) for stage in stages)
 
 
 class Chains:
@@ -307,6 +319,10 @@ class Chains:
                 raise UnreadableError("an expression on both sides of the sign", column)
         if self.declaration(segment, sides, read, signs):
             return
+        name = sides[0][0] if len(sides[0]) == 1 else None
+        if name is not None and name.kind == "name" and self.body_of(name):
+            if self._is_moving(read[1][0].tree):
+                read[0] = _vectors_of(name.name, self.problem)  # A = 3i - j
         short = len(signs) > 1 and is_letter(read[0][0].tree) and is_function(read[1][0].tree)
         if short and self.declaration(segment, sides[:2], read[:2], signs[:1]):
             # y = tan δ = 5t/(1 + 6t²) says first what y is.
@@ -442,7 +458,7 @@ class Chains:
         if label.kind == "name":
             product = isinstance(first, Binary) and first.op == "*"  # as mass × velocity is
             if evaluates and not product and self._is_moving(first) and self.body_of(label):
-                self.link(_vectors_of(label.name), "=", read[0], sides[0], label)
+                self.link(_vectors_of(label.name, self.problem), "=", read[0], sides[0], label)
             return
         evaluates = evaluates and not (
             _is_way(label) and (self.of_law or self._is_sum_of_letters(first))
@@ -475,6 +491,8 @@ class Chains:
             numeric = any(each.kind == "number" for each in first)
             if any(each.kind in ("phrase", "name") for each in segment.tokens):
                 break
+            if segment.before and segment.before[-1] in STAGES:
+                break  # before 4 + 2 = 6, after 3 - 2 = 1
             named = any(
                 each.kind == "letter" and each.name not in self.usage.letters for each in first
             )

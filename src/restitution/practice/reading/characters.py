@@ -77,6 +77,7 @@ _LATEX_COLUMN = re.compile(
     r"\\begin\{[pb]matrix\}(.*?)\\\\(.*?)\\end\{[pb]matrix\}|\\binom\s*\{([^{}]*)\}\s*\{([^{}]*)\}"
 )
 _LATEX_TEXT = re.compile(
+    r"(\\[A-Za-z]+)?"  # that of a command before it: \cdot\mathbf{i}
     r"\\(?:text|mathrm|mathbf|mathit|underline|vec|hat|bar|boxed)\s*\{([^{}]*)\}"
 )
 _LATEX_SIGNS = {
@@ -114,6 +115,8 @@ _LATEX_SIGNS = {
     "gt": ">",
 }
 _LATEX_WORD = re.compile(r"\\([A-Za-z]+)")
+# Between words one space stands, as more would part relations.
+_LATEX_GAP = re.compile(r" ?\0 ?(?:\0 ?)?")
 
 
 @dataclass(frozen=True)
@@ -205,14 +208,19 @@ def _without_latex(text: str) -> str:
     for _ in range(6):
         text = _LATEX_POWER.sub(r"^(\1)", text)
         text = _LATEX_BELOW.sub(lambda below: f"_{below[1]}{' ' if below[2] else ''}", text)
-        text, first = _LATEX_TEXT.subn(r"\1", text)
+        text, first = _LATEX_TEXT.subn(_bare_text, text)
         text = _LATEX_BARE_ROOT.sub(r"\\sqrt{\1}", text)
         text = _LATEX_BARE_FRACTION.sub(_with_braces, text)
         text, second = _LATEX_ROOT.subn(r"sqrt(\1)", text)
         text, third = _LATEX_BRACES.subn(r"((\1)/(\2))", text)
         if not first + second + third:
             break
-    return _LATEX_WORD.sub(lambda match: _LATEX_SIGNS.get(match[1], f" {match[1]} "), text)
+    text = _LATEX_WORD.sub(lambda match: _LATEX_SIGNS.get(match[1], f"\0{match[1]}\0"), text)
+    return _LATEX_GAP.sub(" ", text)
+
+
+def _bare_text(match: re.Match[str]) -> str:
+    return f"{match[1]} {match[2]}" if match[1] else match[2]
 
 
 def _with_braces(match: re.Match[str]) -> str:

@@ -219,6 +219,8 @@ def _owned(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
         return None
     if "_" in letter.name or len(letter.name) > 1:
         return None
+    if word.word == "for" and place and tokens[place - 1].kind == "number" and not letter.gap:
+        return None  # 1.2u for A and 0.8u for B
     return replace(letter, name=f"{letter.name}_{name.name}", end=name.end), place + 3
 
 

@@ -296,7 +296,8 @@ class _Reader:
         walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.features.names)]
         if walled:
             return list(reversed(walled))
-        known = [n for n in impacts if self.until is None or n <= self.until] or impacts
+        known = [n for n in impacts if self.until is None or n <= self.until]
+        known = known or [n for n in kicks if n == self.until] or impacts
         taking_part = [n for n in known if not bodies or bodies & self.met(n)] or known
         return list(reversed(taking_part)) or [max(len(self.events), 1)]
 
@@ -312,10 +313,11 @@ class _Reader:
             named.remove(self.features.target or "")
         if named:
             return named[:1]
-        if 0 < event <= len(self.events) and isinstance(self.events[event - 1], Impact):
-            impact = self.events[event - 1]
-            assert isinstance(impact, Impact)
-            return [each for each in (impact.first, impact.second) if each in self.spheres]
+        match self.events[event - 1] if 0 < event <= len(self.events) else None:
+            case Impact(first, second):
+                return [each for each in (first, second) if each in self.spheres]
+            case Kick(body):
+                return [body]
         return list(self.spheres)
 
     def stage(self, event: int) -> Stage:

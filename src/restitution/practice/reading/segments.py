@@ -19,8 +19,9 @@ _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "
 
 # Words that say of the relation before them that it cannot be, and those that lead to them.
 _REJECTING = frozenset(
-    ("impossible", "rejected", "reject", "invalid", "discard", "ignore", "would")
+    ("impossible", "rejected", "reject", "invalid", "discard", "ignore", "would", "cannot")
 )
+_TOO = frozenset(("big", "large", "great", "high", "small", "much"))
 # What a fraction before them is of: ``KE after = 0.36 of it``.
 _WHOLES = frozenset(("it", "that", "this", "them", "these", "those", "what"))
 _LEADING = frozenset(("is", "means", "mean", "so", "but", "gives", "therefore"))
@@ -48,8 +49,8 @@ class Segment:
         return len(self.tokens) == 1 and self.tokens[0].kind in ("phrase", "name")
 
 
-def segments(tokens: Sequence[Token]) -> list[Segment]:
-    """The segments of a line, with what parts them."""
+def segments(tokens: Sequence[Token], case: bool = False) -> list[Segment]:
+    """The segments of a line, with what parts them; ``case`` tells that it opens a case."""
     pieces: list[Segment] = []
     pending: list[Token] = []
     before: list[str] = []
@@ -79,6 +80,7 @@ def segments(tokens: Sequence[Token]) -> list[Segment]:
         pieces.append(Segment(tuple(pending), tuple(before)))
         before = []
     pieces = [_with_verdict(each, pieces, place, before) for place, each in enumerate(pieces)]
+    pieces = list(_with_case(pieces, case))
     return [each for each in map(_without_number, map(_without_swallowed, pieces)) if each.tokens]
 
 
@@ -91,9 +93,19 @@ def _with_verdict(
     while words and words[0] in _LEADING:
         words = words[1:]
     denied = len(words) > 1 and words[0] in ("no", "not")
+    denied = denied or (words[:1] == ["too"] and bool(_TOO & set(words[1:2])))
     denied = denied or (words[:1] == ["of"] and words[1:2] != [] and words[1] in _WHOLES)
     rejected = segment.has_relation and (denied or (bool(words) and words[0] in _REJECTING))
     return replace(segment, rejected=True) if rejected else segment
+
+
+def _with_case(pieces: Sequence[Segment], opened: bool) -> Iterator[Segment]:
+    """The segments, all of a case rejected where the last one is: ``or v = 2u, e = 4 too big``."""
+    opens = [(opened and not place) or "or" in each.before for place, each in enumerate(pieces)]
+    for place, each in enumerate(pieces):
+        end = next((n for n in range(place + 1, len(pieces)) if opens[n]), len(pieces))
+        rejected = any(opens[: place + 1]) and pieces[end - 1].rejected and each.has_relation
+        yield replace(each, rejected=True) if rejected else each
 
 
 def _without_number(segment: Segment) -> Segment:

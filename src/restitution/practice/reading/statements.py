@@ -18,7 +18,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.reading.angles import without_marks
-from restitution.practice.reading.chains import Chains, Past, Statements
+from restitution.practice.reading.chains import Chains, Past, Statements, places_of
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.grammar import is_vector
@@ -190,6 +190,7 @@ class _Reader(Chains):
             return
         if is_identity(segment.tokens):
             return
+        self.relabel(segment)
         self.carry(segment)
         parts = list(split_at_spaces(segment, self.usage.vectors))
         for place, (part, parting) in enumerate(parts):
@@ -212,6 +213,16 @@ class _Reader(Chains):
             words = [each for each in self.last_label.split() if each not in STAGES]
             self.waiting = (Side(Letter(" ".join((*words, segment.before[-1])))),)
         self.before = ()
+
+    def relabel(self, segment: Segment) -> None:
+        """Takes the last label at another stage: ``A before along 4 = 2 + 2, after 3 - 2 = 1``."""
+        stage = segment.before[-1] if segment.before else None
+        words = self.last_label.split()
+        if stage not in STAGES or STAGES.keys().isdisjoint(words) or stage in words:
+            return
+        if segment.tokens[0].kind in ("number", "function", "(", "-"):
+            name = " ".join(stage if each in STAGES else each for each in words)
+            self.label = replace(segment.tokens[0], kind="phrase", name=name, text=name)
 
     def supposed(self, segment: Segment) -> None:
         """What stands behind *when* or *if* is no claim; its sides are values of a remark."""
@@ -390,4 +401,6 @@ class _Reader(Chains):
         )
         if label.name in self.usage.spheres and own[0].tree == Letter(f"speed of {label.name}"):
             own += [Side(Letter(f"component of {label.name} along"))] if signed else []
+        elif label.name in self.usage.spheres and is_vector(sides[0].tree, self.usage.vectors):
+            own += [Side(each) for each in places_of(label.name, self.problem)]
         self.link(tuple(own), "=", sides, tokens, label)

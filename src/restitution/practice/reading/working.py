@@ -110,6 +110,7 @@ class _Reader:
         return ScriptLine(number, typed, kind, self.part, where, **more)  # type: ignore[arg-type]
 
     def _read(self, number: int, typed: str, line: Plain) -> ScriptLine:
+        cases = self.cases
         line, opened = self._behind_headings(line)
         line = with_labels(line, self.problem)
         tokens = with_phrases(scan(line, self.usage), line.text, self.problem)
@@ -122,7 +123,7 @@ class _Reader:
         if _WALL.match(line.text) or _ends_at(line, tokens):
             whose = None  # wall: 2i + j is its direction, hits at (2, 1) a place
         statements = read_statements(
-            segments(tokens), self.usage, self.problem, number, line, self.past, whose
+            segments(tokens, self.cases > cases), self.usage, self.problem, number, line, self.past, whose
         )
         self.past = statements.past
         return self._line_of_statements(number, typed, statements, scope, opened)

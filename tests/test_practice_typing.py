@@ -1,0 +1,108 @@
+"""Lines as students type them, of which a careless reading would accuse true ones."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+import restitution
+from restitution.solving.equations.solution import Solution
+
+TURNED = """sphere A: mass 1, velocity 5i + j
+sphere B: mass 2, velocity -i - 2j
+A hits B: along i + j, e = 1/3
+find velocity(A), velocity(B)"""
+LETTERS = """sphere A: mass m, velocity u at alpha
+sphere B: mass M, at rest
+A hits B: along i, e = 1
+find speed(A), velocity(B)"""
+LEVEL = """sphere A: mass 2, velocity 4i + 3j
+sphere B: mass 1, velocity -i + 2j
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B)"""
+PLACED = """wall C: circle centre (0, 0) radius 5
+sphere P: at (-3, -4), velocity 2 at 45°, mass 1
+P hits C: e = 1/3
+find position(P), velocity(P)"""
+KICKED = """sphere A: mass 1/2, velocity 4i
+sphere B: mass 1, at rest
+part a
+A receives -i + 3/2 j
+find velocity(A), deflection(A)
+part b
+A hits B: along 2i + 3j, e = 1/3
+find velocity(A)"""
+DIRECT = """sphere P: mass 1, velocity 4u i
+sphere Q: mass 2, velocity u i
+P hits Q: along i
+given speed(P) = u/2
+find e"""
+
+
+@cache
+def solution_of(statement: str) -> Solution:
+    return restitution.solve(restitution.parse(statement))
+
+
+def verdicts(statement: str, *lines: str, part: str | None = None) -> list[str]:
+    marking = restitution.mark(solution_of(statement), "\n".join(lines), part=part)
+    return [line["verdict"] for line in marking.json()["lines"]]
+
+
+def test_components_may_be_those_of_a_direction_that_is_no_unit_vector() -> None:
+    lines = ["v + 2w = 6 - 6", "w - v = 1/3 × 9 = 3", "w = 1, v = -2", "perp A: 5 - 1 = 4"]
+    assert verdicts(TURNED, *lines) == ["true"] * 4
+    assert verdicts(TURNED, *lines[:1], "w - v = 1/3 × 3 = 1") == ["true", "false"]
+
+
+def test_spaces_around_commands_of_latex_part_no_relations() -> None:
+    lines = [
+        r"$mu\cos\alpha = mv + Mw$",
+        r"$w - v = u\cos\alpha$",
+        r"speed of A: $v_A^2 = v^2 + u^2\sin^2\alpha$",
+        r"$u^2 - v_A^2 = u^2\cos^2\alpha - v^2 = \frac{4mMu^2\cos^2\alpha}{(m+M)^2}$",
+    ]
+    assert verdicts(LETTERS, *lines) == ["true"] * 4
+    assert verdicts(LETTERS, *lines[:3], lines[3].replace("4mM", "2mM"))[3] == "false"
+
+
+def test_bold_letters_of_latex_end_at_commands_before_them() -> None:
+    above = ["2x + y = 7", "y - x = 5/2"]
+    line = r"$(\mathbf{v}_A - \mathbf{v}_B)\cdot\mathbf{i} = x - y = -5/2$"
+    assert verdicts(LEVEL, *above, line)[2] == "true"
+    assert verdicts(LEVEL, *above, line.replace("-5/2", "3/2"))[2] == "false"
+
+
+@pytest.mark.parametrize("name", ["A = ", "A: "])
+def test_a_vector_behind_a_name_is_of_any_moment(name: str) -> None:
+    assert verdicts(TURNED, f"{name}5i + j") == ["true"]
+    assert verdicts(TURNED, f"{name}(5, 1)", f"{name}(1, -3)") == ["true", "true"]
+    assert verdicts(TURNED, f"{name}2i - 3j") == ["false"]
+
+
+@pytest.mark.parametrize("name", ["P = ", "P: "])
+def test_a_vector_behind_the_name_of_a_placed_sphere_may_be_its_place(name: str) -> None:
+    lines = [f"{name}(-3 + √2t, -4 + √2t)", "(-3 + √2t)² + (-4 + √2t)² = 25", f"{name}(4, 3)"]
+    assert verdicts(PLACED, *lines) == ["true"] * 3
+
+
+def test_a_label_goes_on_at_another_stage() -> None:
+    assert verdicts(LEVEL, "A before along 8cos60° = 4, after 1 + 1/2 = 3/2") == ["true"]
+    assert verdicts(LEVEL, "A before along 8cos60° = 4, after 4 - 1 = 3") == ["false"]
+
+
+def test_a_body_named_behind_a_value_is_no_subscript_of_its_letter() -> None:
+    wide = LETTERS.replace("velocity u at alpha", "velocity u i + 1.2u j")
+    assert verdicts(wide, "perp 1.2u for A and 0 for B") == ["true"]
+
+
+def test_a_case_that_is_rejected_claims_nothing() -> None:
+    above = ["v = 2u - 2eu", "2u - 2eu = u/2 so e = 3/4"]
+    assert verdicts(DIRECT, *above, "or 2u - 2eu = -u/2, e = 5/4 too big")[2] == "remark"
+    assert verdicts(DIRECT, above[0], "2u - 2eu = -u/2, e = 5/4")[1] == "false"
+
+
+def test_a_deflection_may_be_by_the_blow_of_a_part() -> None:
+    assert verdicts(KICKED, "deflection tan^-1(1.5) = 56.3", part="a") == ["true"]
+    assert verdicts(KICKED, "deflection tan^-1(0.5) = 26.6", part="a") == ["false"]
