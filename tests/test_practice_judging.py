@@ -12,7 +12,8 @@ import pytest
 
 import restitution
 from restitution.practice.judgement import Judgement
-from restitution.practice.judging.judging import bench_of, judge
+from restitution.practice.judging.bench import bench_of
+from restitution.practice.judging.judging import judge
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.declaring import letters_from_mapping
 from restitution.practice.reading.working import read_working

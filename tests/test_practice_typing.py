@@ -106,3 +106,67 @@ def test_a_case_that_is_rejected_claims_nothing() -> None:
 def test_a_deflection_may_be_by_the_blow_of_a_part() -> None:
     assert verdicts(KICKED, "deflection tan^-1(1.5) = 56.3", part="a") == ["true"]
     assert verdicts(KICKED, "deflection tan^-1(0.5) = 26.6", part="a") == ["false"]
+
+
+WALL = """wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+given deflection(P) = 60°
+find tan(alpha), speed(P)"""
+EQUAL = """sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+find speed(A), speed(B)"""
+BOTH_ANGLES = """sphere A: mass m, velocity u at 30°
+sphere B: mass 2m, velocity v at 60° from -i
+A hits B: along i
+given direction(A) = 120°, e = 1/2
+find v/u"""
+SWAP = """sphere A, B: mass m
+sphere A: velocity p i + q j
+sphere B: velocity r i + s j
+A hits B: along i, e = 1
+find velocity(A), velocity(B), impulse(A)"""
+WALLS = """wall W: along i
+wall X: along j
+sphere P: velocity u at alpha to W
+P hits W: e = 1/2
+P hits X: e = 1/4
+find tan(angle(velocity(P), W)) in terms of alpha"""
+
+
+def test_an_angle_is_not_turned_to_excuse_one_line_where_another_tells_its_sense() -> None:
+    assert verdicts(WALL, "tanβ = 1/3 tanα", "α + β = 60") == ["true", "true"]
+    assert verdicts(WALL, "tanβ = 1/3 tanα", "α - β = 60") == ["true", "false"]
+
+
+def test_a_speed_in_words_is_no_component_that_has_a_letter() -> None:
+    lines = ["mucosα = mp + mq", "q - p = eucosα", "p = ½(1 - e)ucosα", "q = ½(1 + e)ucosα"]
+    assert verdicts(EQUAL, *lines, "speed B = ½(1 + e)ucosα") == ["true"] * 5
+    assert verdicts(EQUAL, *lines, "speed A = ½(1 - e)ucosα") == [*["true"] * 4, "false"]
+
+
+def test_a_datum_with_another_value_is_no_case() -> None:
+    above = ["perp ½u, along a = -½u/tan60", "mucos30 - 2mvcos60 = ma + 2mb"]
+    assert verdicts(BOTH_ANGLES, *above, "e = ½: b - a = ½(ucos30 + vcos60)")[2] == "true"
+    assert verdicts(BOTH_ANGLES, *above, "e = ⅓: b - a = ⅓(ucos30 + vcos60)")[2] == "false"
+
+
+def test_the_impulse_on_a_body_as_a_vector_has_its_sense() -> None:
+    above = ["vA = ri + qj", "vB = pi + sj"]
+    line = "impulse on A = m(ri + qj) - m(pi + qj) = m(r - p)i"
+    assert verdicts(SWAP, *above, line) == ["true"] * 3
+    turned = "impulse on A = m(pi + qj) - m(ri + qj) = m(p - r)i"
+    assert verdicts(SWAP, *above, turned) == ["true", "true", "false"]
+
+
+def test_behind_the_second_wall_the_angle_at_the_first_keeps_its_meaning() -> None:
+    lines = [
+        "after W: v1cosβ = ucosα, v1sinβ = ½usinα",
+        "tanβ = ½tanα",
+        "after X: v2cosγ = v1cosβ, v2sinγ = ¼v1sinβ",
+        "tanγ = ¼tanβ = ⅛tanα",
+    ]
+    assert verdicts(WALLS, *lines) == ["true", "true", "false", "follows"]
+    right = "after X: v2cosγ = v1sinβ, v2sinγ = ¼v1cosβ"
+    assert verdicts(WALLS, *lines[:2], right) == ["true"] * 3

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Name,
     Negate,
     Pair,
     Quantity,
@@ -282,6 +283,8 @@ class Holding:
                     return quotient
                 continue
             for meant in self._meanings_under(label.name, line):
+                if self._is_asked_otherwise(meant, label):
+                    continue
                 senses = (meant, Negate(meant)) if is_signed(meant) else (meant,)
                 alone = claim.left == label
                 further = (
@@ -304,6 +307,20 @@ class Holding:
                     if grade != "coarse":
                         return best
         return best
+
+    def _is_asked_otherwise(self, meant: Expression, label: Letter) -> bool:
+        """Whether a label names the impulse on a body, which is asked as a vector, by its size."""
+        inside = meant.operand if isinstance(meant, Negate) else meant
+        if not (isinstance(inside, Quantity) and inside.kind == "impulse") or inside.arguments:
+            return False
+        words = label.name.split()
+        asked = {
+            each.arguments[0].name
+            for each, _ in self.question.wanted.asked
+            if isinstance(each, Quantity) and each.kind == "impulse" and each.arguments
+            if isinstance(each.arguments[0], Name)
+        }
+        return "on" in words and not asked.isdisjoint(words)
 
     def _claims_above(self, line: ScriptLine) -> Iterator[Claim]:
         """The claims of the lines above, and of a line itself as it is read first."""

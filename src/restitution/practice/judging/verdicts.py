@@ -506,7 +506,23 @@ class Judge(Following):
         other = self._link(line, replace(link, readings=readings))
         return None if other.verdict in ("unread", "false") else other
 
+    def _misquoted(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A case that is none, as the question gives the letter another value: ``e = 1/3: …``."""
+        for claim in link.supposed:
+            match claim:
+                case Claim(Letter(name), "=", value, ()) if is_numeric(value):
+                    if name in self.question.given and not self._is_so(claim, line):
+                        return JudgedLink("false", claim)
+        return None
+
+    def _is_so(self, claim: Claim, line: ScriptLine) -> bool:
+        """Whether a claim without decimals holds in the true world."""
+        return agrees(claim, self._base, self.meanings(line.number), ()) is not None
+
     def _link(self, line: ScriptLine, link: Link) -> JudgedLink:
+        misquoted = self._misquoted(line, link) if link.supposed else None
+        if misquoted is not None:
+            return misquoted
         held = self._holds(link, line, self.worlds)
         if held is not None:
             accuracy, claim = held

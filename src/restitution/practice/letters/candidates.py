@@ -79,8 +79,10 @@ class Candidate:
     @property
     def sensed(self) -> bool:
         """Whether it has a sense that may be turned."""
-        if self.kind == "velocity":  # as a vector it has its sense by itself
-            return self.nature != "vector"
+        if self.nature == "vector" and (self.kind == "velocity" or self.asked):
+            return False  # as a vector it has its sense by itself
+        if self.kind == "velocity":
+            return True
         if self.kind in ("component", "relative", "direction"):
             return True
         return (self.kind == "impulse" and self.axis is not None) or self.nature == "vector"

@@ -222,7 +222,7 @@ class _Search(LettersOfLines):
             last = len(around.events)
             stages = range(last + 1) if scope.event is None else (scope.event - 1, scope.event)
             other = () if is_relative(name) else elsewhen(name, own, stages)
-            every = [*of_trees(own), *other]
+            every = [*map(self._in_its_sense, of_trees(own)), *other]
             return [*every, *scaled(every, self.directions)]
         dotted = name in self.dotted
         usage = Usage(name, name in self.angular, scope, name in self.defined, dotted)
@@ -255,6 +255,11 @@ class _Search(LettersOfLines):
                     return chosen
                 chosen.append(Candidate(tree, "definition", "scalar", start=start))
         return chosen
+
+    def _in_its_sense(self, candidate: Candidate) -> Candidate:
+        """A candidate of words; an impulse as a vector that is asked for has its sense."""
+        asked = candidate.nature == "vector" and candidate.quantity in self.around.asked
+        return replace(candidate, asked=True) if asked else candidate
 
     def _other_way(self, name: str, trees: Sequence[Expression]) -> Sequence[Expression]:
         """The meanings of *perp* that are not along the line, in a script that names both ways."""

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from restitution.errors import StatementError
 from restitution.expression.tree import Expression, Letter, Name, Quantity, Stage, walk
 from restitution.practice.judgement import Accuracy, JudgedLine, Judgement
-from restitution.practice.judging.judging import Bench, bench_of, judge
+from restitution.practice.judging.bench import Bench, bench_of
+from restitution.practice.judging.judging import judge
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.lines import text_of
 from restitution.practice.reading.working import read_working

@@ -11,8 +11,8 @@ from restitution.explaining.mistakes.misconceptions import alteration
 from restitution.expression.tree import Expression
 from restitution.expression.writing import write_expression
 from restitution.practice.judgement import Judgement
+from restitution.practice.judging.bench import bench_of
 from restitution.practice.judging.earlier_parts import judge_part
-from restitution.practice.judging.judging import bench_of
 from restitution.practice.letters.declaring import letters_from_mapping
 from restitution.practice.letters.letters_box import letters_box
 from restitution.practice.marking.answers import answers_of

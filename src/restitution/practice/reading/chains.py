@@ -320,9 +320,9 @@ class Chains:
         if self.declaration(segment, sides, read, signs):
             return
         name = sides[0][0] if len(sides[0]) == 1 else None
-        if name is not None and name.kind == "name" and self.body_of(name):
-            if self._is_moving(read[1][0].tree):
-                read[0] = _vectors_of(name.name, self.problem)  # A = 3i - j
+        of_body = name is not None and name.kind == "name" and self.body_of(name) is not None
+        if name is not None and of_body and self._is_moving(read[1][0].tree):
+            read[0] = _vectors_of(name.name, self.problem)  # A = 3i - j
         short = len(signs) > 1 and is_letter(read[0][0].tree) and is_function(read[1][0].tree)
         if short and self.declaration(segment, sides[:2], read[:2], signs[:1]):
             # y = tan δ = 5t/(1 + 6t²) says first what y is.

@@ -162,7 +162,7 @@ def _counts_events(words: Sequence[str], place: int) -> bool:
 def _with_name(features: Features, name: str, previous: str) -> Features:
     if previous in ("towards", "toward", "from", "away"):
         return replace(features, target=name)
-    if previous in ("along", "parallel", "perp", "perpendicular", "to", "at", "wall", "with"):
+    if previous in ("along", "parallel", "perp", "perpendicular", "to", "at", "wall", "with", "on"):
         return replace(features, names=(*features.names, name), target=features.target or name)
     return replace(features, names=(*features.names, name))
 

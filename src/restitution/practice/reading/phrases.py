@@ -577,7 +577,7 @@ class _Reader:
         yield size
         yield from vectors
         yield Negate(size)
-        for each in self.bodies_met(event):
+        for each in self.bodies_met(event) if self.features.target not in named else ():
             yield Quantity("impulse", (Name(each),), after)
 
     def momentum(self, event: int) -> Iterator[Expression]:

@@ -216,7 +216,7 @@ class _Reader(Chains):
 
     def relabel(self, segment: Segment) -> None:
         """Takes the last label at another stage: ``A before along 4 = 2 + 2, after 3 - 2 = 1``."""
-        stage = segment.before[-1] if segment.before else None
+        stage = segment.before[-1] if segment.before else ""
         words = self.last_label.split()
         if stage not in STAGES or STAGES.keys().isdisjoint(words) or stage in words:
             return

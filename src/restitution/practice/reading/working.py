@@ -123,7 +123,13 @@ class _Reader:
         if _WALL.match(line.text) or _ends_at(line, tokens):
             whose = None  # wall: 2i + j is its direction, hits at (2, 1) a place
         statements = read_statements(
-            segments(tokens, self.cases > cases), self.usage, self.problem, number, line, self.past, whose
+            segments(tokens, self.cases > cases),
+            self.usage,
+            self.problem,
+            number,
+            line,
+            self.past,
+            whose,
         )
         self.past = statements.past
         return self._line_of_statements(number, typed, statements, scope, opened)
