@@ -101,7 +101,7 @@ class Doubts:
             )
             lines = tuple(
                 line
-                if breaks and is_named(line)
+                if breaks and is_named(line) and not self._is_exchanged(line, lines)
                 else self._doubted(line, other, doubtful[line.line.number], asks)
                 for line, other in zip(lines, others, strict=True)
             )
@@ -138,6 +138,28 @@ class Doubts:
             return agrees(Claim(first, "=", second), self.bench.worlds[0], {}, ()) is not None
         except RestitutionError:
             return False
+
+    def _is_exchanged(self, line: JudgedLine, lines: Sequence[JudgedLine]) -> bool:
+        """Whether all is true where the two letters of a line have each other's meanings."""
+        meanings = self.meanings.best.at(line.line.number)
+        known = self.meanings.best.trees(line.line.number)
+        inferred = [
+            name
+            for name in sorted(names_in(line.line))
+            if name in meanings
+            and meanings[name].by == "inferred"
+            and _sphere_of(known[name]) is not None
+        ]
+        if len(inferred) != 2:
+            return False
+        one, other = inferred
+        turned = {**known, one: known[other], other: known[one]}
+        return all(
+            self._is_so_meant(link, each, turned)
+            for each in lines
+            for link in each.line.links
+            if each.verdict in ("true", "false") and not names_of(link).isdisjoint(inferred)
+        )
 
     def _doubted(
         self, line: JudgedLine, other: JudgedLine, doubtful: Sequence[str], asks: set[str]
