@@ -72,6 +72,24 @@ def test_totals_are_those_of_a_marker() -> None:
 
 # Workings that need not be right: marks look at moves.
 WORKINGS = {
+    # The tangent of an angle made of two, of which the greatest value is sought.
+    "greatest-angle": """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = 1/2
+find maximum of tan(deflection(A)) over alpha
+---
+1 a | let | | let v = c(A, 1)
+2 a | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = u sin(alpha)
+3 a | let | | let beta = angle(velocity(A, 1), line_of_centres(1))
+4 a | define tan 1 A | 1, 2, 3 | tan(beta) = 4tan(alpha)
+5 a | define difference 1 A | velocity A, axis 1, 1, 3 | deflection(A, 1) = beta - alpha
+6 a | identity sum-of-angles | 5 | tan(deflection(A, 1)) = (tan(beta) - tan(alpha))/(1 + 4)
+7 a | put | 6, 4 | tan(deflection(A, 1)) = 3tan(alpha)/(1 + 4tan^2(alpha))
+8 a | compare | 7 | tan(deflection(A, 1)) <= 3/4
+a: 8 tan(deflection(A, 1)) <= 3/4
+""",
     # A principle of which an earlier part has made use; a third value of the same two equations.
     "repeated": """
 sphere A, B: mass m
@@ -551,6 +569,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("first-of-several-energies", "energies", 6, "DM1", "DM1", "DM1"),
     ("second-of-several-energies", "energies", 7, "A1", "A1", "A1"),
     ("condition-as-inequality", "direction-reversed", 7, "DM1", "DM1", "DM1"),
+    ("tangent-to-be-bounded", "greatest-angle", 7, "A1", "A1", "A1"),
     ("bounds", "brought-to-rest", 7, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
     ("comparison", "compared", 8, "DM1 A1*", "DM1 A1*", "DM1 A1*"),
     ("given-fact", "energies", 3, "M1", "M1", "M1"),

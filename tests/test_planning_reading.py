@@ -293,7 +293,7 @@ READINGS = [
     (UPRIGHT, "= 2/(1 − e), and β = 90° if e = 1"),
     (UPRIGHT_OF_MASSES, "= 90° if 2m = eM"),
     (UPRIGHT_AT_AN_END, "= 90° if e = ¼"),
-    (UPRIGHT_AT_AN_END, "also if e = ¼, where δ = 90° − 45°"),
+    (UPRIGHT_AT_AN_END, "also if e = ¼, where δ = 45°"),
     (ANY_ANGLE, ", for f ≠ 0"),
     (WHOLE_COMPONENT, " 3 = 6e "),
     (ASKED_THOUGH_GIVEN, "From the data: k = 3"),

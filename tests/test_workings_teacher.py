@@ -54,6 +54,19 @@ SAYS = {
         + "given speed(B) > speed(A)\nfind range of k",
         ["(1 + k)(7k − 11) < 0", "k < 11/7, as 1 + k > 0"],
     ),
+    # Which way P comes is open: 𝐭 leads along the wall as its direction is given.
+    "a unit vector along a wall has the direction that is given": (
+        WALL.format(e="")
+        .replace("along i", "along 4i + 3j")
+        .replace("u at alpha to W", "a i + b j")
+        + "find velocity(P)",
+        ["𝐭 = (4𝐢 + 3𝐣)/5 one parallel to W", "(4a + 3b)/5"],
+    ),
+    # Of one impact nothing is lost besides.
+    "what one impact loses is not called a total": (
+        WALL.format(e="") + "find total_energy_lost",
+        ["Kinetic energy lost, by the component that changes:", " kinetic energy lost = ½m("],
+    ),
     # tan β = e tan α.
     "a tangent that is asked says where its angle is a right one": (
         WALL.format(e="") + "find tan(deflection(P)) in terms of e, alpha",

@@ -10,6 +10,7 @@ from typing import Protocol
 from restitution.explaining.awarding.mark_rules import ENERGIES, PAIR, Rule
 from restitution.explaining.data.resting import is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
+    FLIPPED,
     Derivation,
     Fact,
     ItemEnd,
@@ -497,6 +498,19 @@ def _tells_a_quadrant(relation: Relation) -> bool:
     return False
 
 
+def _of_a_sum(work: Work, line: Line) -> bool:
+    """Whether a line is the tangent of an angle that is made of two, of which bounds are sought."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    ends = [end for end in work.derivation.items if end.item == line.item]
+    return (
+        sides is not None
+        and isinstance(sides[0], Apply)
+        and sides[0].function == "tan"
+        and any(each.move.record == "sum-of-angles" for each in work.cited(line))
+        and any(link.sign in FLIPPED for end in ends for link in end.answer.options[0])
+    )
+
+
 def _claim_without_method(work: Work, line: Line) -> bool:
     """A claim is settled by comparing what stands: nothing else in its item is a method.
 
@@ -637,6 +651,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "on-the-way": lambda work, line: line.number not in work.ends,
     "justified": lambda work, line: line.item in work.justify,
     "new-inequality": _new_inequality,
+    "of-a-sum": _of_a_sum,
     "fact-of-motion": _fact_of_motion,
     "claim-without-method": _claim_without_method,
     "of-an-offset": _of_an_offset,

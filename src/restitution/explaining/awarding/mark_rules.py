@@ -178,6 +178,7 @@ RULES: tuple[Rule, ...] = (
         "M",
         when=("new-inequality", "on-the-way"),
     ),
+    _rule("tangent-to-be-bounded", ("put",), "A", when=("of-a-sum", "on-the-way")),
     _rule("bounds", ("monotone", "complete"), "M"),
     _rule("comparison", ("sign", "compare"), "M", when=("claim-without-method",)),
     _rule("given-fact", ("put", "fact", "rearrange"), "M", when=("fact-of-motion",)),

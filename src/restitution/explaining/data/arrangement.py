@@ -246,8 +246,8 @@ class Arrangement:
     def _leads_away(self, body: str, number: int, normal: Expression, along: Expression) -> bool:
         """Whether a velocity before an event, where it is plain, is against a direction.
 
-        Where it is open, the other direction is taken if the body goes that way along the wall: the
-        component that stays is then positive.
+        Where it is open, the other direction is taken if the body goes that way along the wall, or
+        at the start if that is open too: the component that stays is then positive.
         """
         if number > _PLAIN:
             return False
@@ -266,9 +266,10 @@ class Arrangement:
         oracle = Oracle(world.roles)
         if oracle.proves(compared(value, "<=", 0)):
             return oracle.decide(compared(value, ">=", 0)).answer != "proved"
-        return oracle.decide(compared(value, ">=", 0)).answer == "refuted" and oracle.proves(
-            compared(ahead, ">", 0)
-        )
+        is_open = oracle.decide(compared(value, ">=", 0)).answer == "refuted" and ahead is not None
+        if number > 1:
+            return is_open and oracle.proves(compared(ahead, ">", 0))
+        return is_open and not oracle.proves(compared(ahead, "<", 0))
 
     def velocity_before(self, body: str, number: int, world: World) -> Plane | None:
         """The velocity before an event: the one given, turned back by walls on the way.

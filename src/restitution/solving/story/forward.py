@@ -109,8 +109,8 @@ class Story(State):
         name, track = sphere.name, self.tracks[sphere.name]
         if sphere.velocity is None:
             velocity = Vector(
-                self.unknowns.hidden(f"u_{name}x", f"the velocity of {name} at the start", "real"),
-                self.unknowns.hidden(f"u_{name}y", f"the velocity of {name} at the start", "real"),
+                self.unknowns.hidden(f"u_{name}x", f"the initial velocity of {name}", "real"),
+                self.unknowns.hidden(f"u_{name}y", f"the initial velocity of {name}", "real"),
             )
         else:
             velocity = self.read_vector(sphere.velocity, f"the velocity of {name}")

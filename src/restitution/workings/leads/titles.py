@@ -121,7 +121,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         bodies = line.move.bodies or (() if event is None else event.bodies)
         assert isinstance(line.relation, Relation)
         first, last = line.relation.options[0][0], line.relation.options[0][-1]
-        name = record.title(event)
+        # What is lost in all is lost in the one impact.
+        lost = record.id == "total-lost" and not self._naming.several and not self._by_speeds(line)
+        name = (RECORDS["energy-lost"] if lost else record).title(event)
         if record.id == "straight-line" and line.move.bodies:
             return flight_title(self._derivation, self._naming, line)
         if record.id == "chord":

@@ -378,7 +378,7 @@ class Naming(Moments):
             case Quantity("energy_lost", _, _):
                 return self._during(say("derived.energy-lost"), tree)
             case Quantity("total_energy_lost", _, _):
-                return say("derived.energy-lost-all")
+                return say("derived.energy-lost-all" if self.several else "derived.energy-lost")
             case Quantity("deflection", (Name(body),), _):
                 return self._during(say("derived.deflection", of=(body,)), tree)
             case Quantity("angle", arguments, _):

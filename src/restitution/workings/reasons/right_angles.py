@@ -160,6 +160,8 @@ class RightAngles:
         if tangent is None or tidy(self._given_in(sp.expand_trig(tangent), line) - known) != 0:
             return None
         where = Relation(((vertical,),))
+        if at.is_number:
+            there = tree_of(tidy(at), angle=True)
         turned = Relation(((Link(turn, "=", there),),))
         return say(
             "derived.upright-too",
