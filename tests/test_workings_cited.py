@@ -111,6 +111,8 @@ find speed(P)
     )
     again = "From part (a): component of 𝐯₁ along 𝐢 = 3u/5 component of 𝐯₁ along 𝐣 = 2u/5"
     assert again in said
+
+
 def test_a_speed_in_letters_takes_the_values_that_are_found() -> None:
     said = printed(
         "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
@@ -118,3 +120,13 @@ def test_a_speed_in_letters_takes_the_values_that_are_found() -> None:
         "part b\ngiven energy_lost = 1/2 energy(0)\nfind e, speed(P)\n"
     )
     assert "Substituting in (1): speed of P = √2 u/2 ≈ 0.707u" in said
+
+
+def test_an_angle_to_a_wall_whose_tangent_is_given_is_not_found_again() -> None:
+    said = printed(
+        "wall W: along i\nsphere P: mass m, velocity 3 at alpha to W\nP hits W: e = 4/5\n"
+        "given tan(angle(velocity(P), W)) = 3/2\nfind deflection(P)\n"
+    )
+    assert "It is given that the tangent of the angle between 𝐯_P and W is 3/2:" in said
+    assert "δ = arctan(15/8) + arctan(3/2)" in said
+    assert "tan β" not in said

@@ -47,6 +47,7 @@ from restitution.workings.leads.touching import Touching
 from restitution.workings.naming.bold_letters import Used
 from restitution.workings.naming.data_angles import DataAngles
 from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
@@ -260,7 +261,7 @@ class _Writer:
         for fact in unused_facts(self.derivation, partial(lines_under, self.derivation)):
             home = fact.part if fact.part in labels else labels[-1]
             if home == label:
-                words = self.naming.fact(fact)
+                words = fact_in_words(self.naming, fact)
                 yield from self._introduced()
                 yield Step("note", sentences=(say("given.agrees", fact=words),))
 

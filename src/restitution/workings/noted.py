@@ -15,6 +15,7 @@ from restitution.render import layout as lay
 from restitution.solving.equations.coefficients import COEFFICIENTS
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.no_root import reason_of_no_root
 from restitution.workings.refuted import claim_of, refutation
@@ -104,7 +105,7 @@ class Notes:
         if first.premises:
             facts = (self._derivation.fact(e) for e in first.premises if isinstance(e, str))
             fact = next(each for each in facts if each is not None and each.kind == "given")
-            return say("note.idle", fact=self._naming.fact(fact), items=items)
+            return say("note.idle", fact=fact_in_words(self._naming, fact), items=items)
         return say("note.none", items=items, reason=first.reason)
 
     def _against(self, note: Note) -> Sentence:

@@ -81,7 +81,7 @@ from restitution.planning.writing.forms import (
     tree_of,
 )
 from restitution.planning.writing.frames import Frame
-from restitution.planning.writing.given_angles import given_angle
+from restitution.planning.writing.given_angles import given_angle, given_by_its_ratio
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background, sign_known
 from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
@@ -688,7 +688,8 @@ def _by_its_ratio(scene: Scene, given: Source) -> Source:
 def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
     """The angle to a wall at which a velocity is given."""
     if velocity.stage:
-        own = given_angle(scene, Quantity("angle", (velocity, Name(wall))))
+        angle_ = Quantity("angle", (velocity, Name(wall)))
+        own = given_angle(scene, angle_) or given_by_its_ratio(scene, angle_)
         if own is None:
             return None
         value, more = scene.put(scene.scalar(own[0]))

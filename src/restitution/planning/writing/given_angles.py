@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from restitution.explaining.lines.derivation import Ref
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.explaining.lines.derivation import Link, Ref
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity, letters
 from restitution.planning.writing.scene import Scene
 
 
@@ -23,4 +23,17 @@ def given_angle(scene: Scene, angle: Quantity) -> tuple[Expression, tuple[Ref, .
     return None
 
 
-__all__ = ["given_angle"]
+def given_by_its_ratio(scene: Scene, angle: Quantity) -> tuple[Expression, tuple[Ref, ...]] | None:
+    """An angle to a wall as the inverse of its ratio that is given in numbers, and the facts.
+
+    None where no ratio of it is given.
+    """
+    for each in scene.given:
+        match each.link:
+            case Link(Apply("sin" | "cos" | "tan" as ratio, own), "=", right) if own == angle:
+                if not (letters(right) or has_quantity(right)):
+                    return Apply(f"arc{ratio}", right), each.refs
+    return None
+
+
+__all__ = ["given_angle", "given_by_its_ratio"]

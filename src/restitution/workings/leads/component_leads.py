@@ -33,6 +33,7 @@ from restitution.workings.leads.one_component import (
     struck_at_rest,
     vector_resolved,
 )
+from restitution.workings.naming.facts import fact_in_words
 
 # Components before the impact, or after it: at a wall, and of spheres.
 _RESOLVED = {
@@ -190,7 +191,7 @@ class ComponentLeads(LinesAround):
                 ):
                     velocity = self._naming.layout(Quantity("velocity", (body,), stage))
                     axis = self._naming.layout(Unit("i"))
-                    words = self._naming.fact(fact)
+                    words = fact_in_words(self._naming, fact)
                     return say("given.none-as-given", fact=words, velocity=velocity, axis=axis)
         return None
 

@@ -37,6 +37,7 @@ from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.lines_around import is_rest
 from restitution.workings.leads.titles import Leads
 from restitution.workings.naming.bold_letters import unit_vector
+from restitution.workings.naming.facts import fact_in_words
 
 # The sign of a component along **i**, of a direction beyond 90°.
 _BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
@@ -79,7 +80,7 @@ class GivenLeads(Leads):
         if len(facts) != 1:
             return ()
         self._given |= {each.id for each in facts}
-        sentence = self._naming.fact(facts[0])
+        sentence = fact_in_words(self._naming, facts[0])
         along = self._moving_along(line)
         if along is not None and line.move.record == "tan":
             return (say("given.fact-along", fact=sentence, body=along),)
@@ -192,7 +193,10 @@ class GivenLeads(Leads):
         assert isinstance(line.relation, Relation)
         match fact.relation.options[0][0].left:
             case Quantity("angle", (Quantity("velocity"), Quantity("velocity"))):
-                sentence, cosine = self._naming.fact(fact), line.relation.options[0][0].left
+                sentence, cosine = (
+                    fact_in_words(self._naming, fact),
+                    line.relation.options[0][0].left,
+                )
             case _:
                 return ()
         if isinstance(cosine, Apply):
@@ -250,7 +254,7 @@ class GivenLeads(Leads):
             match fact.relation.options[0][0]:
                 case Link(Quantity("velocity"), "=", right) if has_quantity(right):
                     self._given.add(fact.id)
-                    words = self._naming.fact(fact)
+                    words = fact_in_words(self._naming, fact)
                     own = self._component_of_multiple(fact)
                     if own is not None:
                         component, value = map(self._naming.layout, own)

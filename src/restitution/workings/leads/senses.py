@@ -7,6 +7,7 @@ import sympy as sp
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import Expression, Quantity
+from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
 
@@ -57,7 +58,7 @@ def sense_of_a_normal(derivation: Derivation, naming: Naming, line: Line) -> Sen
     if event is None or not event.wall:
         return None
     wall = derivation.fact(" ".join(("wall", event.bodies[1])))
-    return None if wall is None else say("derived.since", facts=(naming.fact(wall),))
+    return None if wall is None else say("derived.since", facts=(fact_in_words(naming, wall),))
 
 
 def _direction(line: Line) -> Expression | None:

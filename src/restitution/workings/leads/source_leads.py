@@ -25,6 +25,7 @@ from restitution.expression.tree import (
 from restitution.render import layout as lay
 from restitution.workings.leads.lines_around import LinesAround
 from restitution.workings.leads.meetings import condition_of, passing_of
+from restitution.workings.naming.facts import fact_in_words, meeting_of
 from restitution.workings.naming.sources import Source, is_multiple
 from restitution.workings.reasons.grounds import compared_quantities, motion_of
 
@@ -129,7 +130,7 @@ class SourceLeads(LinesAround):
                 compared = compared_quantities(self._derivation, line)
                 if compared is not None and equations:
                     self._given.add(compared.id)
-                    words = self._naming.fact(compared)
+                    words = fact_in_words(self._naming, compared)
                     yield say("given.fact-from", fact=words, equations=equations)
                 elif equations:
                     yield say("derived.add", equations=equations)
@@ -202,7 +203,7 @@ class SourceLeads(LinesAround):
         """When spheres meet again, where that is given and a line says that it is so anyway."""
         for ref in line.premises:
             fact = self._derivation.fact(ref) if isinstance(ref, str) else None
-            relation = None if fact is None else self._naming.meeting(fact)
+            relation = None if fact is None else meeting_of(self._naming, fact)
             if relation is not None:
                 return condition_of(relation, self._naming, inequality=False)
         return None
@@ -210,7 +211,7 @@ class SourceLeads(LinesAround):
     def _meeting(self, name: str, line: Line) -> Sentence | None:
         """When bodies meet, where that is what a given fact tells."""
         fact = self._derivation.fact(name)
-        relation = None if fact is None else self._naming.meeting(fact)
+        relation = None if fact is None else meeting_of(self._naming, fact)
         if relation is None or fact is None:
             return None
         passing = passing_of(relation, fact, self._naming)
@@ -242,12 +243,12 @@ class SourceLeads(LinesAround):
         if sense is None or motion is None:
             return None
         body, direction = motion
-        return body, self._naming.layout(direction), self._naming.fact(sense)
+        return body, self._naming.layout(direction), fact_in_words(self._naming, sense)
 
     def _fact(self, name: str) -> Sentence | lay.Layout:
         fact = self._derivation.fact(name)
         assert fact is not None
-        return self._naming.fact(fact)
+        return fact_in_words(self._naming, fact)
 
 
 def _subject(relation: Relation) -> Expression | None:

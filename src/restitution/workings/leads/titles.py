@@ -48,6 +48,7 @@ from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_norm
 from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY, TurnLeads
+from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import worth
 from restitution.workings.reasons.factors import cosine_divided, factor_cancelled
 from restitution.workings.reasons.in_any_case import range_behind
@@ -288,7 +289,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             )
             if at is not None:
                 yield beside or at
-            elif given and isinstance(words := self._naming.fact(given[0]), Sentence):
+            elif given and isinstance(words := fact_in_words(self._naming, given[0]), Sentence):
                 yield say("given.fact", fact=words)
             elif (offset := next(filter(is_offset, given), None)) is not None:
                 # Once the offset is known, the same fact gives the line in numbers.
@@ -396,7 +397,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return
         rearranged = self._angles_given(line) if rearranges else None
         if rearranged is not None and line.premises == (rearranged.id,):
-            yield say("derived.since", facts=(self._naming.fact(rearranged),))
+            yield say("derived.since", facts=(fact_in_words(self._naming, rearranged),))
             return
         divided = self._divided(line)
         if divided is not None:
@@ -410,10 +411,12 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             equations = () if source is None else self._numbers(source)
             sentence = self._angles_given(line)
             if sentence is not None and line.move.record == "complement":
-                yield say("derived.since", facts=(self._naming.fact(sentence),))
+                yield say("derived.since", facts=(fact_in_words(self._naming, sentence),))
             elif sentence is not None and sentence.id not in self._given:
                 self._given.add(sentence.id)
-                yield say("derived.since-by", facts=(self._naming.fact(sentence),), how=how)
+                yield say(
+                    "derived.since-by", facts=(fact_in_words(self._naming, sentence),), how=how
+                )
             elif equations:
                 yield say("derived.by-from", how=how, equations=equations)
             else:
@@ -429,7 +432,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 case Link(Quantity("direction", (Name(),), int()), "=", Degrees()) if (
                     fact.kind == "given"
                 ):
-                    return say("given.fact", fact=self._naming.fact(fact))
+                    return say("given.fact", fact=fact_in_words(self._naming, fact))
         return None
 
     def _beside_normal(self, line: Line) -> bool:

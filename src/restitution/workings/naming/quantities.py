@@ -7,9 +7,8 @@ it is not plain from what stands above: the heading of an impact, or the end of 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from functools import cached_property
 
 from restitution.errors import RestitutionError
@@ -24,19 +23,15 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Negate,
-    Number,
-    Pair,
     Quantity,
     Stage,
     Unit,
-    has_quantity,
     is_zero,
     letters,
     walk,
 )
-from restitution.planning.writing.inequalities import turned
 from restitution.planning.writing.straight_walls import equation_of_line
-from restitution.problem import Given, Meets, comparisons
+from restitution.problem import comparisons
 from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 from restitution.shapes import Circle
@@ -152,89 +147,6 @@ class Naming(Moments):
     def relation(self, relation: Relation) -> lay.Layout:
         """A whole relation in one line."""
         return of_relation(relation, self.vectors, self.name, self.forms)
-
-    def meeting(self, fact: Fact) -> Meets | None:
-        """The meeting of which a given fact tells; None where it tells of something else."""
-        for _, step in self.problem.steps():
-            if isinstance(step, Given) and step.place == fact.place:
-                told = [
-                    each
-                    for each in self.derivation.facts
-                    if each.kind == "given" and each.place == fact.place
-                ]
-                if fact in told and len(told) == len(step.relations):
-                    relation = step.relations[told.index(fact)]
-                    return relation if isinstance(relation, Meets) else None
-        return None
-
-    def _sense_beside(self, fact: Fact) -> str:
-        """The sign by which the data tell the sense of a common direction; empty without one."""
-        given = fact.id.startswith("given")
-        sense = self.derivation.fact(fact.id.replace("given", "sense")) if given else None
-        return "" if sense is None else sense.relation.only[0].sign
-
-    def fact(self, fact: Fact) -> Sentence | lay.Layout:
-        """A given fact, in words where it is told in words."""
-        match self.meeting(fact):
-            case Meets(Name(one), Name(other), again, happens):
-                more = say("again") if again else ""
-                if self.bodies.get(other) == "wall":
-                    name = "claim.hits" if happens else "claim.does-not-hit"
-                    return say(name, body=one, wall=other, again=more)
-                if happens:
-                    return say("claim.collide", one=one, other=other, again=more)
-                return say("claim.not-collide", one=one, other=other, again=more)
-        link = fact.relation.options[0][0]
-        if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
-            return self.relation(fact.relation)
-        if link.sign in _BOUNDS and not has_quantity(link.left):
-            link = turned(link)
-        match link:
-            case Link(Quantity("velocity", (Name(body),), _), "=", value) if _is_rest(value):
-                return say("claim.rest", body=body)
-        sense = self._sense_beside(fact)
-        if sense == "<" and isinstance(link.right, Negate):
-            link = Link(link.left, link.sign, link.right.operand)
-        left, right = self.side(link.left), self.side(link.right)
-        if link.sign in ("parallel to", "perpendicular to"):
-            left, right = (
-                say("derived.the", quantity=each)
-                if isinstance(own, Quantity) and own.kind == "momentum"
-                else each
-                for own, each in ((link.left, left), (link.right, right))
-            )
-            name = "claim.parallel" if link.sign == "parallel to" else "claim.perpendicular"
-            name = {">": "claim.same-direction", "<": "claim.opposite"}.get(sense, name)
-            return say(name, left=left, right=right)
-        if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
-            match link.right:
-                case Quantity() if isinstance(right, lay.Words | lay.Phrase):
-                    return say("derived.same", quantity=left, value=right)
-                case Binary("*", size, Quantity() as whole) if _is_share(size):
-                    share = _percentage(self.layout(size))
-                    return say("derived.share", quantity=left, share=share, value=self.side(whole))
-                case Binary("*", Letter() as size, Quantity() as whole):
-                    share = self.layout(size)
-                    return say("derived.times", quantity=left, share=share, value=self.side(whole))
-            return say("derived.is", quantity=left, value=self._measured(link, right))
-        if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
-            bound: Sentence | lay.Layout | str = self._measured(link, right)
-            match link.right:
-                case Quantity() if isinstance(right, lay.Words | lay.Phrase):
-                    bound = say("derived.called", quantity=right)
-                case Binary("*", size, Quantity() as whole) if _is_share(size):
-                    share = _percentage(self.layout(size))
-                    bound = say("derived.part", share=share, value=self.side(whole))
-            return say(_BOUNDS[link.sign], quantity=left, value=bound)
-        return self.relation(fact.relation)
-
-    def _measured(
-        self, link: Link, right: Sentence | lay.Layout | str
-    ) -> Sentence | lay.Layout | str:
-        """A given number with the unit of the quantity of which it is the value."""
-        if not isinstance(right, lay.Layout) or not is_plain(right) or is_zero(link.right):
-            return right
-        return with_unit(right, self.unit(link.left))
 
     @property
     def bodies(self) -> dict[str, str]:
@@ -709,44 +621,6 @@ def _number(stage: Stage) -> int | None:
 def letter_of(tree: Expression) -> str | None:
     """The name of a letter that stands alone."""
     return tree.name if isinstance(tree, Letter) else None
-
-
-def _is_rest(tree: Expression) -> bool:
-    """Whether a velocity is that of a body at rest."""
-    match tree:
-        case Number(value):
-            return not value
-        case Pair(Number(x), Number(y)):
-            return not x and not y
-    return False
-
-
-# How a quantity is bounded, in words.
-_BOUNDS: Mapping[str, str] = {
-    ">": "derived.more",
-    ">=": "derived.at-least",
-    "<": "derived.less",
-    "<=": "derived.at-most",
-}
-
-
-def _percentage(share: lay.Layout) -> lay.Layout:
-    """A part in decimals as a percentage; any other as it is written."""
-    if isinstance(share, lay.Number) and "." in share.digits:
-        percent = 100 * Fraction(share.digits)
-        if percent.denominator == 1:
-            return lay.Percent(lay.Number(str(percent)))
-    return share
-
-
-def _is_share(tree: Expression) -> bool:
-    """Whether a number is a part of a whole."""
-    match tree:
-        case Number(value):
-            return 0 < value < 1
-        case Binary("/", Number(above), Number(below)):
-            return 0 < above < below
-    return False
 
 
 def _named_times(derivation: Derivation) -> Iterator[tuple[Quantity, str]]:

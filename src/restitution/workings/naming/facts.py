@@ -1,0 +1,164 @@
+"""Given facts in words: who meets, what is at rest, parallel or a share of something."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import Fact, Link
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    has_quantity,
+    is_zero,
+)
+from restitution.planning.writing.inequalities import turned
+from restitution.problem import Given, Meets
+from restitution.render import layout as lay
+from restitution.workings.naming.measured import is_plain, with_unit
+from restitution.workings.naming.quantities import Naming
+
+
+def meeting_of(naming: Naming, fact: Fact) -> Meets | None:
+    """The meeting of which a given fact tells; None where it tells of something else."""
+    for _, step in naming.problem.steps():
+        if isinstance(step, Given) and step.place == fact.place:
+            told = [
+                each
+                for each in naming.derivation.facts
+                if each.kind == "given" and each.place == fact.place
+            ]
+            if fact in told and len(told) == len(step.relations):
+                relation = step.relations[told.index(fact)]
+                return relation if isinstance(relation, Meets) else None
+    return None
+
+
+def _sense_beside(naming: Naming, fact: Fact) -> str:
+    """The sign by which the data tell the sense of a common direction; empty without one."""
+    given = fact.id.startswith("given")
+    sense = naming.derivation.fact(fact.id.replace("given", "sense")) if given else None
+    return "" if sense is None else sense.relation.only[0].sign
+
+
+def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
+    """A given fact, in words where it is told in words."""
+    match meeting_of(naming, fact):
+        case Meets(Name(one), Name(other), again, happens):
+            more = say("again") if again else ""
+            if naming.bodies.get(other) == "wall":
+                name = "claim.hits" if happens else "claim.does-not-hit"
+                return say(name, body=one, wall=other, again=more)
+            if happens:
+                return say("claim.collide", one=one, other=other, again=more)
+            return say("claim.not-collide", one=one, other=other, again=more)
+    link = fact.relation.options[0][0]
+    if len(fact.relation.options) > 1 or len(fact.relation.options[0]) > 1:
+        return naming.relation(fact.relation)
+    if link.sign in _BOUNDS and not has_quantity(link.left):
+        link = turned(link)
+    match link:
+        case Link(Quantity("velocity", (Name(body),), _), "=", value) if _is_rest(value):
+            return say("claim.rest", body=body)
+    sense = _sense_beside(naming, fact)
+    if sense == "<" and isinstance(link.right, Negate):
+        link = Link(link.left, link.sign, link.right.operand)
+    left, right = naming.side(link.left), naming.side(link.right)
+    if link.sign in ("parallel to", "perpendicular to"):
+        left, right = (
+            say("derived.the", quantity=each)
+            if isinstance(own, Quantity) and own.kind == "momentum"
+            else each
+            for own, each in ((link.left, left), (link.right, right))
+        )
+        name = "claim.parallel" if link.sign == "parallel to" else "claim.perpendicular"
+        name = {">": "claim.same-direction", "<": "claim.opposite"}.get(sense, name)
+        return say(name, left=left, right=right)
+    match link:
+        case Link(Apply("sin" | "cos" | "tan" as ratio, Quantity() as angle), "=", value) if (
+            isinstance(named := naming.side(angle), lay.Words | lay.Phrase)
+            and not has_quantity(value)
+        ):
+            return say(_RATIOS[ratio], angle=named, value=right)
+    if link.sign == "=" and isinstance(left, lay.Words | lay.Phrase):
+        match link.right:
+            case Quantity() if isinstance(right, lay.Words | lay.Phrase):
+                return say("derived.same", quantity=left, value=right)
+            case Binary("*", size, Quantity() as whole) if _is_share(size):
+                share = _percentage(naming.layout(size))
+                return say("derived.share", quantity=left, share=share, value=naming.side(whole))
+            case Binary("*", Letter() as size, Quantity() as whole):
+                share = naming.layout(size)
+                return say("derived.times", quantity=left, share=share, value=naming.side(whole))
+        return say("derived.is", quantity=left, value=_measured(naming, link, right))
+    if link.sign in _BOUNDS and isinstance(left, lay.Words | lay.Phrase):
+        bound: Sentence | lay.Layout | str = _measured(naming, link, right)
+        match link.right:
+            case Quantity() if isinstance(right, lay.Words | lay.Phrase):
+                bound = say("derived.called", quantity=right)
+            case Binary("*", size, Quantity() as whole) if _is_share(size):
+                share = _percentage(naming.layout(size))
+                bound = say("derived.part", share=share, value=naming.side(whole))
+        return say(_BOUNDS[link.sign], quantity=left, value=bound)
+    return naming.relation(fact.relation)
+
+
+def _measured(
+    naming: Naming, link: Link, right: Sentence | lay.Layout | str
+) -> Sentence | lay.Layout | str:
+    """A given number with the unit of the quantity of which it is the value."""
+    if not isinstance(right, lay.Layout) or not is_plain(right) or is_zero(link.right):
+        return right
+    return with_unit(right, naming.unit(link.left))
+
+
+def _is_rest(tree: Expression) -> bool:
+    """Whether a velocity is that of a body at rest."""
+    match tree:
+        case Number(value):
+            return not value
+        case Pair(Number(x), Number(y)):
+            return not x and not y
+    return False
+
+
+# What is said of the ratio of an angle without a letter.
+_RATIOS: Mapping[str, str] = {
+    "sin": "derived.sine-is",
+    "cos": "derived.cosine-is",
+    "tan": "derived.tangent-is",
+}
+# How a quantity is bounded, in words.
+_BOUNDS: Mapping[str, str] = {
+    ">": "derived.more",
+    ">=": "derived.at-least",
+    "<": "derived.less",
+    "<=": "derived.at-most",
+}
+
+
+def _percentage(share: lay.Layout) -> lay.Layout:
+    """A part in decimals as a percentage; any other as it is written."""
+    if isinstance(share, lay.Number) and "." in share.digits:
+        percent = 100 * Fraction(share.digits)
+        if percent.denominator == 1:
+            return lay.Percent(lay.Number(str(percent)))
+    return share
+
+
+def _is_share(tree: Expression) -> bool:
+    """Whether a number is a part of a whole."""
+    match tree:
+        case Number(value):
+            return 0 < value < 1
+        case Binary("/", Number(above), Number(below)):
+            return 0 < above < below
+    return False
