@@ -226,8 +226,15 @@ def _as_a_product(
     sums = (sp.expand(parts[0] - parts[1]), sp.expand(parts[0] + parts[1]))
     if not all(sp.degree(each, symbol) == 1 for each in sums):
         return line
-    plain = Binary("*", *(tree_of(each.primitive()[1]) for each in sums))
+    plain = Binary("*", *map(tree_of, sorted(map(_plain_factor, sums), key=lambda x: x.is_Add)))
     return in_another_form(scene, line, Relation(((Link(plain, "=", zero),),))) or line
+
+
+def _plain_factor(value: sp.Expr) -> sp.Expr:
+    """A sum of an equation that is zero, without a common number: 1 + e for −6 − 6e."""
+    _, own = value.primitive()
+    negative = all(each.as_coeff_Mul()[0].is_negative for each in sp.Add.make_args(own))
+    return sp.expand(-own) if negative else own
 
 
 def _squared(value: sp.Expr) -> Expression:
