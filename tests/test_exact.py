@@ -402,3 +402,19 @@ def test_bars_inside_bars_are_one():
     u, v = sympy.symbols("u v", real=True)
     assert tidy(abs(v * abs(u))) == abs(u * v)
     assert tidy(u**2 / abs(u)) == abs(u)
+
+
+def test_the_half_of_an_acute_angle_is_seen_in_its_tangent():
+    a = Symbol("alpha", positive=True)
+    halves = {
+        sin(a) / (1 + cos(a)): a / 2,
+        (1 - cos(a)) / sin(a): a / 2,
+        (1 + cos(a)) / sin(a): pi / 2 - a / 2,
+        (1 - sin(a)) / cos(a): pi / 4 - a / 2,
+        (1 + sin(a)) / cos(a): pi / 4 + a / 2,
+    }
+    for tangent, half in halves.items():
+        assert tidy_angle(atan(tangent)) == half
+        assert abs((atan(tangent) - half).subs(a, Q(4, 5)).evalf()) < 1e-12
+    for tangent in (sin(a) / (2 + cos(a)), 2 * sin(a) / (1 + cos(a))):
+        assert isinstance(tidy_angle(atan(tangent)), atan)

@@ -57,6 +57,19 @@ OFF = """
 2 a | law unchanged 1 B | velocity B | across(velocity(B, 1), line_of_centres(1)) = 0
 3 a | define parallel 1 B | axis 1, 1, 2 | angle(velocity(B, 1), j) = {}
 """
+TWICE_REFLECTED = """
+wall X: along i
+wall Y: along 180° - theta
+sphere P: velocity u at alpha to X
+P hits X: e = 1
+P hits Y: e = 1
+given tan(theta) = 1/tan(theta + alpha)
+find theta
+"""
+ZERO_OF_A_SUM = """
+1 a | identity sum-of-angles | given 1 | cos(alpha + 2theta) = 0
+2 a | inverse | 1, acute: alpha, acute: theta | alpha + 2theta = {}
+"""
 OPEN_RATIO = """
 wall W: along i
 sphere P: velocity 3u i - 5u j
@@ -326,6 +339,9 @@ DECIMAL = f"""
             "does-not-follow",
         ),
         (OPEN_RATIO, ARC.format("3/(5e)"), "does-not-follow"),
+        # 270° lies at the end of what the sum may be
+        (TWICE_REFLECTED, ZERO_OF_A_SUM.format("270°"), "does-not-follow"),
+        (TWICE_REFLECTED, ZERO_OF_A_SUM.format("180°"), "does-not-follow"),
         # the angle to **i**, that to −**j**, and one to the other side
         (OFF_A_LINE, OFF.format("30°"), "does-not-follow"),
         (OFF_A_LINE, OFF.format("120°"), "does-not-follow"),
@@ -400,6 +416,7 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
         (UPWARDS, IMPULSE.format("12")),
         (OPEN_RATIO, ARC.format("5e/3")),
         (OFF_A_LINE, OFF.format("90° - 30°")),
+        (TWICE_REFLECTED, ZERO_OF_A_SUM.format("90°")),
         (LETTERS, "1 a | define speed | velocity A | speed(A, 0) = U"),
         (SUPPLEMENT, OF_A_SUPPLEMENT.format("U sin(alpha)", "-U cos(alpha)")),
         (TWO_RATIOS, FROM_TWO_RATIOS.format("arctan(2)")),

@@ -388,3 +388,29 @@ def test_equal_angles_of_open_sense_are_two_linear_equations() -> None:
         "e = 1 or e = (2 - sqrt(3))/(2 + sqrt(3))",
         "e = 1 or e = 7 - 4sqrt(3)",
     ]
+
+
+REFLECTED = """
+wall OA: along i
+wall OB: along 180° - theta
+sphere P: velocity u at alpha to OA
+P hits OA: e = 1
+P hits OB: e = 1
+given velocity(P) {}
+find theta in terms of alpha
+"""
+
+
+@pytest.mark.parametrize(
+    ("fact", "lines"),
+    [
+        ("parallel to i", ["sin(alpha + 2theta) = 0", "alpha + 2theta = 180°"]),
+        ("perpendicular to i", ["cos(alpha + 2theta) = 0", "alpha + 2theta = 90°"]),
+    ],
+)
+def test_a_sine_of_a_sum_that_is_zero_gives_the_sum(fact: str, lines: list[str]) -> None:
+    _, derivation = planned(REFLECTED.format(fact))
+    *_, first, second, last = [write_relation(e.relation) for e in derivation.lines]  # type: ignore[arg-type]
+    assert [first, second] == lines
+    degrees = "90°" if "180°" in second else "45°"
+    assert last == f"theta = {degrees} - alpha/2"

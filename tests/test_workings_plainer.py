@@ -83,6 +83,14 @@ P hits W
 given energy_lost = 1/4 energy(0), deflection(P) = 90°
 find alpha
 """
+# With B coming the other way v and w are −4(1 + 4e)u/15 and 4(2e − 1)u/15.
+EQUAL_SPEEDS = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, velocity u at alpha from -i
+A hits B: along i
+given tan(alpha) = 3/4, speed(A) = speed(B)
+find e
+"""
 TURNED_DOWN = """
 sphere A: mass 1, velocity 2i
 sphere B: mass 3, at rest
@@ -138,6 +146,7 @@ SAYS = [
     (ONE_ANGLE, "δ = θ − α"),
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
     (TURNED_AND_SLOWED, "e = ¾ Substituting in (2): cos²α = ¾ sin²α tan²α = 4/3"),
+    (EQUAL_SPEEDS, "(2e − 1 − (1 + 4e))(2e − 1 + 1 + 4e) = 0 e(1 + e) = 0"),
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
     (ON_TO_A_WALL, "along the line of centres, at 60° to W"),

@@ -223,12 +223,38 @@ def _tidy_angle_term(term: Expr) -> Expr:
     if other is not None and isinstance(inside, other) and _acute(inside.args[0]):
         return quarter - inside.args[0]
     if isinstance(rest, sympy.atan):
+        half = _of_half_an_angle(inside)
+        if half is not None:
+            return half
         reciprocal = 1 / inside
         if isinstance(reciprocal, sympy.tan) and _acute(reciprocal.args[0]):
             return quarter - reciprocal.args[0]
         if inside.could_extract_minus_sign() and _negative_term(inside):
             return -_tidy_angle_term(sympy.atan(-inside))
     return rest.func(inside)
+
+
+def _of_half_an_angle(tangent: Expr) -> Expr | None:
+    """The angle whose tangent is sin a/(1 + cos a), or the like: half of a, or 90° less that.
+
+    So it is with 90° − a: cos a/(1 + sin a) is the tangent of 45° − a/2.
+    """
+    angles = {each.args[0] for each in tangent.atoms(sympy.sin, sympy.cos)}
+    if len(angles) != 1 or not tangent.free_symbols <= (whole := angles.pop()).free_symbols:
+        return None
+    if not _acute(whole):
+        return None
+    sine, cosine = sympy.sin(whole), sympy.cos(whole)
+    quarter = sympy.pi / 2
+    forms = {}
+    for angle, s, c in ((whole, sine, cosine), (quarter - whole, cosine, sine)):
+        forms[angle / 2] = (s, 1 + c), (1 - c, s)
+        forms[quarter - angle / 2] = (1 + c, s), (s, 1 - c)
+    above, below = sympy.fraction(sympy.together(tangent))
+    for half, quotients in forms.items():
+        if any(sympy.expand(above * b - below * a) == 0 for a, b in quotients):
+            return sympy.expand(half)
+    return None
 
 
 def _negative_term(value: Expr) -> bool:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -22,6 +24,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    is_zero,
     letters,
     rational,
     walk,
@@ -75,7 +78,7 @@ def is_inverse(step: Step, relation: Relation) -> bool:
     if len(relation.only) != 1:
         return False
     (link,) = relation.only
-    if is_of_a_cotangent(step, link):
+    if is_of_a_cotangent(step, link) or _is_zero_of_a_sum(step, link, cited):
         return True
     ratios_ = filter(None, (_ratio_of(step, each) for each in cited))
     ratios = [each for each in ratios_ if _is_multiple_of(step, link, each[0].argument)]
@@ -104,6 +107,38 @@ def is_inverse(step: Step, relation: Relation) -> bool:
     return _equal(step, exact, in_radians(step, value)) and all(
         step.oracle.proves(compared(a, sign, b)) for a, b in _bounds_of(angle, low, high)
     )
+
+
+def _is_zero_of_a_sum(step: Step, link: Link, cited: Sequence[Link]) -> bool:
+    """Whether a sum of acute angles has the one value at which its sine, or cosine, is zero."""
+    ratios = (_ratio_of(step, each) for each in cited)
+    functions = [
+        ratio_.function
+        for ratio_, value in filter(None, ratios)
+        if ratio_.argument == link.left and is_zero(value)
+    ]
+    turn = step.world.turn(link.left)
+    if link.sign != "=" or not functions or not isinstance(link.left, Binary):
+        return False
+    acute = {
+        atom
+        for each in step.known
+        if each.ref.startswith("acute")
+        for atom, _ in step.world.turn(each.relation.only[0].left).terms
+    }
+    if not acute.issuperset(atom for atom, _ in turn.terms):
+        return False
+    # In half turns, from the first zero on.
+    start = Fraction(1, 2) if functions[0] == "cos" else Fraction(0)
+    shift = Fraction(turn.degrees) / 180 - start
+    counts = [Fraction(count) / 2 for _, count in turn.terms]
+    low = shift + sum((each for each in counts if each < 0), Fraction(0))
+    high = shift + sum((each for each in counts if each > 0), Fraction(0))
+    zeros = [n for n in range(math.floor(low), math.ceil(high) + 1) if low < n < high]
+    if len(zeros) != 1 or functions[0] not in ("sin", "cos"):
+        return False
+    exact = (sp.Rational(start.numerator, start.denominator) + zeros[0]) * sp.pi
+    return _equal(step, in_radians(step, link.right), exact)
 
 
 def _bounds_of(angle: sp.Expr, low: sp.Expr, high: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import tidy, tidy_angle
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
@@ -592,7 +592,7 @@ def _expanded(scene: Scene, line: int, sums: Sequence[Apply], symbol: sp.Symbol)
 def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
     """An acute angle as the inverse of the ratio that a line gives."""
     if len(scene.desk.relation(line).options) > 1:
-        return acute_angle(scene.final(symbol), scene.model.sign)
+        return acute_angle(tidy_angle(scene.final(symbol)), scene.model.sign)
     link = scene.desk.last_link(line)
     match link.left:
         case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
@@ -603,7 +603,7 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
             ratio_ = scene.scalar(link.right)
             if is_in_degrees(ratio_):
                 return sp.atan(ratio_)
-    return acute_angle(scene.final(symbol), scene.model.sign)
+    return acute_angle(tidy_angle(scene.final(symbol)), scene.model.sign)
 
 
 def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:

@@ -45,6 +45,7 @@ from restitution.planning.closing.square_roots import (
     is_square_of_sum,
     root_taken,
 )
+from restitution.planning.closing.zeros_of_sums import zero_of_a_sum
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.angle_ratios import write_other_ratio
@@ -640,6 +641,7 @@ SHAPES: tuple[Shape, ...] = (
     _squared,
     _by_one_root,
     in_squares,
+    zero_of_a_sum,
     sum_of_angles,
     ratio,
     _without_a_factor,

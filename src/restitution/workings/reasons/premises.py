@@ -142,7 +142,7 @@ class Reasons:
         reasons = reasons or tuple(self._both_squared(line))
         if self._is_root(line):
             reasons = reasons or tuple(self._given_ranges(line))
-        if line.move.id == "inverse":
+        if line.move.id == "inverse" and not _is_of_a_sum(line):
             # An angle of up to 90° is what the arc functions give.
             reasons = () if grounds else self._beyond_a_right_angle(line, reasons)
         if line.move.id == "reject" and not reasons:
@@ -562,3 +562,11 @@ def _upwards(link: Link) -> Link:
     if link.sign in UP:
         return link
     return Link(link.right, "<" if link.sign == ">" else "<=", link.left)
+
+
+def _is_of_a_sum(line: Line) -> bool:
+    """Whether a line says what a sum of angles comes to."""
+    match line.relation:
+        case Relation(((Link(Binary("+" | "-"), "="), *_),)):
+            return True
+    return False
