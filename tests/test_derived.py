@@ -311,7 +311,7 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("wall-by-angles", ["(the speed of P)"]),
         (
             "struck-ball",
-            ["Components after the impact:", "𝐯_B · 𝐧 ="],
+            ["Component after the impact: 𝐯_B · 𝐧 ="],
         ),
     ],
 )

@@ -139,6 +139,7 @@ EXPRESSIONS = [
     (tidy(-u * (1 - e) / 2), "−(1 − e)u/2"),
     (e_1 * m * u, "e₁mu"),
     (Symbol("lambda_") * m * u, "λmu"),
+    ((1 + Symbol("epsilon")) * u, "(1 + ε)u"),
     (Symbol("v_A", positive=True) * m, "mv_A"),
     (pi * a / 2, "πa/2"),
     (sympy.Abs(1 - 3 * x), "|3x − 1|"),

@@ -110,9 +110,12 @@ SENTENCES: Mapping[SentenceId, str] = {
         "multiplied by e, the one along it stays. So the velocity is resolved in these two "
         "directions first."
     ),
-    "resolved-spheres.before-units": "Components before the impact:",
+    "resolved.several": "components",
+    "resolved.one": "component",
+    "resolved-spheres.before-units": "{components:capital} before the impact:",
     "resolved-spheres.before-turned": (
-        "Components before the impact, as this line of centres is at right angles to the last one:"
+        "{components:capital} before the impact, as this line of centres is at right angles to the "
+        "last one:"
     ),
     "resolved-spheres.before-sense": (
         "Components before the impact, those perpendicular to the line of centres in the direction "
@@ -121,14 +124,16 @@ SENTENCES: Mapping[SentenceId, str] = {
     "resolved-wall.before-sense": (
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
-    "resolved.before-vector": "Components before the impact, as {vector}:",
+    "resolved.before-vector": "{components:capital} before the impact, as {vector}:",
     "resolved.before-at-centres": (
-        "{body} moves at {angle} to the line of centres. Components before the impact:"
+        "{body} moves at {angle} to the line of centres. {components:capital} before the impact:"
     ),
-    "resolved.before-at-wall": "{body} moves at {angle} to {wall}. Components before the impact:",
+    "resolved.before-at-wall": (
+        "{body} moves at {angle} to {wall}. {components:capital} before the impact:"
+    ),
     "resolved.before-across-at-centres": (
         "{body} moves perpendicular to the line of centres of its last impact, at {angle} to this "
-        "one. Components before the impact:"
+        "one. {components:capital} before the impact:"
     ),
     "resolved.direct": "{body} strikes {wall} at right angles. Component before the impact:",
     "resolved.direct-speed": (
@@ -140,25 +145,25 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "resolved.before-across-at-wall": (
         "{body} moves perpendicular to the line of centres of its last impact, at {angle} to "
-        "{wall}. Components before the impact:"
+        "{wall}. {components:capital} before the impact:"
     ),
     "resolved.before-off-at-centres": (
         "{body} was at rest, so it moved off along the line of centres of that impact, at {angle} "
-        "to this one. Components before the impact:"
+        "to this one. {components:capital} before the impact:"
     ),
     "resolved.before-off-at-wall": (
         "{body} was at rest, so it moved off along the line of centres, at {angle} to {wall}. "
-        "Components before the impact:"
+        "{components:capital} before the impact:"
     ),
     "resolved.before-moved-off": (
-        "{body} was at rest, so it moved off along the line of centres: {vector}. Components "
-        "before the impact:"
+        "{body} was at rest, so it moved off along the line of centres: {vector}. "
+        "{components:capital} before the impact:"
     ),
     "resolved-axes.wall": "Components along {wall} and perpendicular to it:",
     "resolved-axes.title": "Components along the axes:",
-    "resolved-spheres.after-units": "Components after the impact:",
-    "resolved-wall.before-units": "Components before the impact:",
-    "resolved-wall.after-units": "Components after the impact:",
+    "resolved-spheres.after-units": "{components:capital} after the impact:",
+    "resolved-wall.before-units": "{components:capital} before the impact:",
+    "resolved-wall.after-units": "{components:capital} after the impact:",
     "units.both-spheres": (
         "Let {along} be the unit vector along the line of centres, and {across} the one "
         "perpendicular to it."

@@ -122,7 +122,8 @@ _NAMES = {
 _INVERSE = (sympy.atan, sympy.acos, sympy.asin, sympy.atan2)
 DIRECT = (sympy.sin, sympy.cos, sympy.tan, sympy.cot, sympy.sec, sympy.csc)
 _MASSES = ("m", "M")
-_RATIOS = ("e", "f", "k", "lambda", "mu", "nu")
+_COEFFICIENTS = ("e", "f", "epsilon")
+_RATIOS = ("k", "lambda", "mu", "nu")
 _HALF = Rational(1, 2)
 
 
@@ -307,7 +308,7 @@ def _alphabet_of(value: Expr) -> str:
 
 def _class(symbol: Symbol) -> Literal["coefficient", "ratio", "mass", "other"]:
     head = symbol.name.rstrip("_0123456789").split("_")[0]
-    if head in ("e", "f"):
+    if head in _COEFFICIENTS:
         return "coefficient"
     if head in _RATIOS:
         return "ratio"

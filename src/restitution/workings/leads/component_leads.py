@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from restitution.explaining.definitions.common import RIGHT_ANGLE
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import (
@@ -11,7 +13,7 @@ from restitution.explaining.lines.derivation import (
     Meaning,
     Relation,
 )
-from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
     Binary,
@@ -64,6 +66,13 @@ def _is_speed(line: Line | None) -> bool:
     return False
 
 
+def _components(name: SentenceId, **slots: Any) -> Sentence:
+    """What is said before components: that there are several, until it is known how many stand."""
+    if "components" in slots_of(name):
+        slots["components"] = say("resolved.several")
+    return say(name, **slots)
+
+
 class ComponentLeads(LinesAround):
     """The words before components of velocities."""
 
@@ -93,14 +102,14 @@ class ComponentLeads(LinesAround):
                 return say("resolved-wall.before-sense", wall=event.bodies[1], axis=direction)
             return say("resolved-spheres.before-sense", axis=direction)
         if not event.wall and self._is_turned(line, event.number):
-            return say("resolved-spheres.before-turned")
+            return _components("resolved-spheres.before-turned")
         if stage < event.number and self._comes_straight(event):
             body, wall = event.bodies
             circular = wall in self._naming.circles
             name: SentenceId = "resolved.direct-radius" if circular else "resolved.direct"
             if any(_is_speed(each) for each in map(self._cited, line.premises)):
                 name = "resolved.direct-speed"
-            return say(name, body=body, wall=wall)
+            return _components(name, body=body, wall=wall)
         struck = struck_at_rest(self._derivation, self._naming, line)
         if struck is not None and not self.tells_of_rest(struck, stage, event):
             struck = None
@@ -110,9 +119,9 @@ class ComponentLeads(LinesAround):
         vector = vector_resolved(self._derivation, self._naming, line, event)
         if vector is not None:
             if struck is not None:
-                return say("resolved.before-moved-off", body=struck, vector=vector)
-            return say("resolved.before-vector", vector=vector)
-        return say(_RESOLVED[event.wall, stage < event.number])
+                return _components("resolved.before-moved-off", body=struck, vector=vector)
+            return _components("resolved.before-vector", vector=vector)
+        return _components(_RESOLVED[event.wall, stage < event.number])
 
     def _comes_straight(self, event: Event) -> bool:
         """Whether it is known that a body comes straight at a wall: no line has that component."""
@@ -141,7 +150,7 @@ class ComponentLeads(LinesAround):
             case _:
                 name = _AT[event.wall] if struck is None else _OFF_AT[event.wall]
         slots = {"wall": event.bodies[1]} if event.wall else {}
-        return say(name, body=body, angle=layout, **slots)
+        return _components(name, body=body, angle=layout, **slots)
 
     def _since_nothing(self, line: Line) -> Sentence | None:
         """That a component is zero, by which a direction is what it is."""

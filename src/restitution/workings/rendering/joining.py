@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from restitution.explaining.lines.saying import say
 from restitution.render import layout as lay
 from restitution.workings.rendering.steps import Row, Step
 
@@ -33,10 +34,24 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
             last = replace(last, rows=(*above, *rows))
             continue
         if last is not None:
-            yield last
+            yield _counted(last)
         last = step
     if last is not None:
-        yield last
+        yield _counted(last)
+
+
+def _counted(step: Step) -> Step:
+    """A step whose words before its rows know whether they stand before one component."""
+    rows = [row for row in step.rows if row.operands[0] is not None]
+    several = ("components", say("resolved.several"))
+    if len(rows) != 1 or not any(several in each.slots for each in step.sentences):
+        return step
+    one = ("components", say("resolved.one"))
+    sentences = (
+        replace(each, slots=tuple(one if slot == several else slot for slot in each.slots))
+        for each in step.sentences
+    )
+    return replace(step, sentences=tuple(sentences))
 
 
 def _as_one(row: Row, other: Row) -> Row | None:
