@@ -31,6 +31,7 @@ from restitution.render.text import width
 from restitution.solving import solve
 from restitution.workings import explain
 from restitution.workings.derived import explanation_of
+from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import (
     Measures,
     as_decimal,
@@ -560,7 +561,7 @@ def test_every_quantity_of_every_statement_has_a_name() -> None:
             if isinstance(each, Quantity)
         ]
         for fact in derivation.facts:
-            told = naming.fact(fact)
+            told = fact_in_words(naming, fact)
             words = told.words if isinstance(told, Sentence) else (told,)
             said.append("".join(w if isinstance(w, str) else one_line(w) for w in words))
         for text in said:
