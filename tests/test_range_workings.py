@@ -55,6 +55,16 @@ from restitution.workings import explain
             """,
             ["A coefficient of restitution is at most 1: 2e ≤ 1 e ≤ ½", "0 ≤ e ≤ ½, as e ≥ 0"],
         ),
+        (
+            """
+            sphere A: mass m, velocity u i, radius r
+            sphere B: mass 3m, at rest, radius r
+            A hits B: offset d, e = 1
+            unknown d
+            find range of angle(velocity(B), i)
+            """,
+            ["tan β > 0, as d > 0 0° < β < 90°, as 0° ≤ β ≤ 180°"],
+        ),
     ],
 )
 def test_conditions_that_fail_only_far_away_are_told(text: str, lines: list[str]) -> None:

@@ -103,6 +103,8 @@ def lean(above: PolyElement, below: PolyElement) -> Quotient:
         raise NotComparableError("a line of too many terms")
     if _bits(above) > _MOST_BITS or _bits(below) > _MOST_BITS:
         raise NotComparableError("a line of too long numbers")
+    if not below:
+        raise NotComparableError("a line divides by zero")
     if not above:
         return Quotient(above, quotient_ring().one)
     if below.is_ground:

@@ -257,7 +257,7 @@ def _ratio_with(
                 world.reduced(Quotient(each.above * times, one))
                 for each, times in ((line, a), (expected, b))
             ]
-            k = _ratio_of_leads(world, *sides)
+            k = None if any(each.vanishes for each in sides) else _ratio_of_leads(world, *sides)
             if k is not None:
                 above, below = k.above * b * expected.below, k.below * a * line.below
                 return Quotient(*without_common(above, below))

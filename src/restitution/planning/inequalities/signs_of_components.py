@@ -14,6 +14,7 @@ from restitution.planning.formulas.velocity_formulas import body_and_stage, in_t
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.desk import Source
 from restitution.planning.writing.forms import ZERO
+from restitution.solving.story.letters import is_vector
 
 
 def write_by_components(
@@ -71,7 +72,8 @@ def _signed(claims: Comparing, ref: Ref) -> Iterator[Ref]:
     """A premise; of a line whose value is a sum, the line that compares that with zero."""
     scene = claims.scene
     own = scene.desk.line(ref).relation if isinstance(ref, int) else None
-    if isinstance(own, Relation) and own.only[0].sign == "=":
+    is_plain = isinstance(own, Relation) and own.only[0].sign == "="
+    if isinstance(own, Relation) and is_plain and not is_vector(own.only[-1].right):
         value = claims.worths.value(own.only[-1].right)
         if any(isinstance(each, sp.Add) for each in sp.Mul.make_args(value)):
             order: Sign = ">" if scene.model.sign(value) > 0 else "<"

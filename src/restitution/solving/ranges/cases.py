@@ -79,9 +79,9 @@ def cases(region: Family) -> list[Case]:
     more = [x for x in dict.fromkeys(region.critical) if x not in ends]
     ends |= set(more[: max(0, MOST_ENDS - len(ends))])
     finite = sorted((end for end in ends if not end.has(*_NO_NUMBERS)), key=sp.default_sort_key)
-    if not any(end.free_symbols for end in finite):
-        return []
     names = {s.name for end in finite for s in end.free_symbols} & set(region.data())
+    # For e = 0 or e = 1 a range may have another form, whatever its ends are.
+    names |= {name for name in region.data() if region.roles[name].kind == "restitution"}
     for name in sorted(names, key=lambda n: (KINDS.index(region.roles[n].kind), n)):
         borders = _borders(region, finite, name)
         if 0 < len(borders) <= MOST_BORDERS:
@@ -102,7 +102,9 @@ def _borders(region: Family, ends: Sequence[sp.Expr], name: str) -> list[sp.Expr
     for each in dict.fromkeys(part for x in changing for part in deciding(x)):
         if each.has(symbol):
             borders += [x for x in zeros([each], [symbol], region.roles, name) if x not in borders]
-    return borders
+    role = region.roles[name]
+    ends_ = [x for x, is_in in zip((role.low, role.high), role.closed, strict=True) if is_in]
+    return [*borders, *(x for x in ends_ if x is not None and x not in borders)]
 
 
 def _along(region: Family, name: str, borders: Sequence[sp.Expr]) -> list[Case]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator
 from dataclasses import replace
 
 import sympy as sp
@@ -11,7 +12,7 @@ from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
-from restitution.oracle import BeyondError, Oracle, Proof, Relation
+from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
 from restitution.oracle.roles import Role
 from restitution.problem import Extremum
 from restitution.render.layout import (
@@ -25,6 +26,7 @@ from restitution.render.layout import (
 )
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms
+from restitution.solving.algebra.intervals import End, inside_of, to_set
 from restitution.solving.algebra.numbers import Sample, at, sample
 from restitution.solving.equations.part import Desk, Outcome
 from restitution.solving.equations.setting import Setting, Trial
@@ -38,7 +40,7 @@ from restitution.solving.ranges.allowed_values import (
 from restitution.solving.ranges.images import Candidate, is_near, reaches, tends
 from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
-from restitution.solving.ranges.validity import defined, with_condition
+from restitution.solving.ranges.validity import Limitation, bounds_of, defined, with_condition
 from restitution.solving.story.letters import is_angle
 
 Extreme = tuple[Candidate, bool, Enclosed, Sample]
@@ -109,9 +111,11 @@ def find_extremum(
         angle,
         layout,
     )
+    own = replace(outcome, trials=(trial,))
+    proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
     if reached and not place.is_infinite:
-        answer = with_condition(answer, layout, defined(outcome, trial, (place, value)))
-    proof = _proved(replace(outcome, trials=(trial,)), values[id(trial)], candidate, reached, sign)
+        limits = (*defined(outcome, trial, (place, value)), *limits)
+    answer = with_condition(answer, layout, limits)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
 
 
@@ -134,22 +138,47 @@ def _with_a_letter_to_vary(desk: Desk, name: str, setting: Setting) -> Outcome:
     return outcome
 
 
-def _proved(outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, sign: int) -> Proof:
+def _proved(
+    outcome: Outcome, value: sp.Expr, best: Candidate, reached: bool, sign: int
+) -> tuple[Proof, tuple[Limitation, ...]]:
     """The proof that no value lies beyond an extremum, or equals one that is only approached.
 
-    Raises UnsupportedError where some value is.
+    With it stands what that asks of a coefficient of the data: for e = 1 a speed may be the same
+    at all angles. Raises UnsupportedError where some value is beyond for other data.
     """
     region = Region(outcome, next(iter(best.where)))
     if region.formula is None:
-        return "undecided"
+        return "undecided", ()
     claim = Relation(sign * (best.value - value), ">=" if reached else ">")
     try:
         verdict = Oracle(region.roles, (region.formula,)).decide(claim)
+        for inside, limitation in _without_an_end(region, verdict):
+            limited = Oracle(region.roles, (region.formula, inside)).decide(claim)
+            if limited:
+                return limited.proof, (limitation,)
     except BeyondError:
-        return "undecided"
+        return "undecided", ()
     if verdict.answer == "refuted":
         raise UnsupportedError("the extremum has no exact form that is found here")
-    return verdict.proof if verdict else "undecided"
+    return (verdict.proof if verdict else "undecided"), ()
+
+
+def _without_an_end(region: Region, verdict: Verdict) -> Iterator[tuple[Formula, Limitation]]:
+    """That a coefficient of the data is not at the end of its range at which a claim fails."""
+    for name in region.data() if verdict.witness is not None else ():
+        role = region.roles[name]
+        if role.kind != "restitution" or role.low is None or role.high is None:
+            continue
+        for end in (role.low, role.high):
+            if verdict.witness.get(name) == end:
+                pieces = [
+                    (
+                        End(role.low, end != role.low and role.closed[0]),
+                        End(role.high, end != role.high and role.closed[1]),
+                    )
+                ]
+                bounds = bounds_of(name, to_set(pieces), region.roles)
+                yield inside_of(role.symbol(name), pieces), bounds
 
 
 def _further(

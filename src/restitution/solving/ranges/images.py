@@ -60,6 +60,10 @@ TRIED = 60
 """Random places at which a value is worked out."""
 
 
+MOST_LOOKED_AT = 12
+"""Of more candidates the values close to them are not worked out."""
+
+
 PAIRS = 6
 HALVINGS = 40
 CLOSE = 10**6
@@ -164,6 +168,7 @@ class Image:
         seen = self._seen(drawn)
         if not seen:
             return None
+        seen += self._seen_near(candidates, drawn)
         borders = self._borders(candidates, seen, drawn)
         numbers = [number for number, _, _ in borders]
         values = [value for value, _ in seen]
@@ -217,6 +222,17 @@ class Image:
             value = self._value_at({**drawn, **point})
             if value is not None:
                 seen.append((value, point))
+        return seen
+
+    def _seen_near(self, candidates: Sequence[Candidate], drawn: Sample) -> list[Seen]:
+        """Values that occur close to candidates: what is beyond the random points shows there."""
+        seen: list[Seen] = []
+        for candidate in candidates[:MOST_LOOKED_AT]:
+            if set(candidate.where) != set(self.free):
+                continue
+            for point in _nearby(self.region, candidate, drawn):
+                with suppress(UndefinedError, KeyError):
+                    seen.append((at(self.value, point), {n: point[n] for n in self.free}))
         return seen
 
     def _value_at(self, values: Sample) -> Enclosed | None:
