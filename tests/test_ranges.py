@@ -402,6 +402,15 @@ show {claim}"""
     assert shown.answers[0].display in answers(solution)
 
 
+def test_a_right_angle_at_a_pole_has_one_sense() -> None:
+    # A keeps (1 - e)u cos(theta)/2 along i: the tangent is 2 tan(theta)/(1 - e).
+    text = REST.format("m", "m") + "find {} of angle(velocity(A), i) over e"
+    ((_, least),) = solve(parse(text.format("minimum"))).items()
+    ((_, greatest),) = solve(parse(text.format("maximum"))).items()
+    assert least.answers[0].display == "arctan(2 tan θ) when e = 0"
+    assert greatest.answers[0].display == "90° when e = 1"
+
+
 def test_a_sense_that_hangs_on_the_data_is_no_extremum() -> None:
     # B moves on in the direction of i where ku > 3v: then its greatest angle with i is 0.
     item = solve(

@@ -165,12 +165,13 @@ def _proved(
 
 def _without_an_end(region: Region, verdict: Verdict) -> Iterator[tuple[Formula, Limitation]]:
     """That a coefficient of the data is not at the end of its range at which a claim fails."""
-    for name in region.data() if verdict.witness is not None else ():
+    witness = verdict.witness or {}
+    for name in region.data() if witness else ():
         role = region.roles[name]
         if role.kind != "restitution" or role.low is None or role.high is None:
             continue
         for end in (role.low, role.high):
-            if verdict.witness.get(name) == end:
+            if witness.get(name) == end:
                 pieces = [
                     (
                         End(role.low, end != role.low and role.closed[0]),

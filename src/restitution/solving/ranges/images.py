@@ -470,7 +470,8 @@ def reaches(
             if values is not None and not (at(value, values) - number).sign:
                 return True
         except (UndefinedError, KeyError):
-            return not candidate.sides
+            # An angle at a pole of its tangent, which it has as 90° if it comes near to that.
+            return not candidate.sides and tends(region, value, candidate, drawn)
     return False
 
 
