@@ -89,6 +89,7 @@ from restitution.planning.writing.gathering import (
     without_unprinted_angles,
 )
 from restitution.planning.writing.given_terms import turn_round
+from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.scene import Scene
 from restitution.problem import (
     Extremum,
@@ -150,7 +151,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     oracle = Oracle(roles(problem))
     whole = without_idle(whole)
     for shortened in (
-        *(with_direct_tangents, with_direct_ratios, with_wanted_letters),
+        *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds),
     ):
         whole = pruned(shortened(whole, oracle))

@@ -229,7 +229,7 @@ PRINCIPLES = (
 )
 
 DEFINITIONS = (
-    Record("component", "definition", gives=("along", "across")),
+    Record("component", "definition", gives=("along", "across", "dot")),
     Record("assemble", "definition", gives=("velocity",)),
     Record("product", "definition", gives=("dot",)),
     Record(

@@ -125,6 +125,13 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
     "resolved.before-vector": "{components:capital} before the impact, as {vector}:",
+    "resolved.products-before": (
+        "Scalar products with {vector}, along the line of centres, before the impact:"
+    ),
+    "resolved.products-wall": (
+        "Scalar products with {vector}, perpendicular to {wall}, before the impact:"
+    ),
+    "resolved.products-after": "Scalar products with {vector}, after the impact:",
     "resolved.before-at-centres": (
         "{body} moves at {angle} to the line of centres. {components:capital} before the impact:"
     ),

@@ -30,7 +30,7 @@ from restitution.expression.tree import (
 
 # What is a component, a vector put together, or a product of vectors, by their values.
 _RESOLVED: Mapping[str | None, tuple[str, ...]] = {
-    "component": ("along", "across"),
+    "component": ("along", "across", "dot"),
     "assemble": ("velocity", "position"),
     "product": ("dot",),
 }

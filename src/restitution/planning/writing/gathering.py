@@ -245,7 +245,7 @@ class _Gathering:
             return None
         subject = _subject(line)
         match subject:
-            case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), _)):
+            case Quantity("along" | "across" | "dot", (Quantity("velocity", _, int(stage)), _)):
                 return "component", line.move.event, stage == line.move.event
         return None
 

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
+from restitution.render import layout as lay
 from restitution.workings.leads.lines_around import LinesAround
 from restitution.workings.leads.one_component import (
     angle_by_degrees,
@@ -91,6 +92,8 @@ class ComponentLeads(LinesAround):
                     return say("resolved-axes.title")
                 if event is None and isinstance(axis, Name):
                     return say("resolved-axes.wall", wall=axis.name)
+            case Quantity("dot", (Quantity("velocity", _, int(stage)), along)):
+                return self._products(line, stage, self._naming.layout(along))
             case _:
                 return None
         if event is None:
@@ -122,6 +125,15 @@ class ComponentLeads(LinesAround):
                 return _components("resolved.before-moved-off", body=struck, vector=vector)
             return _components("resolved.before-vector", vector=vector)
         return _components(_RESOLVED[event.wall, stage < event.number])
+
+    def _products(self, line: Line, stage: int, along: lay.Layout) -> Sentence:
+        """What is said before scalar products with a vector along a line of centres."""
+        event = self._naming.events[line.move.event or 0]
+        if stage == event.number:
+            return say("resolved.products-after", vector=along)
+        if event.wall:
+            return say("resolved.products-wall", vector=along, wall=event.bodies[1])
+        return say("resolved.products-before", vector=along)
 
     def _comes_straight(self, event: Event) -> bool:
         """Whether it is known that a body comes straight at a wall: no line has that component."""

@@ -1,0 +1,153 @@
+"""Newton's law by scalar products with a plain vector along the line of centres.
+
+Where components stand in that law alone, the length of the vector cancels: with 2**i** + **j** in
+place of (2**i** + **j**)/√5 no root is written.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Number,
+    Quantity,
+    letters,
+)
+from restitution.oracle import Oracle
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import (
+    ZERO,
+    coordinates,
+    difference,
+    negative,
+    product,
+    swept,
+    tree_of,
+    vector,
+)
+
+_LAWS = ("restitution", "restitution-wall")
+
+
+@dataclass(frozen=True)
+class _Component:
+    """A component along the line of centres: a scalar product ``above`` over the root ``size``."""
+
+    line: Line
+    body: str
+    stage: int
+    velocity: Quantity
+    above: Expression
+    value: sp.Expr
+    size: Apply
+
+
+def with_plain_products(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which no root stands below components that only Newton's law has."""
+    for law in derivation.lines:
+        if law.move.id == "law" and law.move.record in _LAWS:
+            derivation = _by_products(derivation, law, oracle) or derivation
+    return derivation
+
+
+def _by_products(derivation: Derivation, law: Line, oracle: Oracle) -> Derivation | None:
+    """The working with a law by scalar products; None where other lines need a component."""
+    cited = [derivation.line(ref) for ref in law.premises if isinstance(ref, int)]
+    parts = [own for line in cited if line is not None and (own := _component(line)) is not None]
+    if len(parts) != len(cited) or len({part.size for part in parts}) != 1:
+        return None
+    if any(part.line.number in derivation.held for part in parts):
+        return None
+    numbers = {part.line.number for part in parts}
+    if any(numbers & set(each.premises) for each in derivation.lines if each is not law):
+        return None
+    along, relation = _along(derivation, parts[0].line), _law(derivation, law, parts)
+    if along is None or relation is None:
+        return None
+    axis = along[1]
+    changed = {part.line.number: _product(part, *along) for part in parts}
+    premises = tuple(dict.fromkeys((*law.premises, axis)))
+    changed[law.number] = replace(law, relation=relation, premises=premises)
+    lines = tuple(changed.get(each.number, each) for each in derivation.lines)
+    whole = replace(derivation, lines=lines)
+    read = reader_of(whole, oracle)
+    touched = {*changed, *(e.number for e in lines if law.number in e.premises)}
+    return whole if all(read.accepts(read.lines[n]) for n in touched) else None
+
+
+def _component(line: Line) -> _Component | None:
+    """The component that a line works out by a scalar product over a root."""
+    if line.move.record != "component" or not isinstance(line.relation, Relation):
+        return None
+    match line.relation.options[0]:
+        case (
+            Link(
+                Quantity(
+                    "along",
+                    (Quantity("velocity", (Name(body),), int(stage)) as velocity, Quantity()),
+                ),
+                "=",
+                Binary("/", above, Apply("sqrt", Number()) as size),
+            ),
+            *_,
+        ):
+            value = tidy(sp.expand(in_letters(above)))
+            return _Component(line, body, stage, velocity, above, value, size)
+    return None
+
+
+def _along(derivation: Derivation, line: Line) -> tuple[Expression, Ref] | None:
+    """The vector to which the data, or a line, say that a line of centres is parallel."""
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else derivation.fact(ref)
+        match None if own is None else own.relation:
+            case Relation(((Link(Quantity("line_of_centres"), "parallel to", parallel),),)):
+                whole = coordinates(parallel)
+                return None if whole is None else (vector(*whole), ref)
+    return None
+
+
+def _product(part: _Component, parallel: Expression, axis: Ref) -> Line:
+    """The line of a scalar product with a vector, in place of that of a component."""
+    subject = Quantity("dot", (part.velocity, parallel))
+    return replace(
+        part.line,
+        premises=tuple(ref for ref in part.line.premises if ref != axis),
+        relation=chain(subject, (part.above, None), (tree_of(part.value), "rearrange")),
+    )
+
+
+def _law(derivation: Derivation, law: Line, parts: list[_Component]) -> Relation | None:
+    """Newton's law by the values of scalar products; None where no coefficient stands in it."""
+    event = law.move.event
+    if event is None:
+        return None
+    values = {(part.body, part.stage == event): tree_of(part.value) for part in parts}
+    coefficient = derivation.fact(f"e {event}")
+    if coefficient is None:
+        return None
+    e = coefficient.relation.only[0].right
+    first, *others = law.move.bodies
+    if not others:
+        left = negative(values.get((first, True), ZERO))
+        approach = values.get((first, False), ZERO)
+    else:
+        late = [values.get((body, True), ZERO) for body in (others[0], first)]
+        early = [values.get((body, False), ZERO) for body in (first, others[0])]
+        left, approach = difference(*late), difference(*early)
+    if not letters(e):
+        return None
+    return chain(swept(left), (swept(product(e, approach)), None))
+
+
+__all__ = ["with_plain_products"]

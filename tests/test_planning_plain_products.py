@@ -1,0 +1,82 @@
+"""Newton's law by scalar products with a vector whose length cancels."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution.explaining.following.follower import follow
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.story.letters import roles
+from restitution.workings import explain, to_text
+
+FOUND = """
+sphere A: mass 5, velocity 7i - 6j
+sphere B: mass 3, velocity -4i - 8j
+A hits B
+given velocity(A) = i - 9j
+find velocity(B), e
+"""
+AT_A_WALL = """
+wall W: along i - 2j
+sphere S: velocity 7i + j
+S hits W
+given velocity(S) = -2i - 7/2 j
+find e
+"""
+# The impulse needs the component too.
+USED_AGAIN = AT_A_WALL.replace("velocity 7i", "mass 2, velocity 7i").replace(
+    "find e", "find e, impulse"
+)
+# The unit vector of 3𝐢 + 4𝐣 has no root.
+WITHOUT_A_ROOT = """
+wall W: along 3i + 4j
+sphere S: velocity 10i + 5j
+S hits W
+given velocity(S) = 4i + 19/2 j
+find e
+"""
+
+
+def printed(text: str) -> str:
+    problem = parse(text)
+    solution = solve(problem)
+    assert follow(plan(solution), Oracle(roles(problem))) == ()
+    return " ".join(to_text(explain(solution)).split())
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (
+            FOUND,
+            (
+                "Scalar products with 2𝐢 + 𝐣, along the line of centres, before the impact:",
+                "𝐮_A · (2𝐢 + 𝐣) = 2 × 7 − 6 = 8",
+                "9 + 7 = e(8 + 16)",
+            ),
+        ),
+        (
+            AT_A_WALL,
+            (
+                "Scalar products with 2𝐢 + 𝐣, perpendicular to W, before the impact:",
+                "after the impact: 𝐯_S · (2𝐢 + 𝐣) = −2 × 2 − 7/2 = −15/2",
+                "15/2 = 15e",
+            ),
+        ),
+    ],
+)
+def test_the_length_of_a_vector_along_the_line_cancels(
+    statement: str, lines: tuple[str, ...]
+) -> None:
+    text = printed(statement)
+    assert "√5" not in text
+    for line in lines:
+        assert line in text
+
+
+@pytest.mark.parametrize("statement", [USED_AGAIN, WITHOUT_A_ROOT])
+def test_a_component_that_is_needed_or_plain_stays(statement: str) -> None:
+    assert "Scalar products" not in printed(statement)
