@@ -703,3 +703,15 @@ def test_what_strikes_a_wall_at_right_angles_has_its_speed_as_its_component() ->
 def test_a_right_angle_to_a_wall_says_along_which_vector_it_lies() -> None:
     said = printed(TO_A_SLANTING_WALL)
     assert "BC is parallel to −𝐢 + 𝐣, so the scalar product is zero: −u cos α + ⅓u sin α" in said
+
+
+def test_the_tangent_of_what_moves_along_a_vector_is_that_of_the_vector() -> None:
+    text = """
+sphere A: mass m, velocity 4u i
+sphere B: mass m, at rest
+A hits B: along 3i - j, e = 1/2
+find angle(velocity(B), j)
+"""
+    assert [e.move.record for e in planned(text).lines if e.move.id == "law"] == ["unchanged"]
+    said = printed(text)
+    assert "B was at rest, so it moves along the line of centres: tan β = 3/(−1) = −3" in said

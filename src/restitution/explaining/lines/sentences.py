@@ -584,6 +584,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "restitution.none": "Newton's experimental law, as the coefficient of restitution is 0",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
     "moves-along.title": "{body} moves along the line of centres",
+    "moves-along.from-rest": "{body} was at rest, so it moves along the line of centres",
     "moves-along.why": (
         "Smooth spheres push each other along the line of centres only. A sphere that has no "
         "velocity across that line before the impact has none after it. So it moves along the "

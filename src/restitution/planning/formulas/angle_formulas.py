@@ -44,6 +44,7 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.vector import Vector
 
 
@@ -329,13 +330,26 @@ def _angle_to_unit(
         move = Move("define", "scalar-angle", stage or None, (body,))
         return Formula(move, cosine, quantity, tree_of(worth), worth, own.whole)
     size = -above.value if scene.model.sign(above.value) < 0 else above.value
+    along_the_line = _along_the_line(scene, body, stage)
+    trees = tree_of(size), tree_of(below.value)
+    if along_the_line and all(each.is_number for each in scene.frame(stage).n):
+        # Along a line of centres the size of the velocity does not matter.
+        common = sp.sqrt(size**2 + below.value**2)
+        whole, _ = whole_direction(Vector(tidy(below.value / common), tidy(size / common)))
+        trees = tree_of(whole.y), tree_of(whole.x)
+        if isinstance(trees[1], Negate):
+            # On which side of the line it is not acute, the sense of the motion tells.
+            names = {scene.model.components[stage, body].symbol.name}
+            along_the_line = together(along_the_line, scene.desk.introducing(names))
+    else:
+        along_the_line = ()
     return Formula(
         Move("define", "tan", stage or None, (body,)),
         tangent,
         quantity,
-        Binary("/", tree_of(size), tree_of(below.value)),
+        Binary("/", *trees),
         tidy(size / below.value),
-        together(above.whole, below.whole),
+        along_the_line or together(above.whole, below.whole),
     )
 
 

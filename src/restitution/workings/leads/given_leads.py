@@ -164,9 +164,11 @@ class GivenLeads(Leads):
             return (say("given.and", fact=sentence), say(name))
         if line.move.record == "scalar-angle" and (lead := self._cosine_told(line, facts[0])):
             return lead
-        if line.move.record == "tan-direction" and (still := self._standing(line).get("along")):
+        by_a_tangent = line.move.record in ("tan", "tan-direction")
+        if by_a_tangent and (still := self._standing(line).get("along")):
             return (say("given.fact-across", fact=sentence, body=still),)
-        if line.move.record == "tan-direction" and self.tells_of_rest(
+        off = line.move.record == "tan" and self._moves_along(line)
+        if (off or line.move.record == "tan-direction") and self.tells_of_rest(
             line.move.bodies[0], line.move.event or 0, line
         ):
             return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)

@@ -162,8 +162,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             rested = [body for body in bodies if self._is_given_off(line, body)]
             if rested:
                 return say("moves-off.title", body=rested[0])
-        if record.id == "tan-direction" and self._moves_along(line):
-            return say("moves-along.title", body=bodies[0])
+        if record.id in ("tan", "tan-direction") and event is not None and self._moves_along(line):
+            rested_ = self.tells_of_rest(bodies[0], event.number, line)
+            return say("moves-along.from-rest" if rested_ else "moves-along.title", body=bodies[0])
         if record.id == "speed" and (one := self._one_component(line)) is not None:
             return one
         if self._by_products(line):
@@ -178,6 +179,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         numbers = [ref for ref in line.premises if isinstance(ref, int)]
         lines = [own for ref in numbers if (own := self._derivation.line(ref))]
         event = self._naming.events.get(line.move.event or 0)
+        relations = [each for each in lines if isinstance(each.relation, Relation)]
+        if line.move.record == "tan" and len(relations) > 1:
+            return False  # its components are put in
         return (
             event is not None
             and not event.wall
@@ -185,7 +189,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 isinstance(each.relation, Relation)
                 and each.move.record == "unchanged"
                 and is_zero(each.relation.options[0][-1].right)
-                for each in lines
+                for each in relations
             )
         )
 
