@@ -48,6 +48,12 @@ SAYS = {
         + "given energy(P) = 3/4 energy(0)\nfind e, energy(P), energy_lost",
         ["kinetic energy of P = ¾ × 25 = 75/4 J", "kinetic energy lost = 25 − 75/4 = 25/4 J"],
     ),
+    # The loss is mu²(1 − e²)/16.
+    "a bound shows what cannot be": (
+        REST.format(m="m", e="").replace("alpha", "60°")
+        + "given energy_lost > 1/16 m u^2\nfind range of e",
+        ["kinetic energy lost ≤ (1/16)mu²", "e ≥ 0", "So the data contradict each other."],
+    ),
     # 27 > 7k² - 4k + 16.
     "a factor that goes out of an inequality is positive": (
         REST.format(m="k m", e=", e = 1/2").replace("alpha", "30°")
@@ -66,6 +72,14 @@ SAYS = {
     "what one impact loses is not called a total": (
         WALL.format(e="") + "find total_energy_lost",
         ["Kinetic energy lost, by the component that changes:", " kinetic energy lost = ½m("],
+    ),
+    # 2mu cos α − mu = mw and w = e(u cos α + u).
+    "a cosine of letters is solved for": (
+        REST.format(m="m", e="")
+        .replace("at rest", "velocity -u i")
+        .replace("A: mass m", "A: mass 2m")
+        + "given velocity(A) perpendicular to i\nfind cos(alpha) in terms of e",
+        ["2 cos α − 1 = e cos α + e", "cos α = (1 + e)/(2 − e)"],
     ),
     # tan β = e tan α.
     "a tangent that is asked says where its angle is a right one": (

@@ -18,7 +18,16 @@ from restitution.components.telling import model
 from restitution.errors import ContradictionError, RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.data.facts import facts_of, links_of
-from restitution.explaining.lines.derivation import FLIPPED, Move, Note, Ref, Relation, equation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Link,
+    Move,
+    Note,
+    Ref,
+    Relation,
+    Sign,
+    equation,
+)
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Letter, Name, Quantity, has_quantity, letters, walk
 from restitution.planning.axes.by_changes import frame_at
@@ -54,6 +63,8 @@ from restitution.problem import Relation as Said
 from restitution.solving import solve
 from restitution.solving.equations.clash import clause_of
 from restitution.solving.equations.solution import PartSolution, Solution
+
+_OPPOSITE: dict[str, Sign] = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
 def write_clash(
@@ -153,7 +164,9 @@ def _refuted(
             continue
         whole = replace(note, premises=together(late, refs))
         if refs and scene.judge.excludes(whole):
-            return with_what_is_needed(scene, whole)
+            return _by_a_bound(scene, solver, claim, note, late) or with_what_is_needed(
+                scene, whole
+            )
         solver.back(standing)
     # A new scene, in which the fact is given again; what the letters are does not rest on it.
     if isinstance(relation, Meets | Aligned) or (
@@ -168,6 +181,32 @@ def _refuted(
         other = _without_a_root(replace(scene), note, late)
         if other is not None:
             return other
+    return None
+
+
+def _by_a_bound(
+    scene: Scene, solver: Solver, claim: Relation, note: Note, late: tuple[str, ...]
+) -> Note | None:
+    """The bound of a quantity that a given inequality contradicts; None where it is a number."""
+    link = claim.only[0]
+    if link.sign not in _OPPOSITE or len(claim.only) > 1 or not isinstance(link.left, Quantity):
+        return None
+    worth = scene.desk.known(link.left)
+    lines = [] if worth is None else [ref for ref in worth.refs if isinstance(ref, int)]
+    if worth is None or len(lines) != 1 or not scene.scalar(link.right).free_symbols:
+        return None
+    bound = Relation(((Link(link.left, _OPPOSITE[link.sign], link.right),),))
+    standing, start = solver.mark(), len(scene.desk.lines)
+    try:
+        with Claims(scene, solver) as claims:
+            line = claims.monotone(lines[0], bound) or claims.compared(lines, bound)
+        require_followed(scene, scene.desk.lines[start:])
+    except UNPLANNED:
+        line = None
+    whole = None if line is None else replace(note, premises=(*late, line))
+    if whole is not None and scene.judge.excludes(whole):
+        return whole
+    solver.back(standing)
     return None
 
 

@@ -309,7 +309,8 @@ def _sought(work: Work, line: Line) -> bool:
         tree
         for end in work.derivation.items
         if end.part == work.part(line)
-        for tree in trees_of(end.answer)
+        for link in end.answer.options[0]
+        for tree in ((link.left,) if link.sign == "=" else (link.left, link.right))
         if isinstance(tree, Letter)
     }
     return any(

@@ -597,7 +597,8 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
     match link.left:
         case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
             ratio_ = scene.scalar(link.right)
-            if not ratio_.free_symbols:
+            # The direction of a vector in letters has no other form that a line could have.
+            if not ratio_.free_symbols or scene.final(symbol).atoms(sp.atan2):
                 return (sp.acos if kind == "cos" else sp.asin)(ratio_)
         case Apply("tan", Letter(name)) if name == symbol.name:
             ratio_ = scene.scalar(link.right)
@@ -609,7 +610,7 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
 def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:
     """The angle by its ratio; ``sides`` are lines that may tell its quadrant."""
     value = scene.final(symbol)
-    if value.atoms(sp.atan):
+    if value.atoms(sp.atan, sp.atan2):
         value = _as_written(scene, line, symbol)
     move, known = Move("inverse"), range_of(scene, symbol.name)
     relation = chain(Letter(symbol.name), (tree_of(value, angle=True, as_it_is=True), None))

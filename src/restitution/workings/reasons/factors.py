@@ -115,7 +115,10 @@ def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) ->
     """The other sum of a product compared with zero, where a line bounds a letter by one."""
     (first, *rest) = line.premises or ("",)
     above = derivation.line(first) if isinstance(first, int) else None
-    if above is None or rest or line.move.id not in ("rearrange", "cancel"):
+    if above is None or line.move.id not in ("rearrange", "cancel"):
+        return None
+    # Of an inequality the bounds of its letters are cited besides.
+    if rest and ("=" in signs or any(isinstance(ref, int) for ref in rest)):
         return None
     match above.relation, line.relation:
         case (

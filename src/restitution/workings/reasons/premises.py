@@ -131,7 +131,8 @@ class Reasons:
             *self._growth.between_ends(line),
             *self._growth.at_its_end(line),
             *self._shapes.of(line),
-            *self._known(line),
+            # That a sum is positive, its letters show.
+            *(() if any(self._dropped(line)) else self._known(line)),
             *self._silent(line),
             *self._cleared(line),
             *self._dropped(line),
