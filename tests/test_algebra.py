@@ -5,9 +5,11 @@ from __future__ import annotations
 import mpmath
 import pytest
 import sympy as sp
+from mpmath.libmp import NoConvergence
 
 from restitution import work
 from restitution.errors import UnsupportedError
+from restitution.exact.quotients import over_surds
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.solving.algebra import polynomials as plain
@@ -321,3 +323,16 @@ def test_a_root_stays_where_the_leading_coefficient_vanishes(sign):
     assert [value.subs(m, 1) for value in values].count(sp.Rational(3 * sign, 2)) == 1
     for value in values:
         assert sp.simplify(equation.subs(x, value)) == 0
+
+
+def test_a_quotient_whose_roots_are_not_found_stays_as_it_is(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def polyroots(*_: object, **__: object) -> list[object]:
+        raise NoConvergence("too many steps")
+
+    u, v = sp.symbols("u v", positive=True)
+    value = (sp.sqrt(3) * u**2 + 4 * u * v + sp.sqrt(3) * v**2) / (3 * v**2 - u**2)
+    assert over_surds(value) != value
+    monkeypatch.setattr(mpmath, "polyroots", polyroots)
+    assert over_surds(value) == value

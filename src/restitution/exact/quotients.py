@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mpmath
 import sympy
+from mpmath.libmp import NoConvergence
 from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
 from restitution.exact.simplicity import cost, is_surd
@@ -66,7 +67,7 @@ def _vanish_together(a: Add, b: Add, letter: Symbol) -> bool:
         numbers = [mpmath.mpf(str(number.evalf(40))) for number in coefficients]
         try:
             roots.append(mpmath.polyroots(numbers, maxsteps=80, extraprec=80))
-        except (mpmath.NoConvergence, ZeroDivisionError):
+        except (NoConvergence, ZeroDivisionError):
             return False
     return any(abs(x - y) < 1e-9 * (1 + abs(x)) for x in roots[0] for y in roots[1])
 
