@@ -170,3 +170,44 @@ def test_behind_the_second_wall_the_angle_at_the_first_keeps_its_meaning() -> No
     assert verdicts(WALLS, *lines) == ["true", "true", "false", "follows"]
     right = "after X: v2cosγ = v1sinβ, v2sinγ = ¼v1cosβ"
     assert verdicts(WALLS, *lines[:2], right) == ["true"] * 3
+
+
+ENERGIES = """sphere A: mass 2m, velocity 3u at 60°
+sphere B: mass m, velocity 2u at 30° from -i
+A hits B: along i, e = 2/3
+find energy_lost/energy(0) as a percentage, energy(A)/energy(A, 0), energy(B)/energy"""
+EQUAL_SPEEDS = """sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, velocity v j
+A hits B: along i, e = 1/2
+given speed(A) = speed(B)
+find v"""
+BOUNCED = """wall W: along i, through (0, 0)
+sphere P: mass 2, at (0, 4), velocity u at 30° to W
+P hits W
+given time(1) = 2, impulse = 6
+find u, e, speed(P)"""
+
+
+def test_a_ratio_is_the_one_that_is_asked_for() -> None:
+    lines = [
+        "KE of A after = ½(2m)(0.2961² + 2.598²)u² = 6.838mu²",
+        "KE of A before = ½m(3u)² = 4.5mu²",
+        "ratio A = 6.838/4.5 = 1.52",
+    ]
+    assert verdicts(ENERGIES, *lines) == ["true", "false", "follows"]
+    assert verdicts(ENERGIES, lines[0], "ratio A = 6.838/4.5 = 1.52")[1] == "false"
+    assert verdicts(ENERGIES, r"percentage = $\frac{1.9345}{11} = 17.6\%$") == ["true"]
+
+
+def test_a_letter_that_the_script_has_alone_is_no_subscript() -> None:
+    lines = ["mucos60 = mx + 2my so x + 2y = ½u", "y - x = ¼u", "3y = ¾u, 4y² - 2uy + ¼u² = 0"]
+    assert verdicts(EQUAL_SPEEDS, *lines) == ["true"] * 3
+
+
+def test_a_value_behind_the_name_of_a_body_is_no_further_value() -> None:
+    assert verdicts(EQUAL_SPEEDS, "perp: A usin60 = √3u/2, B v") == ["true"]
+
+
+def test_the_letter_of_a_known_speed_may_be_that_of_the_velocity() -> None:
+    lines = ["4 = usin30 × 2 so u = 4", "u = 2√3i - 2j, v = 2√3i + yj", "6 = 2(y + 2), y = 1"]
+    assert verdicts(BOUNCED, *lines) == ["true"] * 3

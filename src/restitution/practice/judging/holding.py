@@ -39,6 +39,7 @@ from restitution.practice.judging.other_forms import (
     label_in,
     lines_of,
     of_components,
+    of_known_speeds,
     of_natures,
     of_sizes,
     of_vectors,
@@ -131,7 +132,8 @@ class Holding:
                 continue
             if grade is not None:
                 return grade
-        for each in of_natures(claim, meanings) if unlike else ():
+        others = (*of_natures(claim, meanings), *of_known_speeds(claim, world)) if unlike else ()
+        for each in others:
             try:
                 grade = agrees(each, world, meanings, link.decimals, line.scope)
             except RestitutionError:

@@ -93,6 +93,18 @@ def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
         yield replace(claim, left=left, right=right)
 
 
+def of_known_speeds(claim: Claim, world: World) -> Iterator[Claim]:
+    """A claim about a speed of the question as one about the velocity: ``u = 2√3i - 2j``."""
+    match claim:
+        case Claim(Letter(name), "=", vector, ()) if name in world.letters:
+            for body in world.start:
+                speed, velocity = (Quantity(x, (Name(body),), 0) for x in ("speed", "velocity"))
+                if np.allclose(world.scalar(speed), world.spread(world.letters[name])):
+                    yield Claim(velocity, "=", vector)
+        case _:
+            return
+
+
 def as_vectors(claim: Claim, meanings: Meanings) -> Claim:
     """A claim that equates a letter for a component with a vector, of the velocity in its place."""
     meant = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else None

@@ -201,6 +201,7 @@ def _plain_character(character: str) -> str:
 def _without_latex(text: str) -> str:
     """The usual signs of LaTeX as plain text; columns are then those of the plain text."""
     text = text.replace("$", " ").replace("\\,", " ").replace("\\;", " ").replace("\\!", "")
+    text = text.replace("\\%", "%")
     text = _LATEX_COLUMN.sub(_column_of, text)
     text = _LATEX_WAY.sub(r"_\1 ", _LATEX_SETTING.sub(" ", text))
     text = re.sub(r"&\s*(?=[=<>\\])", "", text)

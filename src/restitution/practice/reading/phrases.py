@@ -28,10 +28,12 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
     Unit,
+    walk,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
+from restitution.practice.reading.moments import Moments
 from restitution.practice.reading.vocabulary import HEADS
-from restitution.problem import Find, Impact, Kick, Problem, Value
+from restitution.problem import Impact, Problem
 
 __all__ = [
     "UNNAMED_ANGLE",
@@ -169,6 +171,11 @@ def _is_of_velocities(angle: Expression) -> bool:
     )
 
 
+def _names_in(tree: Expression) -> frozenset[str]:
+    """The names of bodies in a tree."""
+    return frozenset(each.name for each in walk(tree) if isinstance(each, Name))
+
+
 def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
     trees: dict[Expression, None] = {}
     for each in candidates:
@@ -178,14 +185,8 @@ def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
     return tuple(trees)
 
 
-class _Reader:
+class _Reader(Moments):
     """The candidates of one phrase."""
-
-    def __init__(self, features: Features, problem: Problem, until: int | None = None) -> None:
-        self.features, self.problem, self.until = features, problem, until
-        self.events = problem.events
-        self.spheres = tuple(each.name for each in problem.spheres)
-        self.walls = tuple(each.name for each in problem.walls)
 
     def candidates(self) -> Iterator[Expression]:
         """What the phrase may mean, the most natural first; the same quantity may come twice."""
@@ -265,86 +266,6 @@ class _Reader:
                 at = [Quantity("position", (Name(body),), n) for n in range(len(self.events) + 1)]
                 for later, earlier in combinations(reversed(at), 2):
                     yield Apply("abs", Binary("-", later, earlier))
-
-    def asked(self, kind: str) -> Iterator[Expression]:
-        """The quantities of a kind for which the question asks."""
-        for tree in self.values_asked():
-            if isinstance(tree, Quantity) and tree.kind == kind:
-                yield tree
-
-    def values_asked(self) -> Iterator[Expression]:
-        """The values for which the question asks."""
-        for _, step in self.problem.steps():
-            for item in step.items if isinstance(step, Find) else ():
-                if isinstance(item, Value):
-                    yield item.expression
-
-    # -- events, bodies, stages ---------------------------------------------------------------
-
-    def numbers(self) -> list[int]:
-        """The events of which the phrase may speak, the latest first."""
-        kicks = [n for n, each in enumerate(self.events, 1) if isinstance(each, Kick)]
-        if self.features.blow and kicks:
-            return list(reversed(kicks))
-        impacts = [n for n, each in enumerate(self.events, 1) if isinstance(each, Impact)]
-        if self.features.event is not None and self.features.event <= len(impacts):
-            return [impacts[self.features.event - 1]]
-        named = [n for n in impacts if self.met(n) and self.met(n) <= set(self.features.names)]
-        if named and len(named) < len(impacts):
-            return named
-        bodies = {each for each in self.features.names if each in self.spheres}
-        walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.features.names)]
-        if walled:
-            return list(reversed(walled))
-        known = [n for n in impacts if self.until is None or n <= self.until]
-        known = known or [n for n in kicks if n == self.until] or impacts
-        taking_part = [n for n in known if not bodies or bodies & self.met(n)] or known
-        return list(reversed(taking_part)) or [max(len(self.events), 1)]
-
-    def met(self, number: int) -> set[str]:
-        """The two that meet in an event."""
-        event = self.events[number - 1]
-        return {event.first, event.second} if isinstance(event, Impact) else set()
-
-    def bodies(self, event: int) -> list[str]:
-        """The spheres of which the phrase may speak."""
-        named = [each for each in self.features.names if each in self.spheres]
-        if self.features.target in named and len(named) > 1:
-            named.remove(self.features.target or "")
-        if named:
-            return named[:1]
-        match self.events[event - 1] if 0 < event <= len(self.events) else None:
-            case Impact(first, second):
-                return [each for each in (first, second) if each in self.spheres]
-            case Kick(body):
-                return [body]
-        return list(self.spheres)
-
-    def stage(self, event: int) -> Stage:
-        """The stage of which the phrase speaks: after the event unless it says *before*."""
-        if self.features.stage == "before":
-            return event - 1
-        return None if event == len(self.events) else event
-
-    def before(self, event: int) -> Stage:
-        """The stage just before an event."""
-        return event - 1
-
-    def of(self, kind: str, body: str, event: int) -> Expression:
-        """A quantity of a body at the stage."""
-        return Quantity(kind, (Name(body),), self.stage(event))
-
-    def line(self, event: int) -> Expression:
-        """The line of centres of an event."""
-        return Quantity("line_of_centres", (), None if event == len(self.events) else event)
-
-    def wall(self, event: int) -> Expression | None:
-        """The wall that is named, or that is struck."""
-        named = [each for each in self.features.names if each in self.walls]
-        if named:
-            return Name(named[0])
-        struck = self.met(event) & set(self.walls)
-        return Name(struck.pop()) if struck else None
 
     # -- quantities ---------------------------------------------------------------------------
 
@@ -491,19 +412,6 @@ class _Reader:
         velocities = [self.of("velocity", each, event) for each in self.bodies_met(event)]
         if len(velocities) == 2:
             yield Apply("abs", Binary("-", *velocities))
-
-    def after(self, event: int) -> Stage:
-        """The stage just after an event."""
-        return None if event == len(self.events) else event
-
-    def bodies_met(self, event: int) -> list[str]:
-        """The spheres that meet in an event, in its order."""
-        if not 0 < event <= len(self.events):
-            return []
-        impact = self.events[event - 1]
-        if not isinstance(impact, Impact):
-            return []
-        return [each for each in (impact.first, impact.second) if each in self.spheres]
 
     def mass(self, event: int) -> Iterator[Expression]:
         """Masses; of two that meet the reduced mass, or the sum, where the words say so."""
@@ -678,6 +586,8 @@ class _Reader:
 
     def ratio(self, event: int) -> Iterator[Expression]:
         """Ratios: of energy lost to that before, of energies, of speeds, of masses."""
+        if self.features.heads == {"ratio"}:
+            yield from self.ratios_asked()
         after, before = self.after(event), event - 1
         energy = Quantity("energy", (), before)
         heads = self.features.heads
@@ -700,7 +610,11 @@ class _Reader:
             first, second = (Quantity("mass", (Name(each),)) for each in met)
             yield Binary("/", first, second)
             yield Binary("/", second, first)
-        if heads == {"ratio"}:
-            for tree in self.values_asked():
-                if isinstance(tree, Binary) and tree.op == "/":
-                    yield tree
+
+    def ratios_asked(self) -> Iterator[Expression]:
+        """The ratios for which the question asks, of the bodies that are named first."""
+        named = {each for each in self.features.names if each in self.spheres}
+        asked = [
+            each for each in self.values_asked() if isinstance(each, Binary) and each.op == "/"
+        ]
+        yield from sorted(asked, key=lambda tree: not named <= _names_in(tree))

@@ -488,6 +488,8 @@ class _Scanner:
             return False
         if self.text[stop - 1] == "x" and letter in self.usage.letters and not self.usage.times:
             return False  # x² + 16ux = 0
+        if self.text[stop - 1] in self.usage.alone and letter in self.usage.letters:
+            return False  # 6y² - 2uy = 0
         return bool(re.match(r"\s*(?:$|[=+\-/)^,;<>'*]|\s[a-z]{3,})", self.text[stop:]))
 
     def _is_times(self, stop: int) -> bool:

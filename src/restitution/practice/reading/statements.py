@@ -276,7 +276,7 @@ class _Reader(Chains):
             return False  # a velocity
         loose = tokens[1].kind == "-" and tokens[1].gap > 0
         tight = loose and len(tokens) > 2 and not tokens[2].gap
-        glued = len(tokens) > 2 and tokens[1].kind == "letter" and tokens[2].kind in _OPERANDS
+        glued = tokens[1].kind == "letter" and (len(tokens) == 2 or tokens[2].kind in _OPERANDS)
         return tight or ((tokens[1].kind in ("number", "function") or glued) and tokens[1].gap > 0)
 
     def value(self, segment: Segment) -> None:

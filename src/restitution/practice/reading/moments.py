@@ -1,0 +1,110 @@
+"""The moment of which a phrase speaks: its event, the bodies that meet there, before or after."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from restitution.expression.tree import Expression, Name, Quantity, Stage
+from restitution.practice.reading.features import Features
+from restitution.problem import Find, Impact, Kick, Problem, Range, Value
+
+
+class Moments:
+    """The events, bodies and stages of which a phrase may speak, and what the question asks."""
+
+    def __init__(self, features: Features, problem: Problem, until: int | None = None) -> None:
+        self.features, self.problem, self.until = features, problem, until
+        self.events = problem.events
+        self.spheres = tuple(each.name for each in problem.spheres)
+        self.walls = tuple(each.name for each in problem.walls)
+
+    def asked(self, kind: str) -> Iterator[Expression]:
+        """The quantities of a kind for which the question asks."""
+        for tree in self.values_asked():
+            if isinstance(tree, Quantity) and tree.kind == kind:
+                yield tree
+
+    def values_asked(self) -> Iterator[Expression]:
+        """The values for which the question asks."""
+        for _, step in self.problem.steps():
+            for item in step.items if isinstance(step, Find) else ():
+                if isinstance(item, Value | Range):
+                    yield item.expression
+
+    def numbers(self) -> list[int]:
+        """The events of which the phrase may speak, the latest first."""
+        kicks = [n for n, each in enumerate(self.events, 1) if isinstance(each, Kick)]
+        if self.features.blow and kicks:
+            return list(reversed(kicks))
+        impacts = [n for n, each in enumerate(self.events, 1) if isinstance(each, Impact)]
+        if self.features.event is not None and self.features.event <= len(impacts):
+            return [impacts[self.features.event - 1]]
+        named = [n for n in impacts if self.met(n) and self.met(n) <= set(self.features.names)]
+        if named and len(named) < len(impacts):
+            return named
+        bodies = {each for each in self.features.names if each in self.spheres}
+        walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.features.names)]
+        if walled:
+            return list(reversed(walled))
+        known = [n for n in impacts if self.until is None or n <= self.until]
+        known = known or [n for n in kicks if n == self.until] or impacts
+        taking_part = [n for n in known if not bodies or bodies & self.met(n)] or known
+        return list(reversed(taking_part)) or [max(len(self.events), 1)]
+
+    def met(self, number: int) -> set[str]:
+        """The two that meet in an event."""
+        event = self.events[number - 1]
+        return {event.first, event.second} if isinstance(event, Impact) else set()
+
+    def bodies(self, event: int) -> list[str]:
+        """The spheres of which the phrase may speak."""
+        named = [each for each in self.features.names if each in self.spheres]
+        if self.features.target in named and len(named) > 1:
+            named.remove(self.features.target or "")
+        if named:
+            return named[:1]
+        match self.events[event - 1] if 0 < event <= len(self.events) else None:
+            case Impact(first, second):
+                return [each for each in (first, second) if each in self.spheres]
+            case Kick(body):
+                return [body]
+        return list(self.spheres)
+
+    def stage(self, event: int) -> Stage:
+        """The stage of which the phrase speaks: after the event unless it says *before*."""
+        if self.features.stage == "before":
+            return event - 1
+        return None if event == len(self.events) else event
+
+    def before(self, event: int) -> Stage:
+        """The stage just before an event."""
+        return event - 1
+
+    def of(self, kind: str, body: str, event: int) -> Expression:
+        """A quantity of a body at the stage."""
+        return Quantity(kind, (Name(body),), self.stage(event))
+
+    def line(self, event: int) -> Expression:
+        """The line of centres of an event."""
+        return Quantity("line_of_centres", (), None if event == len(self.events) else event)
+
+    def wall(self, event: int) -> Expression | None:
+        """The wall that is named, or that is struck."""
+        named = [each for each in self.features.names if each in self.walls]
+        if named:
+            return Name(named[0])
+        struck = self.met(event) & set(self.walls)
+        return Name(struck.pop()) if struck else None
+
+    def after(self, event: int) -> Stage:
+        """The stage just after an event."""
+        return None if event == len(self.events) else event
+
+    def bodies_met(self, event: int) -> list[str]:
+        """The spheres that meet in an event, in its order."""
+        if not 0 < event <= len(self.events):
+            return []
+        impact = self.events[event - 1]
+        if not isinstance(impact, Impact):
+            return []
+        return [each for each in (impact.first, impact.second) if each in self.spheres]
