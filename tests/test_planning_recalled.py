@@ -715,3 +715,26 @@ find angle(velocity(B), j)
     assert [e.move.record for e in planned(text).lines if e.move.id == "law"] == ["unchanged"]
     said = printed(text)
     assert "B was at rest, so it moves along the line of centres: tan β = 3/(−1) = −3" in said
+
+
+OFF_FROM_REST = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+given speed(B) = 1/2 u, tan(alpha) = 3/4
+find e, speed(A)
+"""
+
+
+def test_the_speed_given_of_what_was_at_rest_is_its_component_before_the_laws() -> None:
+    # 4u/5 = v + 2 × u/2, and u/2 + u/5 = 4eu/5.
+    lines = said(OFF_FROM_REST)
+    assert lines.index("w = u/2") < lines.index("m (4u/5) = m v + 2m (u/2)")
+    assert lines.count("w = u/2") == 1
+    assert "e = 7/8" in lines
+    assert "B was at rest, so it moves along the line of centres: w = u/2" in printed(OFF_FROM_REST)
+
+
+def test_the_speed_given_of_what_was_moving_leaves_its_sense_open() -> None:
+    moving = OFF_FROM_REST.replace("at rest", "velocity -u i").replace("2 u,", "4 u,")
+    assert "w = u/4" not in said(moving)[:4]

@@ -167,31 +167,42 @@ def _is_component(step: Step, line: Link) -> bool:
 
 
 def _is_whole_speed(step: Step, line: Link) -> bool:
-    """The component towards a wall of what strikes it at right angles, as its speed before."""
+    """A component as a speed: of what strikes a wall at right angles, or goes off from rest.
+
+    The second sphere of an impact, if it was at rest, moves in the sense from the first one to it.
+    """
     event = step.setting.event(step.move.event)
-    if event is None or not event.wall or line.sign != "=":
-        return False
-    match line.left:
+    own = next((e.quantity for e in step.lets if Letter(e.letter) == line.left), line.left)
+    match own:
         case Quantity(
-            "along", (Quantity("velocity", (Name(body),) as own, stage) as velocity, axis)
+            "along", (Quantity("velocity", (Name(body),) as sphere, int(stage)) as velocity, axis)
         ):
             pass
         case _:
             return False
-    before = step.setting.quantity(Quantity("velocity", own, event.number - 1))
-    if body != event.bodies[0] or axis != axis_of(event) or velocity != before:
+    if event is None or line.sign != "=" or axis != axis_of(event):
         return False
     values = {link.left: link.right for link in step.links if link.sign == "="}
+    before = step.setting.quantity(Quantity("velocity", sphere, event.number - 1))
+    if event.wall:
+        if body != event.bodies[0] or velocity != before:
+            return False
+    elif body != event.bodies[-1] or stage != event.number or not _is_rest(step, values, before):
+        return False
     beside = values.get(Quantity("across", (velocity, axis)))
-    speed = values.get(Quantity("speed", own, stage))
-    if (
-        beside is None
-        or speed is None
-        or not step.world.reduced(step.world.scalar(beside)).vanishes
-    ):
+    speed = values.get(Quantity("speed", sphere, stage))
+    if beside is None or speed is None:
+        return False
+    if not step.world.reduced(step.world.scalar(beside)).vanishes:
         return False
     gap = step.world.scalar(speed) - step.world.scalar(line.right)
     return step.world.reduced(gap).vanishes
+
+
+def _is_rest(step: Step, values: Mapping[Expression, Expression], velocity: Expression) -> bool:
+    """Whether a velocity is cited as zero."""
+    known = step.world.value(values[velocity]) if velocity in values else None
+    return isinstance(known, Plane) and known.x.vanishes and known.y.vanishes
 
 
 def _is_size(step: Step, tree: Expression) -> bool:

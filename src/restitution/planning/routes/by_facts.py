@@ -19,6 +19,7 @@ from restitution.planning.formulas.ties import tied
 from restitution.planning.routes.course import Course
 from restitution.planning.routes.given_directions import wall_of, write_resolved
 from restitution.planning.routes.givens import candidate, write_given
+from restitution.planning.routes.off_from_rest import write_speed_from_rest
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import ZERO, tree_of
@@ -153,6 +154,8 @@ class ByFacts(Course):
             if len(open_) != 1:
                 continue
             (symbol,) = open_
+            if self._is_off_from_rest(own, symbol, left):
+                return (own,)
             if self._is_of_either_sense(own, symbol, left) or self._waits(symbol, left):
                 continue
             if self._is_value(given) and self._take_value(given, symbol):
@@ -306,6 +309,20 @@ class ByFacts(Course):
         parted = signs >= {-1, 1} and len(unknowns) > 1
         plain = all(_is_plain_square(each, symbol) for each in squared)
         return not plain or (bool(signs) and not parted)
+
+    def _is_off_from_rest(
+        self, own: Candidate, symbol: sp.Symbol, left: Sequence[Candidate]
+    ) -> bool:
+        """Whether a fact gives the speed of a sphere that was at rest, before any law is written.
+
+        That is its component, which has the sense from the first sphere to it.
+        """
+        number, _ = self._letters.get(symbol, (0, ""))
+        laws = {f"momentum {number}", f"restitution {number}"}
+        if symbol in self.waiting or not laws <= {each.id for each in left}:
+            return False
+        given = self.equations.givens[own.id]
+        return write_speed_from_rest(self.scene, given, symbol) is not None
 
     def _comes_by_the_coefficient(self, number: int, left: Sequence[Candidate]) -> bool:
         """Whether what comes to an impact has the coefficient of that in it, which is unknown.

@@ -460,6 +460,8 @@ def _written(scene: Scene, asked: Quantity) -> int | None:
     put, refs = scene.put(known.value)
     if put == known.value:
         return line
+    if isinstance(put, Vector):
+        return None
     above = (ref for ref in scene.desk.line(line).premises if isinstance(ref, int))
     read_off = any(
         isinstance(own := scene.desk.line(ref).relation, Relation)
@@ -468,7 +470,7 @@ def _written(scene: Scene, asked: Quantity) -> int | None:
         and scene.model.identically_zero(scene.scalar(own.only[-1].right) - known.value)
         for ref in above
     )
-    if read_off or isinstance(put, Vector) or scene.unknown(put):
+    if read_off or scene.unknown(put):
         return None
     relation = chain(asked, (tree_of(tidy(put)), None))
     return scene.judge.write((Move("put"),), (line, *refs), relation)

@@ -137,6 +137,9 @@ class GivenLeads(Leads):
         if line.move.record == "perpendicular" and (pair := self._square_to_the_line(line)):
             return (say("given.square-to", fact=sentence, one=pair[0], other=pair[1]),)
         if isinstance(line.relation.options[0][0].left, Letter):
+            off = line.move.bodies[0] if line.move.record == "component" else None
+            if off is not None and self.tells_of_rest(off, line.move.event or 0, line):
+                return (say("given.fact-from-rest", fact=sentence, body=off),)
             return (say("given.fact", fact=sentence),)
         if line.move.record == "perpendicular" and past is not None:
             return (say(_PRODUCTS[past[2]], fact=sentence),)
@@ -167,8 +170,8 @@ class GivenLeads(Leads):
         by_a_tangent = line.move.record in ("tan", "tan-direction")
         if by_a_tangent and (still := self._standing(line).get("along")):
             return (say("given.fact-across", fact=sentence, body=still),)
-        off = line.move.record == "tan" and self._moves_along(line)
-        if (off or line.move.record == "tan-direction") and self.tells_of_rest(
+        along_ = line.move.record == "tan" and self._moves_along(line)
+        if (along_ or line.move.record == "tan-direction") and self.tells_of_rest(
             line.move.bodies[0], line.move.event or 0, line
         ):
             return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
