@@ -236,6 +236,12 @@ A hits B: along i, e = 1/2
 unknown M
 find range of speed(B)
 #= range of speed(B) -> 0 <= X < 11u/5""",
+    # It starts inside, as it may: beyond the rim it would strike the circle from outside.
+    "a place within a circle": """wall C: circle centre (0, 0) radius a
+sphere P: mass m, at (0, -d), velocity u at alpha
+P hits C
+find range of d
+#= range of d -> -a < X <= a""",
 }
 
 
@@ -409,6 +415,19 @@ def test_a_right_angle_at_a_pole_has_one_sense() -> None:
     ((_, greatest),) = solve(parse(text.format("maximum"))).items()
     assert least.answers[0].display == "arctan(2 tan θ) when e = 0"
     assert greatest.answers[0].display == "90° when e = 1"
+
+
+def test_a_place_beyond_a_circle_is_no_place_of_an_extremum() -> None:
+    # It lies at d = a√((1 + sin α)/2)/cos α, and that is within the circle for α < 30° alone.
+    text = """wall C: circle centre (0, 0) radius a
+sphere P: mass m, at (0, -d), velocity u at alpha
+P hits C: e = 1
+{}
+find maximum of along(velocity(P), j) over d"""
+    ((_, item),) = solve(parse(text.format(""))).items()
+    assert "depends on the values of the data" in str(item.error)
+    ((_, item),) = solve(parse(text.format("given alpha = 10°"))).items()
+    assert item.answers[0].reached
 
 
 def test_a_sense_that_hangs_on_the_data_is_no_extremum() -> None:

@@ -7,13 +7,16 @@ happen as told (in order, on the wall, nothing struck before) becomes a conditio
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import pairwise
+
 import sympy as sp
 
 from restitution.errors import ImpossibleError
 from restitution.exact import tidy
 from restitution.expression.evaluate import Scalar
-from restitution.expression.tree import Name, Place, line_and_column
-from restitution.problem import Arrival, Impact, Wall
+from restitution.expression.tree import Name, Place, has_quantity, line_and_column
+from restitution.problem import Arrival, Compare, Given, Impact, Wall
 from restitution.render.layout import from_sympy
 from restitution.render.text import to_text
 from restitution.shapes import Circle, Segment
@@ -21,6 +24,7 @@ from restitution.solving.algebra.neat import neat
 from restitution.solving.story import contacts
 from restitution.solving.story.conditions import AnyOf, Condition, Equation
 from restitution.solving.story.state import State
+from restitution.solving.story.unknowns import Letters
 from restitution.vector import Vector
 
 
@@ -244,7 +248,7 @@ def _time_to_circle(
         return None
     out = known[0] - centre
     square = state.rational(out.dot(out))
-    inside = state.sign(square - size * size)
+    inside = _side_of_circle(state, square - size * size, name, wall)
     reach = size
     if radius is not None:
         reach = size + radius if inside == 1 else size - radius
@@ -286,6 +290,38 @@ def _time_to_circle(
     time = known[1] + flight
     state.tracks[name].places.append((number, where, time))
     return time
+
+
+def _side_of_circle(state: State, excess: Scalar, name: str, wall: Wall) -> int | None:
+    """The sign of the square of a distance from the centre less that of the radius.
+
+    Where letters leave both sides open, a sphere is inside, as a condition.
+    """
+    unknowns = state.unknowns
+    if not isinstance(unknowns, Letters):
+        return state.sign(excess)
+    given = [*state.conditions, *_facts_of_letters(state)]
+    side = unknowns.proved_sign(sp.sympify(excess, strict=True), given)
+    if side is None:
+        reason = f"{name} is outside {wall.name}"
+        state.conditions.append(Condition(-excess, ">=", reason, "place"))
+    return side
+
+
+def _facts_of_letters(state: State) -> Iterator[Condition]:
+    """The inequalities between letters alone that hold in the whole statement."""
+    parts = state.problem.parts
+    for part in parts:
+        for step in part.steps if part.label is None or len(parts) == 1 else ():
+            for relation in step.relations if isinstance(step, Given) else ():
+                if not isinstance(relation, Compare) or any(map(has_quantity, relation.operands)):
+                    continue
+                values = [state.read(each, "a fact") for each in relation.operands]
+                for (a, b), sign in zip(pairwise(values), relation.operators, strict=True):
+                    if sign in ("<", "<="):
+                        yield Condition(b - a, ">" if sign == "<" else ">=", "", "fact")
+                    elif sign in (">", ">="):
+                        yield Condition(a - b, sign, "", "fact")
 
 
 def meeting_time(state: State, number: int) -> Scalar | None:

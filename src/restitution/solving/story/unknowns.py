@@ -67,13 +67,8 @@ class Letters:
             return True
         return self.sought is not None and rests_on(values, self.sought)
 
-    def sign(self, x: sp.Expr, given: Sequence[Condition | AnyOf] = ()) -> int | None:
-        """The sign of an expression where conditions hold; None where it depends on the letters.
-
-        One that is seen at usual values, but is not proved for all, is among ``assumed``; what
-        has different signs is among ``undecided``.
-        """
-        x = sp.sympify(x, strict=True)
+    def proved_sign(self, x: sp.Expr, given: Sequence[Condition | AnyOf] = ()) -> int | None:
+        """The sign of an expression that is proved where conditions hold; else None."""
         plain = plain_sign(x)
         if plain is not None:
             return plain
@@ -83,6 +78,16 @@ class Letters:
         if proved is None and given:
             facts = [formula_of(each) for each in given]
             proved = self.ground.with_facts(dict.fromkeys(facts)).sign(x)
+        return proved
+
+    def sign(self, x: sp.Expr, given: Sequence[Condition | AnyOf] = ()) -> int | None:
+        """The sign of an expression where conditions hold; None where it depends on the letters.
+
+        One that is seen at usual values, but is not proved for all, is among ``assumed``; what
+        has different signs is among ``undecided``.
+        """
+        x = sp.sympify(x, strict=True)
+        proved = self.proved_sign(x, given)
         if proved is not None:
             return proved
         points: Iterable[Sample] = self.samples
