@@ -73,6 +73,19 @@ SAYS = {
         WALL.format(e="") + "find total_energy_lost",
         ["Kinetic energy lost, by the component that changes:", " kinetic energy lost = ½m("],
     ),
+    # e = 1/2 in tan β = e tan α.
+    "a later part puts its values into a tangent that is shown": (
+        WALL.format(e="")
+        + "part a\nshow tan(angle(velocity(P), W)) = e tan(alpha)\n"
+        + "part b\ngiven e = 1/2, alpha = 45°\nfind angle(velocity(P), W)",
+        ["tan β = e tan α", "Since e = ½ and α = 45°:", "tan β = ½ tan 45° = ½", "arctan(1/2)"],
+    ),
+    "a later part puts in a tangent that is given": (
+        REST.format(m="m", e="")
+        + "part a\nshow tan(direction(A)) = 2 tan(alpha)/(1 - e)\n"
+        + "part b\ngiven e = 1/2, tan(alpha) = 1/2\nfind direction(A)",
+        ["tan θ = 2 tan α/(1 − e)", "tan θ = (2 × ½)/(1 − ½) = 2", "θ = arctan 2"],
+    ),
     # 2mu cos α − mu = mw and w = e(u cos α + u).
     "a cosine of letters is solved for": (
         REST.format(m="m", e="")

@@ -34,6 +34,7 @@ from restitution.planning.angles.directions import (
     in_degrees_of,
 )
 from restitution.planning.angles.from_axes import from_an_axis
+from restitution.planning.angles.letters_put import with_letters_put
 from restitution.planning.angles.lines_between import (
     angle_of_lines,
     cosine_of,
@@ -138,7 +139,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
         own = _by_a_known_ratio(scene, asked) or _ratio(scene, asked)
-        line = own if isinstance(own, int) else _by_inverse(scene, own)
+        line = own if isinstance(own, int) else _by_inverse(scene, with_letters_put(scene, own))
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
 

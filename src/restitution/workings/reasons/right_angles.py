@@ -122,7 +122,10 @@ class RightAngles:
     def _right_angle(self, line: Line) -> Sentence | None:
         """Where an angle of the motion has no tangent: it is 90° there, or no angle at all."""
         pole = self._pole(line)
-        return None if pole is None else self._said(pole)
+        again = line.move.id == "rearrange" and any(
+            self._pole(own) is not None for own in map(self._line, line.premises) if own is not None
+        )
+        return None if pole is None or again else self._said(pole)
 
     def _said(self, pole: _Pole) -> Sentence:
         """That an angle is a right one, or for which letters it is any."""
