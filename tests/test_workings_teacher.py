@@ -80,6 +80,11 @@ SAYS = {
         + "part b\ngiven e = 1/2, alpha = 45°\nfind angle(velocity(P), W)",
         ["tan β = e tan α", "Since e = ½ and α = 45°:", "tan β = ½ tan 45° = ½", "arctan(1/2)"],
     ),
+    "a later part puts its values into a velocity that stands": (
+        REST.format(m="k m", e="").replace("u at alpha", "u i + u j")
+        + "part a\nfind velocity(B)\npart b\ngiven e = 1/2, k = 2\nfind velocity(B)",
+        ["𝐯_B = ((1 + e)u/(1 + k))𝐢", "Since e = ½ and k = 2, from (3):", "𝐯_B = (u/2)𝐢"],
+    ),
     "a later part puts in a tangent that is given": (
         REST.format(m="m", e="")
         + "part a\nshow tan(direction(A)) = 2 tan(alpha)/(1 - e)\n"

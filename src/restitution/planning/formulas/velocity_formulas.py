@@ -136,7 +136,10 @@ def _once_more(scene: Scene, quantity: Quantity, body: str, stage: int, known: S
     own = Quantity(quantity.kind, quantity.arguments, stage)
     whole = Vector(*(tidy(each) for each in value))
     move = Move("put") if refs else Move("rearrange")
-    return Formula(move, itself, own, tree_of(whole), whole, together(known.refs, refs))
+    # What is put in comes after the line into which it is.
+    lines = sorted(known.refs, key=lambda ref: isinstance(ref, str))
+    premises = tuple(dict.fromkeys((*lines, *refs)))
+    return Formula(move, itself, own, tree_of(whole), whole, premises)
 
 
 def velocity_formula(scene: Scene, quantity: Quantity) -> Formula:
