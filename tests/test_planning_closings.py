@@ -107,7 +107,7 @@ given speed(A) = 4u
 find v
 show speed(B) = v
 """,
-        ("As sin² + cos² = 1:", "(v − 8u)(4u + v) = 0", "v = 8u", "speed of B = v"),
+        ("As sin²α + cos²α = 1:", "(v − 8u)(4u + v) = 0", "v = 8u", "speed of B = v"),
     ),
     "a coefficient by whole degrees without surds": (
         """
