@@ -91,6 +91,12 @@ SAYS = {
         + "part b\ngiven e = 1/2, tan(alpha) = 1/2\nfind direction(A)",
         ["tan θ = 2 tan α/(1 − e)", "tan θ = (2 × ½)/(1 − ½) = 2", "θ = arctan 2"],
     ),
+    # v_A = ((5 − 3e)i − √3(1 + e)j)u/8.
+    "a deflection from i in letters is read off the velocity": (
+        REST.format(m="m", e=", e = e").replace("along i", "offset a").replace("u at alpha", "u i")
+        + "sphere A, B: radius a\nfind velocity(A), deflection(A)",
+        ["A came in the direction of 𝐢", "√3(1 + e)/(5 − 3e)"],
+    ),
     # 2mu cos α − mu = mw and w = e(u cos α + u).
     "a cosine of letters is solved for": (
         REST.format(m="m", e="")
@@ -743,3 +749,10 @@ find T, (time(2) - time(1))/time(1)
     assert "t₂" not in words
     assert words.count(" T = ") == 1
     assert "Dividing (2) by (1):" in words
+
+
+def test_an_answer_that_needs_another_letter_says_so_in_words() -> None:
+    statement = REST.format(m="2m", e="") + "find speed(A), speed(B) in terms of e, alpha"
+    working = " ".join(to_text(explain(solve(parse(statement)))).split())
+    reason = "cannot be found, as the answer depends on u, and cannot be given in terms of"
+    assert reason in working

@@ -56,7 +56,6 @@ from restitution.solving.equations.answers import (
     is_same_value,
     is_unit,
     missing_for,
-    name_of,
     phrase_of,
     value_layout,
 )
@@ -581,7 +580,7 @@ class Worker:
             extra = sorted(present - set(in_terms_of))
             if extra:
                 raise MissingError(
-                    f"{name_of(item)} depends on {' and '.join(extra)}, and cannot be given "
+                    f"the answer depends on {' and '.join(extra)}, and cannot be given "
                     f"in terms of {', '.join(in_terms_of)} alone"
                 )
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Apply, Binary, Letter, Name, Quantity
@@ -22,18 +24,20 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
     """The tangent of a deflection of a body that came along **i** or **j**, by its velocity after.
 
     That is one after a blow, a vector, or has components along and across a line of centres at
-    right angles to which the body came. None of another, and where the tangent has letters.
+    right angles to which the body came. None of another, and where the tangent has letters that
+    leave a sign open.
     """
     early = in_the_plane(scene, body, event - 1)
     axis = next((n for n in (0, 1) if early[1 - n].value == 0 != early[n].value), None)
     if axis is None:
         return None
     known = scene.desk.known(Quantity("velocity", (Name(body),), event))
+    vector = False
     if event not in scene.model.frames:
         blown = known_vector(scene, body, event) or velocity_source(scene, body, event)
         late, rest = blown.value, blown.whole
     elif scene.frame(event).is_slanted and known is not None and isinstance(known.value, Vector):
-        late, rest = known.value, known.refs
+        late, rest, vector = known.value, known.refs, True
     elif not scene.frame(event).is_slanted and scene.frame(event).n[axis] == 0:
         components = in_the_plane(scene, body, event)
         late = Vector(*(each.value for each in components))
@@ -46,7 +50,9 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
     if scene.model.sign(aside) < 0:
         aside = -aside
     value = tidy(aside / ahead)
-    if not value.is_number or (event not in scene.model.frames and not value.is_Rational):
+    if not value.is_number and not (vector and _is_certain(scene, aside, ahead)):
+        return None
+    if event not in scene.model.frames and not value.is_Rational:
         return None  # of roots the scalar product with a speed that is known is plainer
     letter, meaning = letter_of(scene, asked)
     move = Move("define", "tan-from-axis", event, (body,))
@@ -58,6 +64,12 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
         return None
     line = ratio_line(scene, move, refs, subject, right, value)
     return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
+
+
+def _is_certain(scene: Scene, aside: sp.Expr, ahead: sp.Expr) -> bool:
+    """Whether a velocity in letters is turned to one side, and goes on, whatever they are."""
+    signs = (scene.model.proved_sign(scene.model.in_data(each)) for each in (aside, aside / ahead))
+    return all(sign is not None for sign in signs)
 
 
 __all__ = ["from_an_axis"]
