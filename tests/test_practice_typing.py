@@ -211,3 +211,22 @@ def test_a_value_behind_the_name_of_a_body_is_no_further_value() -> None:
 def test_the_letter_of_a_known_speed_may_be_that_of_the_velocity() -> None:
     lines = ["4 = usin30 × 2 so u = 4", "u = 2√3i - 2j, v = 2√3i + yj", "6 = 2(y + 2), y = 1"]
     assert verdicts(BOUNCED, *lines) == ["true"] * 3
+
+
+CORNER = """wall W: along i
+wall X: along j
+sphere P: mass m, velocity u at theta to W
+P hits W: e = 3/4
+P hits X: e = 1/4
+given speed(P) = u/2
+find tan(theta)"""
+
+
+def test_components_listed_below_the_heading_of_a_wall_are_judged() -> None:
+    above = "after W: ucosθ par, ¾usinθ perp"
+    wrong = "after X: ucosθ par, 3/16usinθ perp"
+    lines = [above, wrong, "cos²θ + 9/256sin²θ = 1/4"]
+    assert verdicts(CORNER, *lines) == ["remark", "false", "follows"]
+    assert verdicts(CORNER, "after W: ¾ucosθ and usinθ") == ["false"]
+    for right in ("after X: ¼ucosθ perp, ¾usinθ par", "hits X: ucosθ, ¾usinθ"):  # after it, and before it
+        assert verdicts(CORNER, above, right) == ["remark", "remark"]

@@ -43,6 +43,7 @@ from restitution.practice.judging.judged_link import (
     JudgedLink,
     Question,
 )
+from restitution.practice.judging.listed import as_components
 from restitution.practice.judging.naming import Explained, is_sum_of_angles
 from restitution.practice.judging.other_forms import (
     is_signed,
@@ -222,6 +223,9 @@ class Judge(Following):
     def _judged(self, line: ScriptLine) -> JudgedLine:
         if line.kind == "unread":
             return JudgedLine(line, "unread")
+        if line.kind == "remark" and len(line.values) == 2:
+            worlds = (self._base, *(self.students() if self.wrong else ()))
+            line = as_components(line, worlds, self.meanings(line.number))
         if line.kind in ("remark", "heading", "crossed") or not line.links:
             seen = dict.fromkeys(self._seen(line))
             self._stated.update((use.principle, use.event, use.bodies) for use, _ in seen)
