@@ -45,6 +45,11 @@ def solution_of(statement: str) -> Solution:
     return restitution.solve(restitution.parse(statement))
 
 
+def points(statement: str, *lines: str) -> list[tuple[str, str, int | None]]:
+    marking = restitution.mark(solution_of(statement), "\n".join(lines)).json()
+    return [(each["for"], each["state"], each["line"]) for each in marking["marks"]["points"]]
+
+
 def verdicts(statement: str, *lines: str, part: str | None = None) -> list[str]:
     marking = restitution.mark(solution_of(statement), "\n".join(lines), part=part)
     return [line["verdict"] for line in marking.json()["lines"]]
@@ -228,5 +233,20 @@ def test_components_listed_below_the_heading_of_a_wall_are_judged() -> None:
     lines = [above, wrong, "cos²θ + 9/256sin²θ = 1/4"]
     assert verdicts(CORNER, *lines) == ["remark", "false", "follows"]
     assert verdicts(CORNER, "after W: ¾ucosθ and usinθ") == ["false"]
-    for right in ("after X: ¼ucosθ perp, ¾usinθ par", "hits X: ucosθ, ¾usinθ"):  # after it, and before it
+    for right in (
+        "after X: ¼ucosθ perp, ¾usinθ par",
+        "hits X: ucosθ, ¾usinθ",
+    ):  # after it, and before it
         assert verdicts(CORNER, above, right) == ["remark", "remark"]
+
+
+def test_an_energy_before_the_impact_shows_no_law_of_it() -> None:
+    statement = """sphere A: mass 2m, velocity u at 45°
+sphere B: mass m, velocity u at 45° from -i
+A hits B: along i, e = 0
+find speed(A), energy_lost/energy(0)"""
+    lines = ["ucos45 - ucos45 = v1 + v2", "v2 - v1 = 0", "KE before = ½(2m)u² + ½mu² = (3/2)mu²"]
+    law = "conservation of momentum along the line of centres"
+    assert (law, "lost", 1) in points(statement, *lines)
+    after = "KE after = ½(3m)(u²/18) + ½(3m)(½u²) = ⅚mu²"
+    assert (law, "earned", 1) in points(statement, after)

@@ -124,6 +124,7 @@ class _Examiner(EachPoint):
             line = self._line(own.line)
             if line is None or line.verdict not in ("true", "unsupported", "remark"):
                 continue
+            of_start = own.point.item is None and self.values.is_of_the_start(line)
             broken = self._is_broken(own.line, ("false",)) and not self._is_sure(own)
             if broken and not point.equation:
                 continue  # a true equation shows what is in it, whatever stands above
@@ -136,8 +137,8 @@ class _Examiner(EachPoint):
                 other = state.point.principle not in _OF_FACTS
                 if stated and point.principle == "fact" and other:
                     continue
-                if point.letter == "B" and state.point.principle not in _RESOLVING:
-                    continue  # what stays implies no more than that it was resolved
+                if (point.letter == "B" or of_start) and state.point.principle not in _RESOLVING:
+                    continue  # what stays, or stood before, implies no more than resolving it
                 if state.state == "earned" or state.point.shown:
                     continue
                 if state.point.item is not None and state.line is not None:

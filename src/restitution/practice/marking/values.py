@@ -196,6 +196,15 @@ class Values(Sides):
             for claim in chain
         )
 
+    def is_of_the_start(self, line: JudgedLine) -> bool:
+        """Whether a line tells by its letters of what stands before the impacts: ``KE before``."""
+        meanings = self._meanings(line)
+        sides = [
+            side for chain in chains(line) for claim in chain for side in (claim.left, claim.right)
+        ]
+        named = any(isinstance(side, Letter) and side.name in meanings for side in sides)
+        return named and not any(self._changes(side, meanings, line) for side in sides)
+
     def is_eliminated(self, line: JudgedLine) -> bool:
         """Whether one velocity is left in an equation that no law alone gives."""
         if line.uses and line.uses[0].principle not in _OF_SEVERAL:
