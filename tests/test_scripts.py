@@ -89,6 +89,7 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
         ("tenth", 79, 35),
         ("twelfth", 74, 32),
         ("thirteenth", 65, 4),
+        ("fourteenth", 60, 16),
     ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
@@ -157,6 +158,7 @@ def test_a_sample_of_true_lines_in_many_spellings_is_not_accused(script: MarkedS
         "tenth",
         "twelfth",
         "thirteenth",
+        "fourteenth",
     ],
 )
 def test_no_true_line_is_accused(folder: str) -> None:
