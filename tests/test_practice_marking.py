@@ -514,7 +514,7 @@ def test_a_velocity_after_a_wall_shows_the_law_of_restitution() -> None:
     )
     marking = restitution.mark(restitution.parse(statement), "after W1 (ucosα, e1usinα)")
     earned = [each.point.kind for each in marking.marks.points if each.state == "earned"]
-    assert earned == ["B1", "M1", "A1"]
+    assert earned == ["B1", "B1"]
 
 
 def test_an_angle_by_its_tangent_counts_where_the_scheme_has_a_scalar_product() -> None:
@@ -525,7 +525,7 @@ def test_an_angle_by_its_tangent_counts_where_the_scheme_has_a_scalar_product() 
     )
     solution = restitution.solve(restitution.parse(statement))
     lines = "tan^-1(10/5) = 63.4\ntan^-1(6.4/0.2) = 88.2\nturned 88.2 + 63.4 = 151.6"
-    assert restitution.mark(solution, lines, part="c").marks.earned == 2
+    assert restitution.mark(solution, lines, part="c").marks.earned == 1
     other = "tan^-1(10/7) = 55.0\ntan^-1(6.4/0.8) = 82.9\nturned 82.9 + 55.0 = 137.9"
     assert restitution.mark(solution, other, part="c").marks.earned == 0
 
