@@ -738,3 +738,15 @@ def test_the_speed_given_of_what_was_at_rest_is_its_component_before_the_laws() 
 def test_the_speed_given_of_what_was_moving_leaves_its_sense_open() -> None:
     moving = OFF_FROM_REST.replace("at rest", "velocity -u i").replace("2 u,", "4 u,")
     assert "w = u/4" not in said(moving)[:4]
+
+
+def test_a_speed_given_after_two_impacts_is_a_power_of_the_coefficient() -> None:
+    text = """
+sphere A: mass 4m, velocity u i
+sphere B, C: mass m, at rest
+A hits B: along i
+B hits C: along i
+given speed(C) = 9/10 u
+find e
+"""
+    assert "(1 + e)^2 = 9/4" in said(text)

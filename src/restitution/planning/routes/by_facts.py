@@ -321,6 +321,13 @@ class ByFacts(Course):
         laws = {f"momentum {number}", f"restitution {number}"}
         if symbol in self.waiting or not laws <= {each.id for each in left}:
             return False
+        unknown = self.scene.unknown(self.scene.coefficient(number).value)
+        if any(
+            unknown & self.scene.unknown(self.scene.coefficient(each).value)
+            for each in self.scene.model.frames
+            if each < number
+        ):
+            return False  # by the laws it is a power of that
         given = self.equations.givens[own.id]
         return write_speed_from_rest(self.scene, given, symbol) is not None
 
