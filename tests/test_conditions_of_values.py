@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from restitution.language import parse
 from restitution.solving import solve
@@ -42,3 +43,26 @@ def test_each_value_has_its_condition(fact: str, lines: list[str]) -> None:
     working = " ".join(to_text(explain(solve(parse(AT_REST.format(fact=fact)))), 100).split())
     for line in lines:
         assert line in working
+
+
+def test_an_angle_too_unwieldy_to_be_bounded_has_its_cosine_as_condition() -> None:
+    # A has no more than doubled its energy where B is light: no cosine is greater than 1.
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, velocity u at 180° - beta
+A hits B: along i
+given energy(A) = 2 energy(A, 0)
+find beta
+"""
+    solution = solve(parse(text))
+    (answer,) = solution["beta"].answers
+    assert answer.display.endswith(", for 0 < cos β < 1")
+    (condition,) = answer.condition
+    letters = {"alpha": sp.pi / 3, "e": sp.Rational(1, 2), "k": sp.Integer(5)}
+    low, cosine, high = condition.split(" < ")
+    value = sp.sympify(cosine, locals={name: sp.Symbol(name) for name in letters})
+    assert (low, high) == ("0", "1")
+    # v = (1 - ek)u cos(alpha)/(1 + k) - (1 + e)ku cos(beta)/(1 + k), and v² + u² sin²(alpha) = 2u²
+    given = value.subs(letters)
+    v = (1 - 2.5) * 0.5 / 6 - 1.5 * 5 * given / 6
+    assert abs(sp.N(v**2 + 0.75 - 2)) < 1e-12

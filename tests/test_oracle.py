@@ -307,3 +307,16 @@ def test_a_statement_in_plain_numbers_loads_no_decision_procedure() -> None:
         [sys.executable, "-c", code], check=False, capture_output=True, text=True, timeout=100
     )
     assert ran.stdout.split() == ["False"], ran.stderr
+
+
+def test_a_direction_goes_up_to_180_degrees_and_has_no_other_sense() -> None:
+    k = POSITIVE.symbol("k")
+    oracle = Oracle({"k": POSITIVE}, ())
+    there, back = sp.atan2(0, 1 - 2 * k), sp.atan2(0, 2 * k - 1)
+    assert oracle.decide(Relation(there, ">=")).answer == "proved"
+    assert oracle.decide(Relation(there + back - sp.pi, "=")).answer == "proved"
+    verdict = oracle.decide(Relation(there, ">"))
+    assert verdict.answer == "refuted" and verdict.witness is not None
+    assert verdict.witness["k"] < Fraction(1, 2)
+    third = Relation(there / 3 + back / 3 - sp.pi / 4, ">")
+    assert oracle.decide(third).answer == "proved"

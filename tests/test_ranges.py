@@ -460,3 +460,17 @@ find maximum of deflection(A) over alpha
     assert item.answers[0].display.endswith("when α = arctan(√((k − 1)/(1 + k)))")
     ((_, item),) = solve(parse(text.format(given="given k < 1"))).items()
     assert item.answers[0].display == "180° approached as α → 0°"
+
+
+def test_angles_of_0_and_180_degrees_are_compared() -> None:
+    # A goes on in the direction of i for k > 1/2 and comes back for k < 1/2.
+    text = """sphere A: mass k m, velocity u i
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+given k {} 1/2
+show angle(velocity(A), i) < 180°
+show angle(velocity(A), i) <= angle(velocity(B), i)
+show angle(velocity(A), i) <= 90°"""
+    for sign, verdict in ((">", True), ("<", False)):
+        items = [item for _, item in solve(parse(text.format(sign))).items()]
+        assert [item.holds for item in items] == [verdict] * 3

@@ -125,6 +125,8 @@ class Polynomials:
         if atom.is_Symbol:
             role = self.roles.get(atom.name, REAL)
             return role.low, role.high, role.closed
+        if isinstance(atom, sp.atan2):
+            return -sp.pi, sp.pi, (False, True)
         return None, None, (False, False)
 
     def _terms(self, angle: sp.Expr) -> tuple[list[tuple[sp.Rational, sp.Expr]], sp.Expr]:
@@ -314,7 +316,7 @@ class Polynomials:
             for kind, function in (("cos", sp.cos), ("sin", sp.sin)):
                 self._enclose(self._keys[kind, atom], function(atom / q))
 
-    def _define_limits(self, atom: sp.Symbol, c: PolyElement, s: PolyElement, q: int) -> None:
+    def _define_limits(self, atom: sp.Expr, c: PolyElement, s: PolyElement, q: int) -> None:
         low, high, closed = self._limits(atom)
         if low is None or high is None or bool(high - low >= 2 * sp.pi * q):
             return
@@ -336,8 +338,11 @@ class Polynomials:
             r = self._generators[self._keys["radius", atom]]
             self.relations.append(r * cn * xb - x)
             self.relations.append(r * sn * yb - y)
-            if q > 1:
-                self.bounds.append(Bound(c, False))
+            # It is above -180°, and 180° at most.
+            if q == 2:
+                self.bounds += [Bound(c, False), Bound(s + 1, True)]
+            elif q > 2:
+                self._define_limits(atom, c, s, q)
             return
         above, below = self.quotient(atom.args[0])
         if isinstance(atom, sp.atan):

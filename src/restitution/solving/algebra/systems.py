@@ -182,8 +182,7 @@ def _solved(
                     continue
                 q = scale[symbol]
                 values[symbol.name] = in_range(q * angle_of(c, s), roles[symbol.name])
-                if q == 1:
-                    known_angles[symbol.name] = (c, s)
+                known_angles[symbol.name] = _multiple_of(q, c, s)
             elif symbol in assignment:
                 values[symbol.name] = assignment[symbol]
         # What stays free is spoken of as the angle, not as its tangent.
@@ -198,6 +197,16 @@ def _solved(
         if solution not in solutions:  # two factors may have a root in common
             solutions.append(solution)
     return tuple(solutions)
+
+
+def _multiple_of(q: int, c: sp.Expr, s: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """The cosine and sine of a multiple of an angle of which these are given."""
+    if q == 1:
+        return c, s
+    x = sp.Dummy("cosine")
+    whole = (sp.chebyshevt(q, x), s * sp.chebyshevu(q - 1, x))
+    multiple_c, multiple_s = (neat(sp.expand(each.xreplace({x: c}))) for each in whole)
+    return multiple_c, multiple_s
 
 
 # --- elimination ------------------------------------------------------------------------------

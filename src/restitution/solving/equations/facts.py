@@ -167,11 +167,13 @@ def _ordered(
     reason = "a given inequality does not hold"
     if isinstance(small, Angle) or isinstance(large, Angle):
         one, other = trees
-        if not within_a_half_turn(story, one, other, now):
+        is_open = within_a_half_turn(story, one, other, now)
+        evaluator = story.evaluator(0)
+        a, b = (evaluator.as_angle(x) for x in (small, large)) if is_open else (None, None)
+        if a is None or b is None or all(story.field.is_zero(each.y) for each in (a, b)):
+            # Of 0° and 180° the difference has no sine that would tell which is the greater.
             first, last = (x.measure() if isinstance(x, Angle) else x for x in (small, large))
             return Condition(last - first, relation, reason, "fact")
-        evaluator = story.evaluator(0)
-        a, b = evaluator.as_angle(small), evaluator.as_angle(large)
         # They differ by 180° at most, so the sign of the sine of the difference is that of it.
         return Condition(b.y * a.x - b.x * a.y, relation, reason, "fact")
     return Condition(large - small, relation, reason, "fact")

@@ -103,29 +103,67 @@ def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
 
 
 def _of_unwieldy(outcome: Outcome, trial: Trial) -> Iterator[Limitation]:
-    """That a coefficient whose value is too unwieldy to be bounded lies from 0 to 1.
+    """That what is found is in its range, where its value is too unwieldy to be bounded in letters.
 
-    Nothing, where it does at all values of the letters that are tried.
+    Nothing, where it is at all values of the letters that are tried.
     """
     roles = outcome.letters.all_roles()
     for name, value in trial.root.values.items():
         role = outcome.setting.roles.get(name)
-        if role is None or role.kind != "restitution" or not value.free_symbols:
+        if role is None or not value.free_symbols:
             continue
+        bounded = _bounded(name, role, value, trial.root.angles.get(name))
         names = sorted(x.name for x in value.free_symbols)
-        if any(each.startswith("_") or each not in roles for each in names):
+        if bounded is None or any(each.startswith("_") or each not in roles for each in names):
             continue
+        inside, (low, high), limit = bounded
         rng = random.Random(53)
         for _ in range(TRIED):
             try:
-                number = at(value, sample(names, roles, rng))
+                number = at(inside, sample(names, roles, rng))
             except UndefinedError:
                 continue
-            if number < 0 or number > 1:
-                low, high = Relation(value, ">="), Relation(1 - value, ">=")
-                limit = _chain(name, low, high)
-                yield replace(limit, layout=limit.own or limit.layout)
+            if number < low or (high is not None and number > high):
+                yield limit
                 break
+
+
+def _bounded(
+    name: str, role: Role, value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None
+) -> tuple[sp.Expr, tuple[int, int | None], Limitation] | None:
+    """An expression, between which numbers it lies, and this as a limitation of what was found.
+
+    It is a coefficient or a positive letter itself; of an acute angle its cosine, sine or tangent.
+    """
+    own: sp.Expr = sp.Symbol(name)
+    if role.kind == "restitution":
+        limit = _chain(name, Relation(value, ">="), Relation(1 - value, ">="))
+        return value, (0, 1), replace(limit, layout=limit.own or limit.layout)
+    if role.low != 0 or role.closed[0]:
+        return None
+    high: int | None = None
+    if role.kind == "angle" and role.high == sp.pi / 2:
+        function = _FUNCTIONS.get(value.func)
+        if function is not None:
+            value = value.args[0]
+        elif angle is not None:
+            function, value = sp.cos, forms.tidy(angle[0])
+        else:
+            return None
+        own = function(role.symbol(name))
+        high = None if function is sp.tan else 1
+    elif role.high is not None:
+        return None
+    text = f"0 < {exact.sympy_text(value)}" + ("" if high is None else f" < {high}")
+    if high is None:
+        layout = relation(own, ">", sp.Integer(0))
+    else:
+        layout = relation(sp.Integer(0), "<", own, "<", sp.Integer(high))
+    return value, (0, high), Limitation(text, layout, name)
+
+
+_FUNCTIONS = {sp.acos: sp.cos, sp.asin: sp.sin, sp.atan: sp.tan}
+"""An inverse function, and the one of the angle."""
 
 
 def _of_senses(base: Oracle, trial: Trial) -> Iterator[Demand]:

@@ -199,7 +199,9 @@ def demands_of(
             )
             if role == COEFFICIENT:
                 continue
-        formula = joined(_within(value, angles.get(name), role))
+        # Three times an angle may have gone round, and its cosine and sine do not tell.
+        angle = None if _is_multiple(value) else angles.get(name)
+        formula = joined(_within(value, angle, role))
         reason, kind = reason_outside(name, role)
         plain.append(Demand(formula, reason, kind))
     # An impossible coefficient is blamed only where nothing else is wrong.
@@ -237,6 +239,12 @@ def _below_radicands(value: sp.Expr) -> list[sp.Expr]:
         if node.exp.is_negative and node.exp.is_Rational and node.exp.q == 2
     )
     return sorted({each for each in below if each.free_symbols}, key=sp.default_sort_key)
+
+
+def _is_multiple(value: sp.Expr) -> bool:
+    """Whether a value is a multiple of an arctangent, and perhaps a number more."""
+    arc = value.as_independent(sp.atan, sp.atan2, as_Add=True)[1]
+    return arc.as_coeff_Mul()[0] not in (1, -1)
 
 
 def _within(value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None, role: Role) -> Iterable[Formula]:
