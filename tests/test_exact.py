@@ -418,3 +418,9 @@ def test_the_half_of_an_acute_angle_is_seen_in_its_tangent():
         assert abs((atan(tangent) - half).subs(a, Q(4, 5)).evalf()) < 1e-12
     for tangent in (sin(a) / (2 + cos(a)), 2 * sin(a) / (1 + cos(a))):
         assert isinstance(tidy_angle(atan(tangent)), atan)
+
+
+def test_a_minus_goes_into_a_factor_that_has_one() -> None:
+    w = Symbol("w", real=True)
+    assert str(tidy(-5 * (w - 5) * (w + 1))) == "5*(5 - w)*(w + 1)"
+    assert str(tidy(-5 * w * (w + 1))) == "-5*w*(w + 1)"

@@ -186,7 +186,8 @@ def _signed(
     overall = sign * (-1 if coefficient.could_extract_minus_sign() else 1)
     if overall < 0:
         for index, (base, power) in enumerate(turned):
-            if isinstance(base, Add) and power.is_odd and not has_one_sign(base):
+            mixed = isinstance(base, Add) and any(map(_is_minus, base.args))
+            if mixed and power.is_odd and not has_one_sign(base):
                 turned[index] = (-base, power)
                 sign = -sign
                 break
