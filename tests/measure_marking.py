@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import re
 import time
+import traceback
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -160,6 +161,8 @@ def measure(scripts: Iterable[MarkedScript], declared: bool) -> Measures:
             found, seconds = reply(script, declared)
         except Exception as error:  # noqa: BLE001 - a crash is an outcome too
             measures.note("crashed", True, f"{script.name}: {error!r}", bad=True)
+            last = traceback.extract_tb(error.__traceback__)[-1]
+            measures.losses[f"crashed: {type(error).__name__} in {last.name}"] += 1
             continue
         measures.note("crashed", False)
         measures.seconds[script.name] = seconds

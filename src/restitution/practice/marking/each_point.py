@@ -113,7 +113,8 @@ class EachPoint:
                 (
                     each
                     for each in sound
-                    if self.values.has_angle(point, each) or self.values.works_out_an_angle(each)
+                    if self.values.has_angle(point, each)
+                    or self.values.works_out_an_angle(each, known=not self._is_below(each))
                 ),
                 None,
             )
@@ -127,6 +128,11 @@ class EachPoint:
         if tangent is not None:
             return self._earned(point, tangent, "the angle by its tangent instead")
         return lost or self._carried(point) or self._missing(point)
+
+    def _is_below(self, line: JudgedLine) -> bool:
+        """Whether a mistake stands above a line."""
+        above = (each for each in self.lines if each.line.number < line.line.number)
+        return any(each.verdict not in ("true", "remark") for each in above)
 
     def _by_tangent(self, point: MarkPoint) -> JudgedLine | None:
         """A line with the angle of a velocity where the scalar product needs its speed."""

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Name,
     Number,
     Quantity,
     Unit,
@@ -212,19 +213,46 @@ class Values(Sides):
         names = [self.velocities_in(claim, line) for chain in chains(line) for claim in chain]
         return any(len(each) == 1 for each in names)
 
-    def works_out_an_angle(self, line: JudgedLine) -> bool:
-        """Whether a line works out an angle from a ratio of two numbers."""
+    def works_out_an_angle(self, line: JudgedLine, known: bool = False) -> bool:
+        """Whether a line works out an angle from a ratio of two numbers.
+
+        With ``known`` those of a tangent have to be components of a velocity.
+        """
         return any(
             isinstance(each, Apply)
             and each.function in ("arctan", "arcsin", "arccos")
             and isinstance(each.argument, Binary)
             and each.argument.op == "/"
             and is_bare(each.argument)
+            and not (known and each.function == "arctan" and not self._is_slope(each.argument))
             for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
             for each in walk(side)
         )
+
+    def _is_slope(self, ratio: Expression) -> bool:
+        """Whether a ratio is of two components of a velocity: along i and j, or a line and not."""
+        world = self._base
+        tangent = np.abs(world.scalar(ratio))
+        lines = [Quantity("line_of_centres", (), number) for number in world.lines]
+        for body in world.start:
+            for stage in range(len(world.events) + 1):
+                velocity = Quantity("velocity", (Name(body),), stage)
+                v = world.value(velocity)
+                assert isinstance(v, Vector)
+                pairs = [(world.spread(v.x), world.spread(v.y))]
+                for line in lines:
+                    parts = (Quantity(kind, (velocity, line)) for kind in ("along", "across"))
+                    along, across = (world.scalar(each) for each in parts)
+                    pairs.append((along, across))
+                if any(
+                    are_close(tangent * np.abs(a), np.abs(b)) and bool(np.any(b))
+                    for one, other in pairs
+                    for a, b in ((one, other), (other, one))
+                ):
+                    return True
+        return False
 
     def has_tangent(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line works out, by its components, the angle of a velocity to i or j.
