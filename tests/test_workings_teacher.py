@@ -97,6 +97,18 @@ SAYS = {
         + "sphere A, B: radius a\nfind velocity(A), deflection(A)",
         ["A came in the direction of 𝐢", "√3(1 + e)/(5 − 3e)"],
     ),
+    "a share stays a fraction beside decimals": (
+        WALL.format(e="").replace("mass m", "mass 0.5")
+        + "given speed(P) = 1/2 speed(P, 0)\nfind e in terms of alpha",
+        ["It is given that the speed of P is ½ of the speed of P before the impact"],
+    ),
+    "velocities are added without a tangent that nothing else has": (
+        WALL.format(e=": e = 1/2")
+        .replace("along i", "along theta")
+        .replace("u at alpha to W", "2u i - u j")
+        + "find velocity(P)",
+        ["+ u(2 cos θ − sin θ) cos θ)𝐢", "+ u(2 cos θ − sin θ) sin θ)𝐣"],
+    ),
     # 2mu cos α − mu = mw and w = e(u cos α + u).
     "a cosine of letters is solved for": (
         REST.format(m="m", e="")

@@ -126,16 +126,20 @@ def _by_coordinates(scene: Scene, right: Expression) -> Expression | None:
     if len(terms) != _PAIR:
         return None
     parts: list[list[sp.Expr]] = [[], []]
+    kept = False
     for term in terms:
         value = scene.value(term)
         if not isinstance(value, Vector):
             return None
         for part, size in zip(parts, value, strict=True):
             part.append(tidy(size))
+            # A product of sums of sines and cosines stays one, without tan θ cos²θ.
+            if part[-1].has(sp.tan) and not size.has(sp.tan):
+                part[-1], kept = size, True
     sums = [size for part in parts for size in part if size.has(sp.Add)]
     if not sums or any(size == 0 for part in parts for size in part):
         return None
-    return vector(*(total(map(tree_of, part)) for part in parts))
+    return vector(*(total(tree_of(e, as_it_is=kept) for e in part) for part in parts))
 
 
 def _with_squares(scene: Scene, root: Expression) -> tuple[tuple[Expression, MoveId | None], ...]:

@@ -93,7 +93,7 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
             case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                 return say("derived.same", quantity=left, value=right)
             case Binary("*", size, Quantity() as whole) if _is_share(size):
-                share = _percentage(naming.layout(size))
+                share = _percentage(naming.as_typed(size))
                 return say("derived.share", quantity=left, share=share, value=naming.side(whole))
             case Binary("*", Letter() as size, Quantity() as whole):
                 share = naming.layout(size)
@@ -105,7 +105,7 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
             case Quantity() if isinstance(right, lay.Words | lay.Phrase):
                 bound = say("derived.called", quantity=right)
             case Binary("*", size, Quantity() as whole) if _is_share(size):
-                share = _percentage(naming.layout(size))
+                share = _percentage(naming.as_typed(size))
                 bound = say("derived.part", share=share, value=naming.side(whole))
         return say(_BOUNDS[link.sign], quantity=left, value=bound)
     return naming.relation(fact.relation)
