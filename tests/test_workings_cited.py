@@ -130,3 +130,18 @@ def test_an_angle_to_a_wall_whose_tangent_is_given_is_not_found_again() -> None:
     assert "It is given that the tangent of the angle between 𝐯_P and W is 3/2:" in said
     assert "δ = arctan(15/8) + arctan(3/2)" in said
     assert "tan β" not in said
+
+
+def test_a_ratio_that_is_given_is_said_where_its_number_is_first_used() -> None:
+    said = printed(
+        """
+sphere A: mass m, velocity 5u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+given cos(alpha) = 3/5, direction(A) = 90°
+find e, energy_lost
+"""
+    )
+    lead = "It is given that cos α = ⅗."
+    assert f"{lead} Conservation of momentum along the line of centres: m × 3u = 2mw" in said
+    assert said.count(lead) == 1

@@ -266,6 +266,12 @@ class GivenLeads(Leads):
                         slots = {"component": component, "value": value}
                         return (say("given.multiple", fact=words, **slots),)
                     return (say("given.and", fact=words),)
+                case Link(Apply("sin" | "cos" | "tan", Letter()) as ratio, "=") if not any(
+                    ratio in walk(each) for each in trees_of(line.relation)
+                ):
+                    # Its number stands in the law, and no line says where that is from.
+                    self._given.add(fact.id)
+                    return (say("given.and", fact=fact_in_words(self._naming, fact)),)
                 case Link(Quantity("velocity", (Name(body),)), "=") if is_rest(fact):
                     self._given.add(fact.id)
                     return (say("given.rest", body=body),)
