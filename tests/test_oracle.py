@@ -28,6 +28,7 @@ from restitution.oracle import (
 )
 from restitution.oracle.points import ball, ends_of
 from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE, REAL, TO_180, Role
+from restitution.oracle.senses import possible_senses
 
 ROLES = {
     **dict.fromkeys(("m", "u", "k", "v"), POSITIVE),
@@ -320,3 +321,20 @@ def test_a_direction_goes_up_to_180_degrees_and_has_no_other_sense() -> None:
     assert verdict.witness["k"] < Fraction(1, 2)
     third = Relation(there / 3 + back / 3 - sp.pi / 4, ">")
     assert oracle.decide(third).answer == "proved"
+
+
+def test_no_sign_that_a_polynomial_has_is_ruled_out() -> None:
+    # (x - y)² + z is positive for z > 0, y has both signs, and 3 - x one for 0 <= x <= 2.
+    ring, x, y, z = sp.ring("x, y, z", sp.QQ)
+    senses = {"x": "+", "y": "real", "z": "0+"}
+    bounds = {"x": (Fraction(0), Fraction(2), True, True)}
+    one = ring.one
+    cases = {
+        (x - y) ** 2 + z + x + x * z + z**2 + x**3 + one / 7: (1,),
+        -((x - y) ** 2) - z - x - x * z - z**2 - x**3 - one / 7: (-1,),
+        y * (1 + x + z) * (1 + x + z**2): (),
+        (3 - x) ** 3 * (1 + z) ** 2: (1,),
+        x - y: (1, -1),  # so short that its coefficients are asked
+    }
+    for polynomial, signs in cases.items():
+        assert possible_senses(polynomial, ["x", "y", "z"], senses, bounds) == signs

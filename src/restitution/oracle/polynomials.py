@@ -27,6 +27,7 @@ from restitution.exact.degrees import function_of
 from restitution.oracle.bases import bases_of, multiple_of
 from restitution.oracle.points import BeyondError, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
+from restitution.oracle.senses import Bounds, possible_senses
 
 Sense = Literal["+", "0+", "real"]
 MOST_TERMS = 3000
@@ -59,7 +60,7 @@ class Polynomials:
         self.roles = roles
         self.loose = False
         self.senses: dict[str, Sense] = {}
-        self.between: dict[str, tuple[Fraction | None, Fraction | None, bool, bool]] = {}
+        self.between: dict[str, Bounds] = {}
         self.letters: dict[str, str] = {}
         self.angles: dict[str, tuple[str, str, int]] = {}
         self._keys: dict[Any, str] = {}
@@ -539,13 +540,12 @@ class Polynomials:
     def sign(self, polynomial: PolyElement) -> int | None:
         """The sign of a polynomial where its coefficients show it; None says nothing.
 
-        Letters between bounds are put on the way from 0 to ∞ first, so that a polynomial in them
-        is positive if all its coefficients are.
+        Letters between bounds go from 0 to ∞ first: then it is positive if all coefficients are.
         """
         if polynomial.is_ground:
             number = polynomial.coeff(1)
             return int(number > 0) - int(number < 0)
-        for sense in (1, -1):
+        for sense in possible_senses(polynomial, self.names, self.senses, self.between):
             if self._positive(polynomial * sense):
                 return sense
         return None
