@@ -73,7 +73,7 @@ CASES = {
     ),
     "a difference of such angles": (
         WALL.format(angle="alpha", e=": e = 1/3", given=f"alpha - {AFTER} = 30°", asked="alpha"),
-        ["α − β = 30°", "(tan α − ⅓ tan α)/(1 + (tan α)(⅓ tan α)) = √3/3", "α = 60°"],
+        ["α − β = 30°", "(tan α − ⅓ tan α)/(1 + ⅓ tan²α) = √3/3", "α = 60°"],
     ),
     "two angles by their sum and one of them": (
         WALL.format(angle="alpha", e="", given=f"deflection(P) = 75°, {AFTER} = 30°", asked="e"),

@@ -15,6 +15,7 @@ from restitution.errors import MissingError
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of, staged
 from restitution.explaining.following.premises import (
+    with_given_ratios,
     with_identities,
     with_ranges,
     without_idle_ratios,
@@ -152,7 +153,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     whole = without_idle(whole)
     for shortened in (
         *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
-        *(with_latest_forms, with_factors_kept, with_squares_of_speeds),
+        *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
     ):
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):

@@ -86,6 +86,32 @@ def with_identities(derivation: Derivation, oracle: Oracle) -> Derivation:
     return replace(derivation, lines=tuple(lines))
 
 
+def with_given_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which a ratio that is given is put in itself, where that is enough.
+
+    Then no line needs the other ratios of its angle.
+    """
+    for line in derivation.lines:
+        given = [
+            fact.id
+            for ref in line.premises
+            if (fact := derivation.fact(ref) if isinstance(ref, str) else None) is not None
+            and _is_ratio(fact.relation)
+        ]
+        users = [each for each in derivation.lines if line.number in each.premises]
+        if line.move.id != "triangle" or len(given) != 1 or line.number in derivation.held:
+            continue
+        if any(each.move.id != "put" for each in users):
+            continue
+        changed = {each.number: _citing(each, line.number, given[0]) for each in users}
+        lines = tuple(changed.get(each.number, each) for each in derivation.lines)
+        whole = replace(derivation, lines=lines)
+        read = reader_of(whole, oracle)
+        if all(read.accepts(read.lines[number]) for number in changed):
+            derivation = whole
+    return derivation
+
+
 def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
     """The same working, in which of a sine and a cosine that are found together none is idle."""
     ends = {item.line for item in derivation.items}
@@ -109,6 +135,12 @@ def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
                 derivation = shorter
                 break
     return derivation
+
+
+def _citing(line: Line, old: Ref, new: Ref) -> Line:
+    """The same line, which rests on one premise in place of another."""
+    premises = (new if ref == old else ref for ref in line.premises)
+    return replace(line, premises=tuple(dict.fromkeys(premises)))
 
 
 def _by_identity(line: Line) -> Line | None:

@@ -87,7 +87,7 @@ def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] |
 
     The sign is 2 where the first is twice the second.
     """
-    sides = (each.link.left, each.link.right)
+    sides = _sides(each)
     names = list(dict.fromkeys(name for side in sides for name in sorted(letters(side))))
     if len(names) != 2 or any(has_quantity(side) for side in sides):
         return None
@@ -110,6 +110,16 @@ def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] |
     if a == -1 and b == 1:
         names, a, b = names[::-1], b, a
     return names[0], names[1], int(a * b), tidy(-a * rest)
+
+
+def _sides(each: GivenEquation) -> tuple[Expression, Expression]:
+    """The sides of a fact about angles; of one about the tangent of a sum, the angles."""
+    match each.link:
+        case Link(Apply("tan", Binary("+" | "-") as angles), "=", right) if not (
+            letters(right) or has_quantity(right)
+        ):
+            return angles, Apply("arctan", right)
+    return each.link.left, each.link.right
 
 
 def _quantity(scene: Scene, name: str) -> Quantity | None:
@@ -147,6 +157,7 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
         tree, own = _tangent(scene, Letter(name))
         tangents.append(tree)
         refs += own
+    above: Expression = ONE
     base: Ref = line or (stated(scene, each) if each.lets else each.fact.id)
     ranges = background(scene, names)
     subjects = [Apply("tan", Letter(name)) for name in names]
@@ -161,9 +172,8 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
         relation = chain(product(*subjects), (ONE, None))
         move = Move("identity", "complement")
     else:
-        above: Expression = Binary("+" if sign == 1 else "-", *subjects)
-        both = product(*subjects)
-        below = difference(ONE, both) if sign == 1 else Binary("+", ONE, both)
+        above = Binary("+" if sign == 1 else "-", *subjects)
+        below = _below(sign, product(*subjects))
         value = tree_of(tidy(sp.tan(angle)))
         relation = Relation(((Link(Binary("/", above, below), "=", value),),))
         move = Move("identity", "sum-of-angles")
@@ -176,10 +186,22 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
     values = dict(zip(subjects, tangents, strict=True))
     link = scene.desk.last_link(number)
     put = Relation(((Link(_with(link.left, values), "=", _with(link.right, values)),),))
+    if move.record == "sum-of-angles":
+        # The product of both is one term: 3 tan²α.
+        whole = scene.scalar(product(*tangents))
+        if whole.free_symbols:
+            below = _below(sign, tree_of(tidy(whole)))
+            above = _with(above, values)
+            put = Relation(((Link(Binary("/", above, below), "=", link.right),),))
     premises = scene.judge.enough(Move("put"), (number, *together(refs)), put, ranges)
     if premises is None:
         raise NotPlannedError("a sum of angles")
     return scene.desk.write(Move("put"), premises, put)
+
+
+def _below(sign: int, both: Expression) -> Expression:
+    """What stands below in the tangent of a sum, or of a difference."""
+    return difference(ONE, both) if sign == 1 else Binary("+", ONE, both)
 
 
 def _of_one_that_is_known(scene: Scene, names: Sequence[str]) -> int | None:
@@ -267,6 +289,9 @@ def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]
     quantity = _quantity(scene, letter.name)
     if quantity is None:
         return Apply("tan", letter), ()
+    standing = _standing_tangent(scene, letter)
+    if standing is not None:
+        return scene.desk.last_link(standing).right, (standing,)
     own = formula(scene, quantity)
     _, meaning = letter_of(scene, quantity)
     own = replace(own, quantity=letter, refs=together((meaning,), own.refs))
@@ -276,6 +301,22 @@ def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]
         own.move, own.refs, chain(own.left, (swept(own.right), None), (final, "rearrange"))
     )
     return final, (number,)
+
+
+def _standing_tangent(scene: Scene, letter: Letter) -> int | None:
+    """The line of a tangent that stands, with the letters put in that are known since."""
+    tangent = Apply("tan", letter)
+    for line in reversed(scene.desk.lines):
+        own = line.relation
+        if not isinstance(own, Relation) or len(own.options) != 1 or own.only[0].left != tangent:
+            continue
+        if scene.desk.holds(line.number) and all(link.sign == "=" for link in own.only):
+            put, refs = scene.put(scene.scalar(own.only[-1].right))
+            if not refs:
+                return line.number
+            relation = chain(tangent, (tree_of(in_tangents(tidy(put))), None))
+            return scene.judge.write((Move("put"),), (line.number, *refs), relation)
+    return None
 
 
 __all__ = ["is_sum", "stated", "write_sum", "write_sum_with", "write_tangent_of_sum"]

@@ -591,8 +591,9 @@ def _expanded(scene: Scene, line: int, sums: Sequence[Apply], symbol: sp.Symbol)
 
 def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
     """An acute angle as the inverse of the ratio that a line gives."""
+    final = acute_angle(tidy_angle(scene.final(symbol)), scene.model.sign)
     if len(scene.desk.relation(line).options) > 1:
-        return acute_angle(tidy_angle(scene.final(symbol)), scene.model.sign)
+        return final
     link = scene.desk.last_link(line)
     match link.left:
         case Apply("cos" | "sin" as kind, Letter(name)) if name == symbol.name:
@@ -602,9 +603,9 @@ def _as_written(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr:
                 return (sp.acos if kind == "cos" else sp.asin)(ratio_)
         case Apply("tan", Letter(name)) if name == symbol.name:
             ratio_ = scene.scalar(link.right)
-            if is_in_degrees(ratio_):
+            if is_in_degrees(ratio_) or isinstance(final, sp.asin | sp.acos):
                 return sp.atan(ratio_)
-    return acute_angle(tidy_angle(scene.final(symbol)), scene.model.sign)
+    return final
 
 
 def inverse(scene: Scene, line: int, symbol: sp.Symbol, sides: Sequence[int] = ()) -> Source:

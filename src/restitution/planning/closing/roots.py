@@ -95,7 +95,8 @@ def by_roots(
         is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)
     ):
         number = in_standard_form(scene, number, whole, generator, subject)
-        number = _in_factors(scene, number, [base for base, _ in factors], generator, subject)
+        parts = [base for base, _ in factors] if len(factors) > 1 else [sp.Pow(*factors[0])]
+        number = _in_factors(scene, number, parts, generator, subject)
     alternatives = Relation(tuple(option(subject, root) for root in roots))
     names = {each.name for each in above.free_symbols}
     known = background(scene, names)
@@ -131,9 +132,9 @@ def _by_the_formula(
     put in order. None of another one.
     """
     match scene.desk.last_link(number):
-        case Link(Binary("^", base, _), "=", right) if is_square_of_sum(
-            scene, number, polynomials[0].gen
-        ):
+        case Link(Binary("^", base, _), "=", right) if polynomials[
+            0
+        ].gen.is_Symbol and is_square_of_sum(scene, number, polynomials[0].gen):
             return _of_a_square(scene, number, (base, right), roots, known)
     if len(polynomials) != 1 or polynomials[0].degree() != 2:
         return None
@@ -397,19 +398,36 @@ def _in_factors(
     generator: sp.Expr,
     subject: Expression,
 ) -> int:
-    """A quadratic as the product of two linear factors, where it is one."""
-    degrees = [sp.Poly(factor, generator).degree() for factor in factors]
-    if degrees not in ([1, 1], [2, 2]):
-        return number
+    """A quadratic as the product of two linear factors, or as a square, where it is one."""
     if scene.desk.last_link(number).right != ZERO:
         return number
-    plain = [_plain(scene, factor, generator) for factor in factors]
-    plain.sort(key=lambda each: (each.nth(0) != 0, each.LC() == 1, str(each.nth(0))))
-    trees = [polynomial_tree(each, subject) for each in plain]
-    relation = Relation(((Link(product(*trees), "=", ZERO),),))
+    degrees = [sp.Poly(factor, generator).degree() for factor in factors]
+    root = _double_root(factors, generator)
+    if root is not None:
+        above, below = sp.fraction(root)
+        once = _plain(scene, below * generator - above, generator)
+        relation = Relation(((Link(square(polynomial_tree(once, subject)), "=", ZERO),),))
+    elif degrees in ([1, 1], [2, 2]):
+        plain = [_plain(scene, factor, generator) for factor in factors]
+        plain.sort(key=lambda each: (each.nth(0) != 0, each.LC() == 1, str(each.nth(0))))
+        trees = [polynomial_tree(each, subject) for each in plain]
+        relation = Relation(((Link(product(*trees), "=", ZERO),),))
+    else:
+        return number
     names = {symbol.name for symbol in residual(scene, number).free_symbols}
     refs = scene.judge.enough(Move("rearrange"), (number,), relation, background(scene, names))
     return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _double_root(factors: Sequence[sp.Expr], generator: sp.Expr) -> sp.Expr | None:
+    """The only root of a quadratic in numbers that is a square; None of any other."""
+    polynomials = [sp.Poly(factor, generator) for factor in factors]
+    if len(polynomials) != 1 or polynomials[0].degree() != 2:
+        return None
+    a, b, c = polynomials[0].all_coeffs()
+    if not (a.is_number and b.is_number and c.is_number) or b == 0:
+        return None
+    return tidy(-b / (2 * a)) if tidy(b**2 - 4 * a * c) == 0 else None
 
 
 def itself(value: sp.Expr) -> sp.Expr:

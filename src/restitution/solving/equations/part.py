@@ -205,7 +205,7 @@ def work_out(setting: Setting) -> Outcome:
         )
         last = kept, story
     if last is None or not trials:
-        raise failed or _clash(setting)
+        raise failed or (last and _missed(last[1])) or _clash(setting)
     trials = _without_touching(_distinct(trials))
     left = tuple(each for each in equations if each != 0 and len(branches) == 1)
     return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions), left)
@@ -254,6 +254,16 @@ def _without_touching(trials: list[Trial]) -> list[Trial]:
 
 def _same_values(a: Trial, b: Trial) -> bool:
     return bool(a.samples) == bool(b.samples) and a.root.values == b.root.values
+
+
+def _missed(story: Story) -> ImpossibleError | None:
+    """Why a sphere does not come where it is told to come, if the data alone say so."""
+    for each in story.equations:
+        if each.kind == "path" and not each.fact:
+            value = sp.sympify(each.value, strict=True)
+            if value.is_number and not exact.is_zero(value):
+                return ImpossibleError(each.reason, None if each.place is None else each.place.line)
+    return None
 
 
 def _clash(setting: Setting) -> RestitutionError:

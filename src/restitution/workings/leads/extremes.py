@@ -109,7 +109,10 @@ def _where(
 
 
 def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression | None:
-    """A sum whose square is in the lines above, and which is zero at a place; None without one."""
+    """A sum whose square is in the lines above, and which is zero at a place.
+
+    None without one, and of one that says no more than the place.
+    """
     try:
         left, right = (in_letters(each, positive=True) for each in (place.left, place.right))
         for above in _above(derivation, line):
@@ -119,7 +122,8 @@ def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression
                         case Binary("^", Binary("+" | "-") as base, Number(power)) if power == 2:
                             own = in_letters(base, positive=True)
                             if own.has(left) and tidy(own.subs(left, right)) == 0:
-                                return base
+                                plain = sp.expand(own**2 - (left - right) ** 2) == 0
+                                return None if plain else base
     except RestitutionError:
         return None
     return None

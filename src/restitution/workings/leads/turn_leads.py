@@ -135,6 +135,7 @@ class TurnLeads(LinesAround):
         else:
             sides = (base.relation.quantity,)
         for side in sides:
+            side = side.argument if isinstance(side, Apply) else side
             form = _form_of(side) if isinstance(side, Binary) else ""
             if form in _TANGENTS:
                 return _TANGENTS[form]
@@ -172,6 +173,8 @@ class TurnLeads(LinesAround):
             if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
                 match fact.relation.only:
                     case (Link(Binary("+" | "-"), "=") | Link(_, "=", Binary("+" | "-")),):
+                        return fact
+                    case (Link(Apply("tan", Binary("+" | "-")), "="),):
                         return fact
                     case (Link(left, "=", right),) if line.move.record == "double-angle":
                         if isinstance(left, Binary) or isinstance(right, Binary):
