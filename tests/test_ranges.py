@@ -13,8 +13,10 @@ from restitution.explaining.lines.notation import read_relation
 from restitution.export.answers import answers
 from restitution.language import parse
 from restitution.oracle import Oracle
+from restitution.oracle.roles import POSITIVE
 from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.ranges.limits import limits
 from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
@@ -474,3 +476,11 @@ show angle(velocity(A), i) <= 90°"""
     for sign, verdict in ((">", True), ("<", False)):
         items = [item for _, item in solve(parse(text.format(sign))).items()]
         assert [item.holds for item in items] == [verdict] * 3
+
+
+def test_no_limit_is_sought_where_a_letter_never_comes() -> None:
+    m, k = POSITIVE.symbol("m"), POSITIVE.symbol("k")
+    value = (k - m) / (k + m)
+    assert limits(value, k, -m, POSITIVE, broken=True) == []
+    assert limits(value, k, sp.Rational(-3, 2), POSITIVE, broken=False) == []
+    assert limits(value, k, sp.Integer(0), POSITIVE, broken=False) == [(sp.Integer(-1), {})]

@@ -105,12 +105,25 @@ def limit(
 def limits(
     expression: sp.Expr, symbol: sp.Symbol, point: sp.Expr, role: Role, *, broken: bool
 ) -> list[tuple[sp.Expr, dict[str, int]]]:
-    """The limit at a point, or one for each side of a break, with the side that it belongs to."""
+    """The limit at a point, or one for each side of a break, with the side that it belongs to.
+
+    None at a point that lies out of the letter's range, whatever the data are.
+    """
+    if _is_beyond(point, role):
+        return []
     if not broken or point in (sp.oo, -sp.oo, role.low, role.high):
         value = limit(expression, symbol, point, point == role.high)
         return [] if value is None else [(value, {})]
     both = ((limit(expression, symbol, point, side < 0), side) for side in (1, -1))
     return [(each, {symbol.name: side}) for each, side in both if each is not None]
+
+
+def _is_beyond(point: sp.Expr, role: Role) -> bool:
+    """Whether a letter never comes near to a point: −3m to a mass."""
+    if point in (sp.oo, -sp.oo):
+        return False
+    below = role.low is not None and (role.low - point).is_positive
+    return bool(below or (role.high is not None and (point - role.high).is_positive))
 
 
 def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> sp.Expr | None:
