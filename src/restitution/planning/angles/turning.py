@@ -240,8 +240,10 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
         pool = (*pool, f"let {own.letter}")  # what the letter stands for tells its quadrant
     refs = together((own.line, own.extent), own.side, named)
     relation, move = chain(Letter(own.letter), (right, None)), Move("inverse")
-    refs = scene.judge.enough(move, refs, relation, pool) or refs
-    return scene.desk.write(move, refs, relation)
+    premises = scene.judge.enough(move, refs, relation, pool)
+    if premises is None:
+        raise NotPlannedError("an angle that does not follow from its ratio")
+    return scene.desk.write(move, premises, relation)
 
 
 def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
