@@ -16,7 +16,6 @@ from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
-from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
 from restitution.solving.equations.solution import Solution
 from restitution.solving.story.letters import roles
@@ -228,15 +227,23 @@ def test_who_is_at_rest_needs_no_direction() -> None:
     assert all("axis 1" not in each.premises for each in laws)
 
 
-def test_an_angle_that_may_be_obtuse_has_no_plan() -> None:
+def test_an_angle_that_may_be_obtuse_goes_by_its_cotangent() -> None:
     statement = """
 sphere A: mass m, velocity u at alpha
 sphere B: mass m, velocity v at beta from -i
 A hits B: along i
 find deflection(A)
 """
-    with pytest.raises(NotPlannedError, match="obtuse"):
-        plan(solve(parse(statement)))
+    problem = parse(statement)
+    derivation = plan(solve(problem))
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    lines = [
+        write_relation(each.relation)
+        for each in derivation.lines
+        if isinstance(each.relation, Relation)
+    ]
+    assert any(line.startswith("cot(delta) = ") for line in lines)
+    assert lines[-1].startswith("delta = 90° - arctan(")
 
 
 def test_a_deflection_at_a_wall_is_the_sum_of_the_angles_to_it() -> None:

@@ -248,8 +248,8 @@ find deflection(A)
     ),
     "a cosine that is too long for one line": (
         """
-sphere A: mass m, velocity 13u at arctan(12/5)
-sphere B: mass 2m, velocity 5u at arctan(4/3) from -i
+sphere A: mass m, velocity 1300000u at arctan(12/5)
+sphere B: mass 2m, velocity 500000u at arctan(4/3) from -i
 A hits B: along i, e = 1/2
 find cos(angle(velocity(A), velocity(B)))
 """,
