@@ -99,7 +99,7 @@ CASES = {
         WALL.format(
             angle="alpha", e="", given=f"speed(P) = v, {AFTER} = 30°, alpha = 60°", asked="v"
         ),
-        ["Speed of P, by a component and the angle of the velocity: v = (u/2)/cos 30°"],
+        ["Speed of P = component ÷ cosine of its angle: v = (u/2)/cos 30°"],
     ),
     "sizes of momenta": (
         SPHERES.format(

@@ -472,3 +472,12 @@ def test_what_a_line_comes_of(text: str, reason: str) -> None:
     shown = " ".join(to_text(explain(solve(parse(text))), 80).split())
     assert reason in shown
     assert "Substituting for tan²θ" not in shown
+
+
+def test_what_is_positive_below_a_component_is_said() -> None:
+    statement = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\nA hits B: along i\n"
+        "given along(velocity(A), i) < 0\nfind range of e\n"
+    )
+    text = " ".join(to_text(explain(solve(parse(statement)))).split())
+    assert "1 − ek < 0, as α is acute and 1 + k > 0" in text

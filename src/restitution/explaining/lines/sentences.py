@@ -264,8 +264,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "chord.title": "A chord makes equal angles with the radii at its ends",
     "chord.title-sense": (
-        "A chord makes equal angles with the radii at its ends; along {wall}, anticlockwise is "
-        "positive"
+        "A chord makes equal angles with the radii at its ends. Components along {wall} are taken "
+        "anticlockwise"
     ),
     "chord.length": "Chord = diameter × cosine of its angle with the radius",
     "chord.diameter": ("{body} moves along the radius, so it passes through the centre of {wall}"),
@@ -909,7 +909,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived-speed.along": "{body} moves along the line of centres",
     "derived-speed.along-from-rest": "{body} was at rest, so it moves along the line of centres",
     "derived-speed.across": "{body} moves perpendicular to the line of centres",
-    "derived-speed.by-angle": "Speed of {body}, by a component and the angle of the velocity",
+    "derived-speed.by-cos": "Speed of {body} = component ÷ cosine of its angle",
+    "derived-speed.by-sin": "Speed of {body} = component ÷ sine of its angle",
     "derived-speed.resolved": "Component of the velocity of {body}, by its speed and direction",
     "wall.beside-normal": "At right angles to the normal:",
     "made.ratio": "So the ratio is",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -152,8 +152,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return say("derived-speed.resolved", body=bodies[0])
             case "speed", _ if self._by_a_multiple(line):
                 return None
-            case "speed", Quantity() | Letter() if _is_by_an_angle(first.right):
-                return say("derived-speed.by-angle", body=bodies[0])
+            case "speed", Quantity() | Letter() if ratio := _ratio_below(first.right):
+                return say(_BY_RATIO[ratio], body=bodies[0])
             case "size", _ if not any(map(_under, walk(first.right))):
                 return None  # of one component it is read off
         if name is None:
@@ -585,18 +585,21 @@ def _under(tree: Expression) -> tuple[Expression, ...]:
     return (tree.argument,) if isinstance(tree, Apply) and tree.function == "sqrt" else ()
 
 
-def _is_by_an_angle(speed: Expression) -> bool:
-    """Whether a speed is a component over a sine or cosine of an angle in degrees."""
+_BY_RATIO: Mapping[str, SentenceId] = {
+    "cos": "derived-speed.by-cos",
+    "sin": "derived-speed.by-sin",
+}
+
+
+def _ratio_below(speed: Expression) -> str:
+    """The sine or cosine of an angle in degrees by which a component is divided; empty without."""
     match speed:
         case Binary("/", _, below):
-            factors = [below.left, below.right] if isinstance(below, Binary) else [below]
-            return any(
-                isinstance(e, Apply)
-                and e.function in ("sin", "cos")
-                and isinstance(e.argument, Degrees)
-                for e in factors
-            )
-    return False
+            for each in (below.left, below.right) if isinstance(below, Binary) else (below,):
+                match each:
+                    case Apply("sin" | "cos" as ratio, Degrees()):
+                        return ratio
+    return ""
 
 
 # That a body moves along the line of centres; with the reason, where it was at rest.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
 import sympy as sp
@@ -136,6 +136,7 @@ class Reasons:
             *self._silent(line),
             *self._cleared(line),
             *self._dropped(line),
+            *self._divided_by(line),
         )
         # The value at the end of a letter stands behind what is known of that.
         reasons = tuple(sorted(reasons, key=lambda e: getattr(e, "id", "") == "derived.it-is"))
@@ -452,6 +453,27 @@ class Reasons:
         if positive is not None:
             yield self._laid(Relation(((Link(positive, ">", ZERO),),)))
 
+    def _divided_by(self, line: Line) -> Iterator[lay.Layout]:
+        """That a ratio and 1 make something positive, below the value of which a sign is given."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options:
+            case ((Link(_, sign, right),),) if (
+                line.move.id == "put" and sign in (*UP, *DOWN) and right == ZERO
+            ):
+                pass
+            case _:
+                return
+        for ref in line.premises:
+            own = self._shapes.relation_of(ref) if isinstance(ref, int) else None
+            match None if own is None or len(own.options) > 1 else own.only[-1].right:
+                case Binary("/", _, below):
+                    for factor in factors(below):
+                        if isinstance(factor, Binary) and _is_one_and_more(
+                            factor, self.is_positive
+                        ):
+                            yield self._laid(Relation(((Link(factor, ">", ZERO),),)))
+                            return
+
     def _positive(self, line: Line) -> Iterator[Sentence]:
         """The silent reason: the letter stands for something positive, and for no component."""
         assert isinstance(line.relation, Relation)
@@ -563,6 +585,14 @@ def _upwards(link: Link) -> Link:
     if link.sign in UP:
         return link
     return Link(link.right, "<" if link.sign == ">" else "<=", link.left)
+
+
+def _is_one_and_more(tree: Expression, is_positive: Callable[[str], bool]) -> bool:
+    """Whether a tree is a number and a letter, each positive, added."""
+    match tree:
+        case Binary("+", Number(), Letter(name)) | Binary("+", Letter(name), Number()):
+            return is_positive(name)
+    return False
 
 
 def _is_of_a_sum(line: Line) -> bool:
