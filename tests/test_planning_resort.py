@@ -32,11 +32,12 @@ A hits B: along i
 given abs(velocity(A) - velocity(B)) = 9/10 u
 find e
 """
-BLOW = """
-sphere Q: mass m, velocity u i
-Q receives K at phi
-given 90° < phi < 180°, deflection(Q) = 90°, speed(Q) = u/3
-find K, phi
+FROM_WHERE = """
+wall W: along i - j
+sphere P: velocity v at theta
+P hits W: e = 1/3
+given velocity(P) = 4i, 180° < theta < 270°
+find v, theta
 """
 OFFSET = """
 sphere A: mass m, velocity u i, radius a
@@ -127,15 +128,15 @@ def test_an_equation_without_a_shape_is_solved_in_one_line(text: str, answer: st
 
 @pytest.mark.usefixtures("_no_shape")
 def test_two_unknowns_of_two_equations() -> None:
-    derivation = written(BLOW)
+    derivation = written(FROM_WHERE)
     line = line_of(derivation)
     assert len(line.premises) == 2
     assert [said(each.answer) for each in derivation.items] == [
-        "K = sqrt(10) m u/3",
-        "phi = 180° - arctan(1/3)",
+        "v = 4sqrt(5)",
+        "theta = 180° + arctan(2)",
     ]
-    flat = " ".join(to_text(explain(solved(BLOW))).split())
-    assert "Solving (1) and (2): φ = 180° − arctan(1/3) K = √10 mu/3" in flat
+    flat = " ".join(to_text(explain(solved(FROM_WHERE))).split())
+    assert "Solving (1) and (2): θ = 180° + arctan 2 v = 4√5" in flat
 
 
 @pytest.mark.usefixtures("_no_shape")
@@ -216,15 +217,15 @@ def test_a_value_that_does_not_satisfy_the_equations_is_refused(relation: str) -
 
 
 @pytest.mark.usefixtures("_no_shape")
-@pytest.mark.parametrize("relation", ["K = sqrt(10) m u/3", "phi = 180° - arctan(1/3)"])
+@pytest.mark.parametrize("relation", ["v = 4sqrt(5)", "theta = 180° + arctan(2)"])
 def test_every_unknown_of_the_equations_has_its_value(relation: str) -> None:
-    derivation = written(BLOW)
-    assert "does-not-follow" in refusals(BLOW, derivation, relation=read_relation(relation, {}))
+    derivation = written(FROM_WHERE)
+    assert "does-not-follow" in refusals(FROM_WHERE, derivation, relation=read_relation(relation, {}))
 
 
 @pytest.mark.usefixtures("_no_shape")
 def test_an_equation_is_neither_left_out_nor_added() -> None:
-    for text in (PAIR, BLOW):
+    for text in (PAIR, FROM_WHERE):
         derivation = written(text)
         line = line_of(derivation)
         for ref in line.premises:
@@ -244,7 +245,7 @@ def test_an_equation_is_neither_left_out_nor_added() -> None:
 @pytest.mark.usefixtures("_no_shape")
 def test_equations_that_say_the_same_fix_nothing() -> None:
     """Two forms of one equation hold with both values, and with many others."""
-    derivation = written(BLOW)
+    derivation = written(FROM_WHERE)
     line = line_of(derivation)
     first = line.premises[0]
     assert isinstance(first, int)
@@ -256,7 +257,7 @@ def test_equations_that_say_the_same_fix_nothing() -> None:
         derivation,
         lines=(*derivation.lines[: line.number - 1], turned, *derivation.lines[line.number - 1 :]),
     )
-    assert "does-not-follow" in refusals(BLOW, whole, premises=(first, 99))
+    assert "does-not-follow" in refusals(FROM_WHERE, whole, premises=(first, 99))
 
 
 # --- all statements ------------------------------------------------------------------------------
