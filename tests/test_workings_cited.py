@@ -145,3 +145,18 @@ find e, energy_lost
     lead = "It is given that cos α = ⅗."
     assert f"{lead} Conservation of momentum along the line of centres: m × 3u = 2mw" in said
     assert said.count(lead) == 1
+
+
+def test_a_unit_vector_to_a_wall_that_was_found_is_not_written_again() -> None:
+    said = printed(
+        "wall W\nsphere P: mass 2, velocity 7i + j\nP hits W\ngiven velocity(P) = 3i + 5j\n"
+        "find line_of_centres, e, impulse\n"
+    )
+    assert "Let 𝐧 be that unit vector perpendicular to W." in said
+    assert said.count("(𝐢 − 𝐣)/√2") == 1
+
+
+def test_a_negative_loss_is_said_to_be_a_gain() -> None:
+    blow = "sphere P: mass 2, velocity i\nP receives 6i\nfind energy_lost\n"
+    assert "= −15 J (kinetic energy is gained)" in printed(blow)
+    assert "gained" not in printed(blow.replace("6i", "-3i"))

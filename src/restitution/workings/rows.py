@@ -163,6 +163,17 @@ class Rows:
             called = self._called(line)
             if called is not None:
                 yield called
+            if self._is_gain(line):
+                yield say("derived.gained")
+
+    def _is_gain(self, line: Line) -> bool:
+        """Whether a loss of kinetic energy that was asked is a negative number."""
+        assert isinstance(line.relation, Relation)
+        match self._ends.asked(line):
+            case Value(expression=Quantity("energy_lost" | "total_energy_lost")):
+                value = line.relation.options[0][-1].right
+                return isinstance(value, Negate) and not letters(value)
+        return False
 
     @staticmethod
     def _with(waiting: Sequence[Line], links: tuple[Link, ...]) -> tuple[Link, ...]:

@@ -201,6 +201,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "perpendicular to it."
     ),
     "units.along-above": "Let {along} be that unit vector along the line of centres.",
+    "units.both-wall-above": (
+        "Let {along} be that unit vector perpendicular to {wall}, and {across} the one parallel to "
+        "{wall}."
+    ),
+    "units.along-wall-above": "Let {along} be that unit vector perpendicular to {wall}.",
     "units.both-circle": (
         "Let {along} be the unit vector along the radius, towards {wall}, and {across} the one "
         "along the tangent."
@@ -926,6 +931,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.put-last": "Substituting in {equation}:",
     "derived.by": "{how:capital}:",
     "derived.by-from": "From {equations:and}, {how}:",
+    "derived.gained": "kinetic energy is gained",
     "derived.pythagoras": "as sin² + cos² = 1",
     "derived.double-angle": "by the formulae for the double angle",
     "derived.by-formula": "by the formula {formula}",

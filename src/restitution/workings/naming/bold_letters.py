@@ -63,7 +63,12 @@ _UNITS = {
 _LETTERS = {"along": ("n", "p", "q"), "across": ("t", "s", "r")}
 _FROM_THE_FIRST = {"both": "units.both-from", "along": "units.along-from"}
 # Where a line says already what the unit vector along a line of centres is.
-_OF_A_LINE = {"both": "units.both-above", "along": "units.along-above"}
+_OF_A_LINE = {
+    (False, "both"): "units.both-above",
+    (False, "along"): "units.along-above",
+    (True, "both"): "units.both-wall-above",
+    (True, "along"): "units.along-wall-above",
+}
 _RADIAL = {
     "both": "units.both-circle",
     "along": "units.along-circle",
@@ -317,9 +322,11 @@ class BoldLetters:
             impact = say("event.impact", order=say(f"ordinal.{order}"))
             self._pending.append(say("units.along-earlier", impact=impact, **slots))
             return
-        if not event.wall and "along" in kinds and self._is_a_line(number, direction):
-            name = _OF_A_LINE[which]
-            slots = {each: own for each, own in slots.items() if each in kinds}
+        into = not event.wall or name == _UNITS[True, which]
+        if "along" in kinds and into and self._is_a_line(number, direction):
+            name = _OF_A_LINE[event.wall, which]
+            kept = (*kinds, "wall") if event.wall else kinds
+            slots = {each: own for each, own in slots.items() if each in kept}
             slots["along"] = self._units[number, "along"]
         self._pending.append(say(name, **slots))
 
