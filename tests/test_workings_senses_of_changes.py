@@ -61,7 +61,7 @@ def test_a_line_of_centres_stands_in_the_part_that_needs_it() -> None:
     first, second = text.split("\n(b)\n")
     assert "𝐯_B = (3𝐢 + 𝐣)" in first
     assert "line of centres" not in first
-    assert "The impulse acts along the line of centres:" in second
+    assert "The impulse, and so the change of velocity of A, is along the line of" in second
 
 
 SLANTING = """
@@ -75,7 +75,7 @@ find velocity(P), across(velocity(P, before), W), across(velocity(P), W), line_o
 def test_a_normal_that_is_asked_stands_before_the_unit_vector_along_it() -> None:
     text = text_of(SLANTING)
     normal = "Since W is parallel to 3𝐢 + 4𝐣:\n    the normal to W is parallel to 4𝐢 − 3𝐣"
-    assert text.index(normal) < text.index("Let 𝐧 =")
+    assert text.index(normal) < text.index("Let 𝐧 be that unit vector perpendicular to W")
     assert text.count("the normal to W") == 1
 
 

@@ -1007,6 +1007,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     "momentum.vectors": "Conservation of momentum",
     "impulse-line.title": "The impulse acts along the line of centres",
     "impulse-normal.title": "The impulse acts perpendicular to {wall}",
+    "change-line.title": (
+        "The impulse, and so the change of velocity of {body}, is along the line of centres"
+    ),
+    "change-normal.title": (
+        "The impulse, and so the change of velocity of {body}, is perpendicular to {wall}"
+    ),
     "turned.title": "Angle of deflection",
     "turned.signs": "{velocity} has {components:and}:",
     "turned.negative": "a negative component in the direction of {axis}",
