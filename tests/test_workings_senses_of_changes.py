@@ -61,7 +61,7 @@ def test_a_line_of_centres_stands_in_the_part_that_needs_it() -> None:
     first, second = text.split("\n(b)\n")
     assert "𝐯_B = (3𝐢 + 𝐣)" in first
     assert "line of centres" not in first
-    assert "The impulse, and so the change of velocity of A, is along the line of" in second
+    assert "The impulse, and so the change of velocity, is along the line of centres:" in second
 
 
 SLANTING = """

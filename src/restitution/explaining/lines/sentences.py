@@ -1005,13 +1005,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.greatest-named": "greatest {quantity}",
     "derived.least-named": "least {quantity}",
     "momentum.vectors": "Conservation of momentum",
-    "impulse-line.title": "The impulse acts along the line of centres",
-    "impulse-normal.title": "The impulse acts perpendicular to {wall}",
-    "change-line.title": (
-        "The impulse, and so the change of velocity of {body}, is along the line of centres"
+    "impulse-line.title": (
+        "The impulse, and so the change of velocity, is along the line of centres"
     ),
-    "change-normal.title": (
-        "The impulse, and so the change of velocity of {body}, is perpendicular to {wall}"
+    "impulse-normal.title": (
+        "The impulse, and so the change of velocity, is perpendicular to {wall}"
     ),
     "turned.title": "Angle of deflection",
     "turned.signs": "{velocity} has {components:and}:",

@@ -18,7 +18,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "opposite-impulses": (None, "derived-opposite.title"),
     "impulse": ("impulse-wall.title", "impulse-spheres.title"),
     "across-the-impulse": ("impulse-normal.title", "impulse-line.title"),
-    "along-the-change": ("change-normal.title", "change-line.title"),
+    "along-the-change": ("impulse-normal.title", "impulse-line.title"),
     "component": ("resolved-wall.before", "resolved-spheres.before"),
     "sum": ("turned-wall.title", "turned.title"),
     "difference": ("turned-wall.title", "turned.title"),
