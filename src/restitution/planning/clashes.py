@@ -20,12 +20,12 @@ from restitution.exact import tidy
 from restitution.explaining.data.facts import facts_of, links_of
 from restitution.explaining.lines.derivation import (
     FLIPPED,
+    OPPOSITE,
     Link,
     Move,
     Note,
     Ref,
     Relation,
-    Sign,
     equation,
 )
 from restitution.explaining.lines.trees import trees_of
@@ -63,8 +63,6 @@ from restitution.problem import Relation as Said
 from restitution.solving import solve
 from restitution.solving.equations.clash import clause_of
 from restitution.solving.equations.solution import PartSolution, Solution
-
-_OPPOSITE: dict[str, Sign] = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
 def write_clash(
@@ -189,13 +187,13 @@ def _by_a_bound(
 ) -> Note | None:
     """The bound of a quantity that a given inequality contradicts; None where it is a number."""
     link = claim.only[0]
-    if link.sign not in _OPPOSITE or len(claim.only) > 1 or not isinstance(link.left, Quantity):
+    if link.sign not in OPPOSITE or len(claim.only) > 1 or not isinstance(link.left, Quantity):
         return None
     worth = scene.desk.known(link.left)
     lines = [] if worth is None else [ref for ref in worth.refs if isinstance(ref, int)]
     if worth is None or len(lines) != 1 or not scene.scalar(link.right).free_symbols:
         return None
-    bound = Relation(((Link(link.left, _OPPOSITE[link.sign], link.right),),))
+    bound = Relation(((Link(link.left, OPPOSITE[link.sign], link.right),),))
     standing, start = solver.mark(), len(scene.desk.lines)
     try:
         with Claims(scene, solver) as claims:

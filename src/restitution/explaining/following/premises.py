@@ -6,9 +6,17 @@ from dataclasses import replace
 
 from restitution.explaining.following.follower import Reader, reader_of
 from restitution.explaining.following.trials import names_in
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Ref, Relation
-from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Meaning,
+    Ref,
+    Relation,
+    citing,
+)
+from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
+from restitution.expression.tree import Apply, Binary, Letter, letters, walk
 from restitution.oracle import Oracle
 
 # What is below these has a sign that may have to be known.
@@ -103,7 +111,10 @@ def with_given_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
             continue
         if any(each.move.id != "put" for each in users):
             continue
-        changed = {each.number: _citing(each, line.number, given[0]) for each in users}
+        numbers: dict[Ref, Ref] = {line.number: given[0]}
+        changed = {
+            each.number: replace(each, premises=citing(each.premises, numbers)) for each in users
+        }
         lines = tuple(changed.get(each.number, each) for each in derivation.lines)
         whole = replace(derivation, lines=lines)
         read = reader_of(whole, oracle)
@@ -137,15 +148,9 @@ def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
     return derivation
 
 
-def _citing(line: Line, old: Ref, new: Ref) -> Line:
-    """The same line, which rests on one premise in place of another."""
-    premises = (new if ref == old else ref for ref in line.premises)
-    return replace(line, premises=tuple(dict.fromkeys(premises)))
-
-
 def _by_identity(line: Line) -> Line | None:
     """A line with sines and cosines of one angle, by the identity and not by arithmetic."""
-    if isinstance(line.relation, Meaning) or not _mixes(line):
+    if isinstance(line.relation, Meaning) or not angles_with_both_ratios(trees_of(line.relation)):
         return None
     if line.move.id == "rearrange":
         return replace(line, move=replace(line.move, id="identity", record="pythagoras"))
@@ -153,16 +158,6 @@ def _by_identity(line: Line) -> Line | None:
         return None
     *links, last = line.relation.only
     return replace(line, relation=Relation(((*links, replace(last, by="identity")),)))
-
-
-def _mixes(line: Line) -> bool:
-    """Whether a sine and a cosine of one angle stand in a line."""
-    angles: dict[str, set[Expression]] = {"sin": set(), "cos": set()}
-    for tree in trees_of(line.relation):
-        for node in walk(tree):
-            if isinstance(node, Apply) and node.function in angles:
-                angles[node.function].add(node.argument)
-    return bool(angles["sin"] & angles["cos"])
 
 
 def _below_roots(line: Line) -> set[str]:

@@ -54,6 +54,8 @@ Sign = Literal["=", "<", "<=", ">", ">=", "!=", "≈", "parallel to", "perpendic
 SIGNS: tuple[Sign, ...] = get_args(Sign)
 # The sign of an inequality whose sides are exchanged.
 FLIPPED: Mapping[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+# What holds where an inequality does not.
+OPPOSITE: Mapping[str, Sign] = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
 @dataclass(frozen=True)
@@ -317,6 +319,11 @@ def whole_of(links: tuple[Link, ...]) -> Link | None:
     if any(a.right != b.left or b.sign != "=" for a, b in pairwise(links)):
         return None
     return Link(first.left, first.sign, rest[-1].right) if rest else first
+
+
+def citing(premises: Iterable[Ref], others: Mapping[Ref, Ref]) -> tuple[Ref, ...]:
+    """Premises with some of them replaced by others, none of them twice."""
+    return tuple(dict.fromkeys(others.get(each, each) for each in premises))
 
 
 def equation(left: Expression, right: Expression) -> Relation:

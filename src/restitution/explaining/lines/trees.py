@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Meanin
 from restitution.expression.tree import (
     LEAVES,
     PARTS,
+    Apply,
     AtTime,
     Binary,
     Expression,
@@ -40,6 +41,14 @@ def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Exp
         if new is not value:
             put[name] = new
     return change(replace(tree, **put) if put else tree)
+
+
+def angles_with_both_ratios(trees: Iterable[Expression]) -> frozenset[Expression]:
+    """The angles of which both the sine and the cosine stand in some trees."""
+    ratios = {
+        (e.function, e.argument) for tree in trees for e in walk(tree) if isinstance(e, Apply)
+    }
+    return frozenset(angle for name, angle in ratios if name == "sin" and ("cos", angle) in ratios)
 
 
 def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:

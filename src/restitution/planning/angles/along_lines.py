@@ -23,12 +23,11 @@ from restitution.oracle.roles import ACUTE
 from restitution.planning.angles.directions import angle_of_the_line
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import body_and_stage
+from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.premises import nonzero
 from restitution.planning.writing.scene import Scene
-
-_RIGHT_ANGLE = Degrees(Fraction(90))
 
 
 @dataclass(frozen=True)
@@ -58,7 +57,7 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     if angle is not None:
         steps = _steps(scene, angle)
         bodies = [body_and_stage(scene, each) for each in moving]
-        record = "perpendicular" if steps[-1] == _RIGHT_ANGLE else "parallel"
+        record = "perpendicular" if steps[-1] == RIGHT else "parallel"
         names = tuple(dict.fromkeys(body for body, _ in bodies))
         move = Move("define", record, max(stage for _, stage in bodies), names)
         relation = chain(asked, *zip(steps, (None, "rearrange"), strict=False))
@@ -84,7 +83,7 @@ def _turn(scene: Scene, tree: Expression) -> _Turn | None:
     """The direction of **i**, **j**, a wall or a velocity along a line of centres, as an angle."""
     match tree:
         case Unit(axis):
-            return _Turn(_RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0)))
+            return _Turn(RIGHT if axis == "j" else Degrees(Fraction(0)))
         case Name(wall) if f"wall {wall}" in scene.facts:
             ref = f"wall {wall}"
             along = _turn_of_a_wall(scene.facts[ref].relation.only[0].right)
@@ -97,7 +96,7 @@ def _turn(scene: Scene, tree: Expression) -> _Turn | None:
 def _turn_of_a_wall(right: Expression) -> Expression | None:
     match right:
         case Unit(axis):
-            return _RIGHT_ANGLE if axis == "j" else Degrees(Fraction(0))
+            return RIGHT if axis == "j" else Degrees(Fraction(0))
         case Degrees():
             return right
     return None
@@ -153,7 +152,7 @@ def _between(scene: Scene, one: _Turn, other: _Turn) -> Expression | None:
         case [Letter(name) as letter, Degrees(value)] | [Degrees(value), Letter(name) as letter]:
             acute = scene.model.unknowns.roles.get(name) == ACUTE
             if acute and scene.desk.known(letter) is None and value in (0, 90):
-                return letter if value == 0 else Binary("-", _RIGHT_ANGLE, letter)
+                return letter if value == 0 else Binary("-", RIGHT, letter)
     return None
 
 

@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles.quantities import formula
-from restitution.planning.angles.turn_lines import Term, by_tangents
+from restitution.planning.angles.turn_lines import Term, by_tangents, tangent_of
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.turns import Form
@@ -157,7 +157,7 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
         tree, own = _tangent(scene, Letter(name))
         tangents.append(tree)
         refs += own
-    above: Expression = ONE
+    form: Form = "sum" if sign == 1 else "difference"
     base: Ref = line or (stated(scene, each) if each.lets else each.fact.id)
     ranges = background(scene, names)
     subjects = [Apply("tan", Letter(name)) for name in names]
@@ -172,10 +172,8 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
         relation = chain(product(*subjects), (ONE, None))
         move = Move("identity", "complement")
     else:
-        above = Binary("+" if sign == 1 else "-", *subjects)
-        below = _below(sign, product(*subjects))
         value = tree_of(tidy(sp.tan(angle)))
-        relation = Relation(((Link(Binary("/", above, below), "=", value),),))
+        relation = chain(tangent_of(form, subjects[0], subjects[1]), (value, None))
         move = Move("identity", "sum-of-angles")
     own_refs = scene.judge.enough(move, (base,), relation, ranges)
     if own_refs is None and move.record == "complement":
@@ -185,23 +183,16 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
     number = scene.desk.write(move, own_refs, relation)
     values = dict(zip(subjects, tangents, strict=True))
     link = scene.desk.last_link(number)
-    put = Relation(((Link(_with(link.left, values), "=", _with(link.right, values)),),))
-    if move.record == "sum-of-angles":
+    left = _with(link.left, values)
+    both = scene.scalar(product(*tangents))
+    if move.record == "sum-of-angles" and both.free_symbols:
         # The product of both is one term: 3 tan²α.
-        whole = scene.scalar(product(*tangents))
-        if whole.free_symbols:
-            below = _below(sign, tree_of(tidy(whole)))
-            above = _with(above, values)
-            put = Relation(((Link(Binary("/", above, below), "=", link.right),),))
+        left = swept(tangent_of(form, tangents[0], tangents[1], tree_of(tidy(both))))
+    put = chain(left, (_with(link.right, values), None))
     premises = scene.judge.enough(Move("put"), (number, *together(refs)), put, ranges)
     if premises is None:
         raise NotPlannedError("a sum of angles")
     return scene.desk.write(Move("put"), premises, put)
-
-
-def _below(sign: int, both: Expression) -> Expression:
-    """What stands below in the tangent of a sum, or of a difference."""
-    return difference(ONE, both) if sign == 1 else Binary("+", ONE, both)
 
 
 def _of_one_that_is_known(scene: Scene, names: Sequence[str]) -> int | None:

@@ -30,11 +30,11 @@ def with_letters_put(scene: Scene, own: Ratio) -> Ratio:
     values, given = _given_values(scene, link.right)
     whole = rebuilt(link.right, lambda each: values.get(each, each))
     put = tidy(scene.scalar(whole))
-    line = None if put.free_symbols else _put(scene, own, (whole,), put, given)
+    line = None if put.free_symbols else _put(scene, own, whole, put, given)
     if line is None:
         put, refs = scene.put(value)
         changed = refs and put != value
-        line = _put(scene, own, (tree_of(put),), put, refs) if changed else None
+        line = _put(scene, own, tree_of(put), put, refs) if changed else None
     return own if line is None else replace(own, line=line, value=tidy(put))
 
 
@@ -53,24 +53,24 @@ def _given_values(
             case Letter(name):
                 known = scene.desk.known(node)
                 role = roles(scene.problem).get(name)
-                if known is not None and not scene.put(known.value)[0].free_symbols:
+                if known is None:
+                    continue
+                put, more = scene.put(known.value)
+                if not put.free_symbols:
                     angle = role is not None and role.kind == "angle"
-                    values[node] = tree_of(scene.put(known.value)[0], angle=angle)
-                    refs += [*known.refs, *scene.put(known.value)[1]]
+                    values[node] = tree_of(put, angle=angle)
+                    refs += [*known.refs, *more]
     return values, refs
 
 
 def _put(
-    scene: Scene, own: Ratio, forms: Sequence[Expression], value: sp.Expr, refs: Sequence[Ref]
+    scene: Scene, own: Ratio, form: Expression, value: sp.Expr, refs: Sequence[Ref]
 ) -> int | None:
     """The line of a ratio with values in it; None where it does not follow."""
-    link = scene.desk.last_link(own.line)
-    for form in forms:
-        relation = chain(link.left, (form, None), (tree_of(value), "rearrange"))
-        premises = scene.judge.enough(Move("put"), (own.line, *dict.fromkeys(refs)), relation)
-        if premises is not None:
-            return scene.desk.write(Move("put"), premises, relation)
-    return None
+    subject = scene.desk.last_link(own.line).left
+    relation = chain(subject, (form, None), (tree_of(value), "rearrange"))
+    premises = scene.judge.enough(Move("put"), (own.line, *dict.fromkeys(refs)), relation)
+    return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
 __all__ = ["with_letters_put"]

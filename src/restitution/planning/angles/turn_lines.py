@@ -365,7 +365,7 @@ def by_tangents(
     ``turned`` is the tangent that is sought, or the value that is given for it; with ``given`` it
     is a tangent of which the value is given, with what gives it.
     """
-    own = _tangent_of(form, *map(_tangent, terms))
+    own = tangent_of(form, *map(_tangent, terms))
     names = {name for each in terms for name in letters(each.angle)}
     known = (*background(scene, names), *meeting(scene))
     asked = isinstance(turned, Apply)
@@ -379,7 +379,7 @@ def by_tangents(
     tangents = [term.tangent for term in terms]
     both = scene.scalar(product(*tangents))
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
-    put = swept(_tangent_of(form, tangents[0], tangents[1], both_tree))
+    put = swept(tangent_of(form, tangents[0], tangents[1], both_tree))
     final = tree_of(tidy(scene.scalar(put)))
     relation = chain(turned if given is None else given[0], (put, None), (final, "rearrange"))
     sources = together(*(term.refs for term in terms), () if given is None else given[1])
@@ -393,7 +393,7 @@ def _tangent(term: Term) -> Expression:
     return Apply("tan", term.angle) if plain or letters(term.tangent) else term.tangent
 
 
-def _tangent_of(
+def tangent_of(
     form: Form, p: Expression, q: Expression, both: Expression | None = None
 ) -> Expression:
     """The tangent of an angle by those of the two of which it is made, and by their product."""

@@ -131,10 +131,11 @@ def _by_the_formula(
     """The roots of a quadratic in numbers with roots, as the formula gives them, before they are
     put in order. None of another one.
     """
+    letter = polynomials[0].gen
     match scene.desk.last_link(number):
-        case Link(Binary("^", base, _), "=", right) if polynomials[
-            0
-        ].gen.is_Symbol and is_square_of_sum(scene, number, polynomials[0].gen):
+        case Link(Binary("^", base, _), "=", right) if letter.is_Symbol and is_square_of_sum(
+            scene, number, letter
+        ):
             return _of_a_square(scene, number, (base, right), roots, known)
     if len(polynomials) != 1 or polynomials[0].degree() != 2:
         return None

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Meaning, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.trees import angles_with_both_ratios
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -18,7 +19,6 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     letters,
-    walk,
 )
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.writing.desk import chain, together
@@ -99,19 +99,13 @@ def ratio_line(
         known += background(scene, names)
     if known:
         refs = scene.judge.enough(move, refs, relation, known) or refs
-    if _has_sine_and_cosine(right) and not scene.judge.follows(move, refs, relation):
+    if angles_with_both_ratios((right,)) and not scene.judge.follows(move, refs, relation):
         *links, last = relation.only
         by_squares = Relation(((*links, replace(last, by="identity")),))
         premises = scene.judge.enough(move, refs, by_squares, background(scene, names))
         if premises is not None:
             refs, relation = premises, by_squares
     return scene.desk.write(move, refs, relation)
-
-
-def _has_sine_and_cosine(tree: Expression) -> bool:
-    """Whether the sine and the cosine of one angle stand in a tree."""
-    ratios = {(e.function, e.argument) for e in walk(tree) if isinstance(e, Apply)}
-    return any(("cos", angle) in ratios for name, angle in ratios if name == "sin")
 
 
 def _is_of_degrees(value: Any) -> bool:

@@ -7,7 +7,14 @@ from dataclasses import replace
 
 from restitution.exact import tidy
 from restitution.explaining.following.follower import reader_of
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Ref,
+    Relation,
+    citing,
+)
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, letters
@@ -16,7 +23,6 @@ from restitution.planning.writing.desk import chain
 from restitution.planning.writing.direct_tangents import (
     PutIn,
     components_put_in,
-    with_others,
     without_value,
 )
 from restitution.planning.writing.forms import tree_of
@@ -100,7 +106,7 @@ def _in_letters(
     short = tree_of(tidy(in_letters(right, positive=True)))
     numbers: dict[Ref, Ref] = {part.number: part.line.number for part in parts}
     relation = chain(first.left, (right, None), (short, "rearrange"))
-    own = replace(line, relation=relation, premises=with_others(line.premises, numbers))
+    own = replace(line, relation=relation, premises=citing(line.premises, numbers))
     return own, (value, short)
 
 

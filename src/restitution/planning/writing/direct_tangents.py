@@ -13,7 +13,15 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.following.follower import reader_of
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    citing,
+)
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
@@ -87,7 +95,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         line,
         number=free,
         relation=chain(left, (plain, None), (short, "rearrange")),
-        premises=with_others(line.premises, numbers),
+        premises=citing(line.premises, numbers),
     )
     put = replace(
         line,
@@ -99,7 +107,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
     here = derivation.asked.get(line.item or "")
     for each in derivation.lines:
         at_home = derivation.asked.get(each.item or "") == here
-        premises = with_others(each.premises, numbers) if at_home else each.premises
+        premises = citing(each.premises, numbers) if at_home else each.premises
         if premises != each.premises and each.move.id == "inverse":
             # The sign of a component in letters is that of a ratio of the angle.
             ranges = [ref for ref in known.premises if isinstance(ref, str)]
@@ -129,11 +137,6 @@ def once_needed(lines: list[Line], derivation: Derivation, part: PutIn) -> None:
     if own is None or own.number == part.line.number or first is None:
         return
     lines.insert(first, replace(own, item=lines[first].item))
-
-
-def with_others(premises: tuple[Ref, ...], numbers: dict[Ref, Ref]) -> tuple[Ref, ...]:
-    """Premises with some lines replaced."""
-    return tuple(dict.fromkeys(numbers.get(each, each) for each in premises))
 
 
 def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:

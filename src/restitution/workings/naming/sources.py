@@ -6,12 +6,20 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Literal
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    OPPOSITE,
+    Derivation,
+    Line,
+    Link,
+    Meaning,
+    Ref,
+    Relation,
+)
 from restitution.explaining.lines.notation import read_relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
@@ -131,7 +139,6 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
         return None
     assert isinstance(line.relation, Relation)
     dropped = [option for option in above.relation.options if option not in line.relation.options]
-    kinds = {"<=": ">", ">=": "<", "<": ">=", ">": "<="}
     bodies = {body: "sphere" for event in derivation.events for body in event.bodies}
     bounds = [
         links[0]
@@ -141,12 +148,12 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
     ]
     if not bounds and len(dropped) == 1:
         return _made_negative(derivation, line, dropped[0])
-    if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in kinds:
+    if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in OPPOSITE:
         return None
     bound = bounds[0]
     if letters(bound.left) & letters(dropped[0][0].left) or bound.left == dropped[0][0].left:
         return None
-    sign: Any = kinds[bound.sign]
+    sign = OPPOSITE[bound.sign]
     return dropped[0], Link(bound.left, sign, bound.right)
 
 

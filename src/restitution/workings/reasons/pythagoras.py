@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Derivation, Line, Relation, equation
-from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Apply, Binary, Expression, Number, walk
+from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
+from restitution.expression.tree import Apply, Binary, Number
 from restitution.planning.writing.forms import square
 
 
@@ -15,18 +15,12 @@ def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
 
     None where there are several such angles, or none.
     """
-    ratios: dict[Expression, set[str]] = {}
     cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
-    for own in (line, *cited):
-        if own is None or not isinstance(own.relation, Relation):
-            continue
-        for tree in trees_of(own.relation):
-            for node in walk(tree):
-                if isinstance(node, Apply) and node.function in ("sin", "cos"):
-                    ratios.setdefault(node.argument, set()).add(node.function)
-    both = [angle for angle, names in ratios.items() if len(names) > 1]
-    if len(both) != 1:
+    relations = [own.relation for own in (line, *cited) if own is not None]
+    trees = (tree for each in relations if isinstance(each, Relation) for tree in trees_of(each))
+    angles = angles_with_both_ratios(trees)
+    if len(angles) != 1:
         return None
-    (angle,) = both
+    (angle,) = angles
     squares = Binary("+", square(Apply("sin", angle)), square(Apply("cos", angle)))
     return equation(squares, Number(Fraction(1)))
