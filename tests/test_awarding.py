@@ -720,6 +720,37 @@ def test_dependent_marks_name_the_methods_they_rest_on() -> None:
     assert solved.on == (4, 5) and solved.because == "mark.dependent"
 
 
+def printed_marks(text: str) -> list[str]:
+    """The marks of the lines of a planned working, in order, without those that have none."""
+    derivation = awarded(plan(solve(parse(text))))
+    return [written(each.marks) for each in derivation.lines if each.marks]
+
+
+def test_of_three_methods_in_a_row_the_second_value_is_accuracy() -> None:
+    text = """
+wall W: along i
+wall X: along j
+sphere P: velocity u at 30° to W
+P hits W: e = 1/2
+P hits X: e = 1/3
+find deflection(P, 1) + deflection(P, 2)
+"""
+    marks = printed_marks(text)
+    assert marks == [*["B1"] * 4, "M1", "A1", "M1", "A1", "DM1", "A1"]
+
+
+def test_a_formula_that_is_quoted_between_methods_leaves_its_mark_to_the_value() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+given tan(alpha) = 1/2
+A hits B: along i, e = 1/3
+given tan(deflection(A)) = 1/2
+find k
+"""
+    assert printed_marks(text) == ["B1", "M1 A1", "DM1", *["M1 A1"] * 2, "A1"]
+
+
 def test_of_several_solutions_methods_count_once() -> None:
     derivation = by_hand("either-sign")
     assert derivation.cases

@@ -7,6 +7,8 @@ that fits a line says what it earns, in each style. Then, part by part:
 - An item's last line has an A1, or a B1 where nothing of the part has been earned above it, or the
   line is read off the data; where the statement prints the result an A1*, which never follows
   through. What the data give outright earns nothing where something else does.
+- Of three or more methods one below the other every second one is A1, if its line has a value; in
+  place of a formula that is quoted, the value above it has the A1.
 - One kind of point stands once on a line: M1 A1 and another A1 are M1 A1. Two roots that are both
   answers are A1 A1, where their equation is a method above.
 - An M that rests on an earlier method of the same part is dependent.
@@ -23,6 +25,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import groupby
 from typing import Literal
 
 from restitution.explaining.awarding.mark_conditions import (
@@ -224,6 +227,7 @@ class _Awarding:
                 for number, each in points.items()
             }
         )
+        kept = self._with_accuracy(kept)
         methods: dict[str | None, list[int]] = {}
         earned: dict[str | None, bool] = {}
         out: dict[int, Marks] = {}
@@ -297,6 +301,37 @@ class _Awarding:
                         points[line.number] = tuple(e for e in points[line.number] if e != kind)
                         over -= 1
         return points
+
+    def _with_accuracy(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+        """The same, with marks for accuracy between three or more methods in a row."""
+        marked = [each for each in self.derivation.lines if points[each.number]]
+        for (_, alone), run in groupby(
+            marked, lambda each: (self.part(each), points[each.number] == ("M",))
+        ):
+            lines = list(run)
+            if not alone or len(lines) < _LONG_RUN:
+                continue
+            method: Line | None = None
+            for line in lines:
+                if method is not None and self._is_of_values(line):
+                    points[line.number], method = ("A",), None
+                elif method is not None and line.move.id == "identity":
+                    # A formula that is quoted comes after the value that goes into it.
+                    points[method.number], points[line.number] = ("M", "A"), ()
+                    method = None
+                else:
+                    method = line
+        return points
+
+    def _is_of_values(self, line: Line) -> bool:
+        """Whether a line says what something is, or its bounds, in letters of the statement.
+
+        That is not one in which the value comes from the statement.
+        """
+        if isinstance(line.relation, Meaning) or any(e.kind == "given" for e in self.facts(line)):
+            return False
+        ends = [links[-1].right for links in line.relation.options]
+        return not any(letters(each) & self.new or has_quantity(each) for each in ends)
 
     def _room(self, part: str | None) -> int:
         """How many lines a part has."""
@@ -442,6 +477,10 @@ class _Awarding:
             and not (letters(link[1]) & self.new)
             and not has_quantity(link[1])
         )
+
+
+_LONG_RUN = 3
+"""So many methods in a row no board gives without a mark for accuracy."""
 
 
 def _once(points: Sequence[str]) -> tuple[str, ...]:
