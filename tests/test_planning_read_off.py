@@ -103,3 +103,47 @@ def test_a_deflection_by_a_blow_is_the_angle_to_the_axis_along_which_the_body_ca
         "find cos(theta), deflection(P)"
     )
     assert any(each.startswith("cos(delta) = ") for each in said(plan(solve(parse(text)))))
+
+
+def test_a_scalar_product_with_an_axis_is_a_component() -> None:
+    text = (
+        "sphere A: mass 2, velocity 3i + j\nsphere B: mass 1, at rest\n"
+        "A hits B: along 3i + 4j, e = 1/2\nfind dot(velocity(A), j)"
+    )
+    solution, _ = planned(text)
+    words = to_text(explain(solution), 200)
+    assert "from its components" not in words
+    assert "Components along the axes:\n    𝐯_A · 𝐣 = (13/10) × ⅘ − (9/5) × ⅗" in words
+
+
+def test_a_scalar_product_with_an_axis_is_read_off_a_velocity_that_stands() -> None:
+    text = (
+        "sphere A: mass 2, velocity 3i + j\nsphere B: mass 1, at rest\n"
+        "A hits B: along 3i + 4j, e = 1/2\nfind velocity(A), dot(velocity(A), j)"
+    )
+    solution, _ = planned(text)
+    assert "Scalar product:\n    𝐯_A · 𝐣 = −1/25" in to_text(explain(solution), 200)
+
+
+def test_a_component_across_an_axis_is_along_the_other() -> None:
+    text = (
+        "wall W: along theta\nsphere P: mass m, velocity u i\nP hits W: e = 1/3\n"
+        "find across(velocity(P), i), across(velocity(P), j)"
+    )
+    solution, _ = planned(text)
+    words = to_text(explain(solution), 200)
+    assert "component of 𝐯_P along 𝐣 = ⅓u sin θ cos θ" in words
+    assert "component of 𝐯_P along −𝐢 = " in words
+    assert "perpendicular to 𝐢" not in words
+
+
+def test_directions_at_two_angles_are_resolved_by_their_difference() -> None:
+    text = (
+        "wall W: along theta\nsphere P: mass m, velocity u at alpha\nP hits W: e = e\n"
+        "find velocity(P)"
+    )
+    _, derivation = planned(text)
+    told = said(derivation)
+    assert told[0].endswith("= u cos(alpha - theta)")
+    assert "sin(alpha) cos(theta)" not in told[-1]
+    assert len(told) == 4

@@ -436,7 +436,7 @@ class _Writer:
             sentences, title, named = (), self.title, True
         fresh = bool(sentences) or (title is not None and not named)
         rows = list(self.rows.of(line, waiting, fresh))
-        resolved = self.leads.resolved(line) if line.move.record == "component" else None
+        resolved = self.leads.resolved(line) if self.leads.resolves(line) else None
         if title is not None or sentences or resolved is not None:
             self.title = title or resolved
         again = bool(sentences) and sentences == self.before and not given

@@ -51,6 +51,15 @@ def angles_with_both_ratios(trees: Iterable[Expression]) -> frozenset[Expression
     return frozenset(angle for name, angle in ratios if name == "sin" and ("cos", angle) in ratios)
 
 
+def has_ratio_of_a_sum(tree: Expression) -> bool:
+    """Whether the sine or the cosine of a sum or a difference of angles stands in a tree."""
+    return any(
+        node.function in ("sin", "cos") and node.argument.op in ("+", "-")
+        for node in walk(tree)
+        if isinstance(node, Apply) and isinstance(node.argument, Binary)
+    )
+
+
 def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
     """A tree with others in place of some of its parts, outermost first."""
     if tree in values:

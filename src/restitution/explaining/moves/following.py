@@ -165,6 +165,9 @@ def _chain(step: Step, links: tuple[Link, ...]) -> bool:
             if link.by == "identity" and move.record not in IDENTITIES:
                 move = replace(move, record="pythagoras")
             after = step.under(move=move, cited=(Cited("", base), *step.cited))
+            if link.by == "identity":
+                # What the component is known to be by others says nothing of how it is rewritten.
+                after = after.under(opaque=after.opaque | {subject})
             own = Link(subject, link.sign, link.right)
         else:
             after, own, subject = step, link, link.left

@@ -16,7 +16,7 @@ from restitution.explaining.definitions.ties import is_no_product, tie_of, ties
 from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import Event, Link, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
-from restitution.explaining.lines.trees import settled
+from restitution.explaining.lines.trees import has_ratio_of_a_sum, settled
 from restitution.explaining.moves.bases import expected_residual, matches, may_match
 from restitution.explaining.moves.putting import matches_with, points_along
 from restitution.explaining.steps.rules import Rules
@@ -36,8 +36,16 @@ from restitution.expression.tree import (
 
 
 def is_law(step: Step, line: Link) -> bool:
-    """Whether a line is an instance of the law that its move names."""
-    return any(_is_template(step, line, template) for template in _templates(step, line))
+    """Whether a line is an instance of the law that its move names.
+
+    The angle between two directions that are given by angles is the difference of these.
+    """
+    if any(_is_template(step, line, template) for template in _templates(step, line)):
+        return True
+    if not any(map(has_ratio_of_a_sum, (line.left, line.right))):
+        return False
+    resolved = step.under(identities=frozenset({"sum"}))
+    return any(_is_template(resolved, line, template) for template in _templates(resolved, line))
 
 
 def _templates(step: Step, line: Link) -> Iterator[Link]:

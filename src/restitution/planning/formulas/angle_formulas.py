@@ -26,6 +26,7 @@ from restitution.planning.formulas.definitions import Formula, itself, write_for
 from restitution.planning.formulas.impacts import after, in_direction
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
+    component_formula,
     frame_after,
     in_the_plane,
     parts,
@@ -228,9 +229,11 @@ def velocity_as_a_line(scene: Scene, body: str, stage: int) -> Source:
 def product_formula(scene: Scene, quantity: Quantity) -> Formula:
     """The scalar product of two vectors, each as a line has it.
 
-    That of a velocity and the unit vector along the line of centres is a component.
+    That of a velocity and a unit vector along the line of centres or along an axis is a component.
     """
     if (own := _product_along_the_line(scene, quantity)) is not None:
+        return own
+    if (own := _component_along_an_axis(scene, quantity)) is not None:
         return own
     refs: list[Ref] = []
     vectors: list[Vector] = []
@@ -281,6 +284,28 @@ def _product_along_the_line(scene: Scene, quantity: Quantity) -> Formula | None:
     pool = together(known.whole, own.whole, frame.refs, frame.unit_free)
     refs = scene.judge.needed(move, pool, chain(quantity, (right, None)))
     return None if refs is None else Formula(move, itself, quantity, right, own.value, refs)
+
+
+def _component_along_an_axis(scene: Scene, quantity: Quantity) -> Formula | None:
+    """The scalar product of a velocity with **i** or **j**, as the component in that direction.
+
+    None where a line has the velocity as a vector: there the component is read off.
+    """
+    match quantity.arguments:
+        case (Quantity("velocity", (Name(),), int()) as velocity, Unit() as axis) | (
+            Unit() as axis,
+            Quantity("velocity", (Name(),), int()) as velocity,
+        ):
+            body, stage = body_and_stage(scene, velocity)
+        case _:
+            return None
+    vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
+    if vector is not None or stage not in scene.model.frames:
+        return None
+    own = component_formula(scene, Quantity("along", (velocity, axis), quantity.stage))
+    move = replace(own.move, record="product")
+    refs = scene.judge.needed(move, own.refs, chain(quantity, (own.right, None)))
+    return None if refs is None else replace(own, move=move, quantity=quantity, refs=refs)
 
 
 def _to_the_line(

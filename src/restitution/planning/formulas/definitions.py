@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.errors import StatementError
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, MoveId, Ref
+from restitution.explaining.lines.trees import has_ratio_of_a_sum
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -120,10 +121,11 @@ def write_formula(scene: Scene, own: Formula) -> int:
 def _by_coordinates(scene: Scene, right: Expression) -> Expression | None:
     """A sum of two vectors by their coordinates, each still a sum of two.
 
-    None where these are added in the head: where no part of them is a sum itself.
+    None where these are added in the head: where no part of them is a sum itself, but for that in
+    the sine or the cosine of a difference of angles.
     """
     terms = list(outer_terms(right))
-    if len(terms) != _PAIR:
+    if len(terms) != _PAIR or has_ratio_of_a_sum(right):
         return None
     parts: list[list[sp.Expr]] = [[], []]
     kept = False

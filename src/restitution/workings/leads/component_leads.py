@@ -77,6 +77,29 @@ def _components(name: SentenceId, **slots: Any) -> Sentence:
 class ComponentLeads(LinesAround):
     """The words before components of velocities."""
 
+    def resolves(self, line: Line) -> bool:
+        """Whether a line finds a component, perhaps as a scalar product with **i** or **j**."""
+        if line.move.record != "product" or not isinstance(line.relation, Relation):
+            return line.move.record == "component"
+        match line.relation.options[0][0].left:
+            case Quantity("dot", (Quantity("velocity"), Unit()) | (Unit(), Quantity("velocity"))):
+                return not self._of_a_vector(line)
+        return False
+
+    def _of_a_vector(self, line: Line) -> bool:
+        """Whether a line rests on a velocity that a fact or a line above gives as a vector."""
+        above = (
+            self._derivation.line(ref) if isinstance(ref, int) else self._derivation.fact(ref)
+            for ref in line.premises
+        )
+        return any(
+            isinstance(link.left, Quantity) and link.left.kind == "velocity"
+            for own in above
+            if own is not None and isinstance(own.relation, Relation)
+            for links in own.relation.options
+            for link in links
+        )
+
     def resolved(self, line: Line) -> Sentence | None:
         """What is said before components: of which time they are."""
         assert isinstance(line.relation, Relation)
@@ -92,6 +115,8 @@ class ComponentLeads(LinesAround):
                     return say("resolved-axes.title")
                 if event is None and isinstance(axis, Name):
                     return say("resolved-axes.wall", wall=axis.name)
+            case Quantity("dot", (_, Unit()) | (Unit(), _)):
+                return say("resolved-axes.title")
             case Quantity("dot", (Quantity("velocity", _, int(stage)), along)):
                 return self._products(line, stage, self._naming.layout(along))
             case _:

@@ -106,7 +106,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
         record = RECORDS.get(line.move.record or "")
-        if line.move.id not in TITLED or record is None or record.id == "component":
+        if line.move.id not in TITLED or record is None or self.resolves(line):
             return None
         if letter_of_offset(line) is not None:
             return None
@@ -315,7 +315,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             self._given.add(offset.id)
             yield offset_sentence(offset, self._naming, given=True, letter=letter)
             return
-        if line.move.record == "component" and line.move.id == "define":
+        if self.resolves(line) and line.move.id == "define":
             title = self.resolved(line)
             if title is not None and title != above:
                 yield title

@@ -507,14 +507,15 @@ class Naming(Moments):
         if unit is not None and event is not None and not event.wall:
             return say("derived.component-unit", axis=self.layout(unit), of=of)
         if event is None:
-            if kind == "along" and isinstance(axis, Unit):
-                return say("derived.component-unit", axis=self.layout(axis), of=of)
+            if isinstance(axis, Unit):
+                own = axis if kind == "along" else _turned_left(axis)
+                return say("derived.component-unit", axis=self.layout(own), of=of)
             if kind == "along":
                 return say("derived.component-along-vector", axis=self.layout(axis), of=of)
             direction = self.bold.across_wall(axis.name) if isinstance(axis, Name) else None
             if direction is not None:
-                own = self.layout(axis)
-                return say("derived.component-across-sense", axis=own, way=direction, of=of)
+                surface = self.layout(axis)
+                return say("derived.component-across-sense", axis=surface, way=direction, of=of)
             return say("derived.component-across-vector", axis=self.layout(axis), of=of)
         if event.wall and kind == "along":
             wall = event.bodies[1]
@@ -612,6 +613,11 @@ class Naming(Moments):
         return rebuilt(
             tree, lambda each: replace(each, stage=None) if isinstance(each, Quantity) else each
         )
+
+
+def _turned_left(axis: Unit) -> Expression:
+    """The unit vector at 90° anticlockwise from **i** or **j**."""
+    return Unit("j") if axis.axis == "i" else Negate(Unit("i"))
 
 
 def _number(stage: Stage) -> int | None:
