@@ -327,6 +327,8 @@ class _Writer:
                 label = self.ends.part(own)
                 if label == part or not self._is_recalled(own):
                     continue
+                if label is None and part == self._first_label():
+                    continue  # it stands just above
                 if own.move.record == "unchanged":
                     beside.append(own)
                     continue
@@ -341,6 +343,10 @@ class _Writer:
             self.afresh()
             item = self.ends.place(lines[0])
             yield Step("result", tuple(rows), sentences=(where,), item=item)
+
+    def _first_label(self) -> str | None:
+        """The label of the first lettered part that has a working."""
+        return next(filter(None, map(self.ends.part, self.derivation.lines)), None)
 
     def _again(self, line: Line) -> Row:
         """What a line says of its left side, as a row."""
