@@ -7,6 +7,7 @@ from functools import cache
 
 import pytest
 
+from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.following.follower import Complaint, follow
 from restitution.explaining.lines.derivation import Derivation, Meaning, Relation
 from restitution.explaining.lines.notation import write_relation
@@ -135,6 +136,37 @@ def test_a_fact_that_holds_whatever_a_letter_is(text: str, line: str, words: str
     )
     complaints = follow(replace(derivation, lines=lines), Oracle(roles(solution.problem)))
     assert "not-idle" in {each.reason for each in complaints}
+
+
+SPARE = """
+wall W: along i, through (0, 0)
+sphere P: mass 2, at (0, 4), velocity u at 30° to W
+P hits W: e = 1/2
+given time(1) = 2, {given}
+find u
+"""
+
+
+def test_a_given_fact_that_no_answer_needs_is_checked_without_a_mark() -> None:
+    solution, derivation = planned(SPARE.format(given="impulse = 6"))
+    words = printed(solution)
+    assert "magnitude of the impulse = 2(1 + 2) = 6 N s It is also given that" in words
+    (note,) = derivation.notes
+    assert note.kind == "agreeing" and note.lines
+    marked = awarded(derivation)
+    own = [each for each in marked.lines if each.number in note.lines]
+    assert own and not any(each.marks for each in own)
+    lines = tuple(
+        replace(each, relation=changed(each.relation)) if each.number in note.lines else each
+        for each in derivation.lines
+    )
+    others = complaints(solution, replace(derivation, lines=lines))
+    assert "not-idle" in {each.reason for each in others}
+
+
+def test_a_given_letter_that_no_line_holds_is_not_needed() -> None:
+    words = printed(solve(parse(SPARE.format(given="k = 3"))))
+    assert "It is also given that k = 3, which is not needed here." in words
 
 
 def changed(relation: Relation | Meaning) -> Relation:

@@ -1,12 +1,20 @@
-"""Letters that no fact fixes: what a fact speaks of is worked out, and is so whatever they are."""
+"""Facts that hold anyway: what they speak of is worked out.
+
+A fact may leave the letters open for which it was given, or be given beside what fixes all of them.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import replace
 
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import MissingError, RestitutionError
-from restitution.explaining.lines.derivation import Note, Ref
-from restitution.expression.tree import Letter, letters
+from restitution.explaining.lines.derivation import Fact, Note, NoteKind, Ref
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.planning.axes.by_changes import frame_at
 from restitution.planning.clashes import write_worths
 from restitution.planning.routes.order import Solver
@@ -43,7 +51,7 @@ def write_idle_facts(
         draft = desk.fork()
         scene = Scene(problem, own, part, story, draft, find_frame=frame_at)
         try:
-            note = _holding_anyway(scene, given, names[0], reason)
+            note = _holding_anyway(scene, given, names[0], "missing", reason)
         except (*UNPLANNED, RestitutionError):
             continue
         if note is not None:
@@ -62,7 +70,38 @@ def _letters_asked(part: PartSolution) -> set[str]:
     }
 
 
-def _holding_anyway(scene: Scene, given: GivenEquation, name: str, reason: str) -> Note | None:
+def with_facts_that_agree(solution: Solution, desk: Desk, spare: Iterable[Fact]) -> Desk:
+    """The desk with the lines by which given facts that no answer needs are seen to hold.
+
+    ``spare`` are these facts; one without a plan has no lines.
+    """
+    problem = solution.problem
+    parts = [each for each in solution.parts.values() if each.items]
+    for fact in spare:
+        part = next((e for e in parts if e.part.label == fact.part), parts[-1])
+        if len(part.branches) != 1:
+            continue
+        protected = protected_letters(part.part)
+        story = model(problem, part.part, part.branches[0], part.roles, protected, question=problem)
+        name = f"{part.part.label or ''}{len(part.items)}"
+        draft = desk.fork()
+        draft.part = part.part.label
+        scene = Scene(problem, part.part, part, story, draft, find_frame=frame_at)
+        for given in (each for each in scene.given if each.fact.id == fact.id):
+            if given.link.sign != "=" or not any(map(has_quantity, trees_of(fact.relation))):
+                continue
+            with suppress(*UNPLANNED, RestitutionError):
+                note = _holding_anyway(scene, given, name, "agreeing")
+                if note is not None:
+                    order = [end.item for end in draft.ends]
+                    draft.notes.append(replace(note, place=order.index(name)))
+                    desk = draft
+    return desk
+
+
+def _holding_anyway(
+    scene: Scene, given: GivenEquation, name: str, kind: NoteKind, reason: str = ""
+) -> Note | None:
     """The lines of what a fact speaks of, which is what the fact says; None where it is not."""
     desk = scene.desk
     desk.item, desk.withheld = name, frozenset({given.fact.id})
@@ -73,8 +112,8 @@ def _holding_anyway(scene: Scene, given: GivenEquation, name: str, reason: str) 
         return None
     require_true(scene.model, desk.lines[start:], desk.lines, desk.facts)
     require_followed(scene, desk.lines[start:])
-    note = desk.new_note(name, "missing", reason, premises=(*refs, given.fact.id))
+    note = desk.new_note(name, kind, reason, premises=(*refs, given.fact.id))
     return note if scene.judge.holds_anyway(note) else None
 
 
-__all__ = ["write_idle_facts"]
+__all__ = ["with_facts_that_agree", "write_idle_facts"]

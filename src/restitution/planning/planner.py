@@ -14,6 +14,7 @@ from restitution.components.telling import model
 from restitution.errors import MissingError
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of, staged
+from restitution.explaining.data.unused import spare_facts
 from restitution.explaining.following.premises import (
     with_given_ratios,
     with_identities,
@@ -51,7 +52,7 @@ from restitution.planning.cases import joined, without_idle
 from restitution.planning.clashes import write_clash
 from restitution.planning.closing.wanted_letters import with_wanted_letters
 from restitution.planning.early import Early, early_items, terms
-from restitution.planning.idle_facts import write_idle_facts
+from restitution.planning.idle_facts import with_facts_that_agree, write_idle_facts
 from restitution.planning.inequalities.extrema import only_answer, write_extremum
 from restitution.planning.inequalities.forms_of_ranges import is_in_a_form, write_form
 from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
@@ -119,7 +120,10 @@ def plan(solution: Solution, route: int = 1, *, partial: bool = False) -> Deriva
     if paths := paths_beside(solution, desk):
         with suppress(*UNPLANNED):
             written = _written(solution, replace(desk, paths=paths), partial=False)
-    return _finished(problem, written or _written(solution, desk, partial))
+    desk = written or _written(solution, desk, partial)
+    whole = _finished(problem, desk)
+    agreeing = with_facts_that_agree(solution, desk, spare_facts(whole))
+    return whole if agreeing is desk else _finished(problem, agreeing)
 
 
 def _written(solution: Solution, desk: Desk, partial: bool) -> Desk:

@@ -35,7 +35,7 @@ from restitution.solving.story.letters import roles
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
     """The conditions of answers, by the numbers of the lines below which they are said."""
     sentences: dict[int, Sentence] = {}
-    subjects, squares = _subjects(derivation), _squares_of_ratios(derivation)
+    subjects, squares = first_lines_of_letters(derivation), _squares_of_ratios(derivation)
     for label, part in solution.parts.items():
         names = [each for each, own in derivation.asked.items() if own == label]
         for name, item in zip(names, part.items, strict=True):
@@ -186,7 +186,7 @@ class Known:
     squares: Mapping[str, Layout]
 
 
-def _subjects(derivation: Derivation) -> dict[str, int]:
+def first_lines_of_letters(derivation: Derivation) -> dict[str, int]:
     """The letters of which, or of a ratio of which, a line says the value, with the first one."""
     first: dict[str, int] = {}
     for line in derivation.lines:

@@ -13,11 +13,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from restitution.explaining.data.offset_angles import letter_of_offset
-from restitution.explaining.data.unused import lines_under, unused_facts
+from restitution.explaining.data.unused import spare_facts
 from restitution.explaining.lines.derivation import (
     Derivation,
     ItemEnd,
@@ -31,11 +30,12 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Expression, Letter, Quantity, is_zero
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, is_zero, letters
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
-from restitution.workings.conditions import is_same
+from restitution.workings.conditions import first_lines_of_letters, is_same
 from restitution.workings.leads.given_leads import GivenLeads
 from restitution.workings.leads.introductions import Introductions
 from restitution.workings.leads.meetings import meetings
@@ -94,10 +94,6 @@ def explanation_of(
         parts.append(PartExplanation(label, asked, steps[label], answers, derivation))
     letters = writer.naming.letters
     return Explanation(problem.title, tuple(parts), problem.warnings, solution, letters=letters)
-
-
-# Notes that stand where the data have a solution.
-_OF_A_SOLUTION = frozenset({"standing", "refuted", "undecided"})
 
 
 @dataclass
@@ -254,16 +250,22 @@ class _Writer:
                 yield Step("result", (row,), sentences=(say("carried.above"),), item=item)
 
     def _spare(self, label: str | None) -> Iterator[Step]:
-        """What is given beside what the working needs: it agrees, as there is a solution."""
-        if any(note.kind not in _OF_A_SOLUTION for note in self.derivation.notes):
-            return
+        """What is given beside what the working needs: it agrees, as there is a solution.
+
+        What is given of a letter of which no line says the value has nothing with which to agree.
+        """
+        valued = set(first_lines_of_letters(self.derivation))
         labels = list(dict.fromkeys(self.derivation.asked.values()))
-        for fact in unused_facts(self.derivation, partial(lines_under, self.derivation)):
+        for fact in spare_facts(self.derivation):
             home = fact.part if fact.part in labels else labels[-1]
             if home == label:
                 words = fact_in_words(self.naming, fact)
                 yield from self._introduced()
-                yield Step("note", sentences=(say("given.agrees", fact=words),))
+                trees = tuple(trees_of(fact.relation))
+                of_data = not any(map(has_quantity, trees))
+                open_ = of_data and not any(valued & letters(each) for each in trees)
+                sentence = say("given.not-needed" if open_ else "given.agrees", fact=words)
+                yield Step("note", sentences=(sentence,))
 
     def _is_silent(self, lines: Sequence[Line], index: int) -> bool:
         """Whether a line says nothing that is printed, so that no heading stands above it.

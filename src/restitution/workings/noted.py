@@ -21,7 +21,7 @@ from restitution.workings.reasons.no_root import reason_of_no_root
 from restitution.workings.refuted import claim_of, refutation
 
 # These notes are of one item each.
-_ALONE = frozenset({"refuted", "undecided", "unwritten", "standing"})
+_ALONE = frozenset({"refuted", "undecided", "unwritten", "standing", "agreeing"})
 
 
 class Notes:
@@ -84,6 +84,8 @@ class Notes:
             return refutation(first, self._derivation, self._naming, self._ends)
         if first.kind == "undecided":
             return say("undecided.claim", claim=claim_of(first, self._naming, self._ends))
+        if first.kind == "agreeing":
+            return say("given.agrees", fact=self._given_fact(first))
         if first.kind == "standing":
             line = self._derivation.line(max(first.lines))
             label = None if line is None else self._ends.part(line)
@@ -103,10 +105,14 @@ class Notes:
         if first.kind == "impossible":
             return say("note.impossible", reason=first.reason)
         if first.premises:
-            facts = (self._derivation.fact(e) for e in first.premises if isinstance(e, str))
-            fact = next(each for each in facts if each is not None and each.kind == "given")
-            return say("note.idle", fact=fact_in_words(self._naming, fact), items=items)
+            return say("note.idle", fact=self._given_fact(first), items=items)
         return say("note.none", items=items, reason=first.reason)
+
+    def _given_fact(self, note: Note) -> Sentence | lay.Layout:
+        """The given fact among the premises of a note."""
+        facts = (self._derivation.fact(e) for e in note.premises if isinstance(e, str))
+        fact = next(each for each in facts if each is not None and each.kind == "given")
+        return fact_in_words(self._naming, fact)
 
     def _against(self, note: Note) -> Sentence:
         """A fact that the lines of a note contradict."""

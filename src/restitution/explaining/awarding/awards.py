@@ -41,6 +41,7 @@ from restitution.explaining.awarding.mark_conditions import (
     subject_of,
 )
 from restitution.explaining.awarding.mark_rules import PAIR, RULES, Rule, marks_of_note
+from restitution.explaining.data.unused import lines_under
 from restitution.explaining.lines.derivation import (
     Derivation,
     Fact,
@@ -116,8 +117,17 @@ class _Awarding:
         self.ends: dict[int, ItemEnd | None] = {each.line: each for each in derivation.items}
         for note in derivation.notes:
             last = max(note.lines, default=0)
+            if note.kind == "agreeing":
+                continue
             if last and self.lines[last].item == note.item:
                 self.ends.setdefault(last, None)
+        # What only shows that a fact holds which no answer needs earns nothing.
+        checks = [e for each in derivation.notes if each.kind == "agreeing" for e in each.lines]
+        spare, needed = (
+            {ref for line in lines for ref in lines_under(derivation, line)}
+            for lines in (checks, [each.line for each in derivation.items])
+        )
+        self.checks = spare - needed
         # A line of an earlier part that a later one has to show was found there.
         self.shown = {
             each.line
@@ -141,6 +151,8 @@ class _Awarding:
         points: dict[int, list[str]] = {number: [] for number in self.lines}
         for line in self.derivation.lines:
             if line.shown == "silent" or line.number in self.further or self._is_idle(line):
+                continue
+            if line.number in self.checks:
                 continue
             rule = self.rule(line)
             for point in () if rule is None else rule.earned(self.style).split():

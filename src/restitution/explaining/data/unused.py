@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from collections.abc import Set as AbstractSet
+from functools import partial
 
 from restitution.explaining.lines.derivation import Derivation, Fact, Line, Ref
 
@@ -35,6 +36,12 @@ def unused_facts(
             yield fact
 
 
+def spare_facts(derivation: Derivation) -> Iterator[Fact]:
+    """The given facts that no answer needs, where there are answers; where there are none, none."""
+    if all(note.kind in _OF_A_SOLUTION for note in derivation.notes):
+        yield from unused_facts(derivation, partial(lines_under, derivation))
+
+
 def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
     """A line, or a fact, and all that it rests on."""
     lines: dict[Ref, Line] = {line.number: line for line in derivation.lines}
@@ -50,3 +57,7 @@ def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
             pending.extend(line.premises)
             pending.extend(case.line for case in derivation.cases if own in case.lines)
     return refs
+
+
+# Notes that stand where the data have a solution.
+_OF_A_SOLUTION = frozenset({"standing", "refuted", "undecided", "agreeing"})

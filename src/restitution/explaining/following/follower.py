@@ -618,7 +618,7 @@ class Reader:
                 bad = True
             elif not self._holds(ref, note.part):
                 yield Complaint("premise-of-another-part", None, ref)
-        if note.kind == "missing" and note.premises and not bad:
+        if note.kind in ("missing", "agreeing") and note.premises and not bad:
             if not holds_anyway(self._trial(None).step(Move("put"), note.premises)):
                 yield Complaint("not-idle", None, note.item)
             return

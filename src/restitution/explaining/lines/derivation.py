@@ -166,7 +166,14 @@ class ItemEnd:
 
 
 NoteKind = Literal[
-    "impossible", "contradiction", "missing", "refuted", "undecided", "unwritten", "standing"
+    "impossible",
+    "contradiction",
+    "missing",
+    "refuted",
+    "undecided",
+    "unwritten",
+    "standing",
+    "agreeing",
 ]
 
 
@@ -180,6 +187,8 @@ class Note:
     ``place`` counts the items of the question from 0, in the order asked. One that is
     ``unwritten`` has its answer as the reason, and the last lines that stand. One that is
     ``standing`` says the answer again, as its ``claim``: an earlier part came to it already.
+    One that is ``agreeing`` stands beside the answer: a given fact that no answer needs says what
+    its lines come to.
     """
 
     item: str

@@ -509,6 +509,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.by-what-changes": "By the component that changes:",
     "given.by-those-that-change": "By the components that change:",
     "given.agrees": "It is also given that {fact}, which agrees with this.",
+    "given.not-needed": "It is also given that {fact}, which is not needed here.",
     "given.direction": (
         "It is given that {fact}, so {velocity} has no component in the direction of {axis}:"
     ),
