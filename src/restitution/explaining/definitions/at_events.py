@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from restitution.explaining.definitions.energies import (
     energy_lost,
+    impulse_along_the_line,
     momentum_kept,
     momentum_of_all,
     total,
@@ -30,6 +31,7 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "speed": by_angles,
     "total": total,
     "total-lost": total_lost,
+    "impulse-vector": impulse_along_the_line,
     "momentum-of": momentum_of_all,
     "momentum-vector": momentum_kept,
     "energy-lost": energy_lost,

@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Binary,
+    Degrees,
     Expression,
     Name,
     Negate,
@@ -25,6 +26,19 @@ _HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
 
 def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
     return Quantity(kind, (Quantity("velocity", (Name(body),), stage), axis_of(event)))
+
+
+def impulse_along_the_line(step: Step, event: Event | None) -> Iterator[Link]:
+    """The impulse on a body as a vector along the line of centres: m times the change there."""
+    if event is None or event.kind != "impact":
+        return
+    for body in step.move.bodies:
+        late, early = (
+            _component("along", body, stage, event) for stage in (event.number, event.number - 1)
+        )
+        size = Binary("*", Quantity("mass", (Name(body),)), Binary("-", late, early))
+        vector = Polar(size, Degrees(Fraction(0)), axis_of(event))
+        yield Link(Quantity("impulse", (Name(body),), event.number), "=", vector)
 
 
 def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:

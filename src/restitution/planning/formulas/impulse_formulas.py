@@ -17,7 +17,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import velocity_source
-from restitution.planning.writing.desk import NotPlannedError, Source, together
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     difference,
     negative,
@@ -28,6 +28,7 @@ from restitution.planning.writing.forms import (
 )
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import unit_tree
 from restitution.vector import Vector
 
 
@@ -142,9 +143,18 @@ def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | 
         known = scene.desk.known(Quantity("impulse", (Name(body),), event))
         if known is None or not isinstance(known.value, Vector):
             continue
-        if _is_in_a_plain_direction(known.value):
+        if _is_in_a_plain_direction(known.value) and not _has_components(scene, body, event):
             return _size(Move("define", "size", event, (body,)), quantity, known)
     return None
+
+
+def _has_components(scene: Scene, body: str, event: int) -> bool:
+    """Whether lines have the components of a body along a line that slants, before and after."""
+    frame = scene.frame(event)
+    return frame.is_slanted and all(
+        scene.desk.known(frame.component("along", body, stage)) is not None
+        for stage in (scene.last_event(body, event - 1), event)
+    )
 
 
 def _is_in_a_plain_direction(vector: Vector) -> bool:
@@ -178,6 +188,9 @@ def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
     assert isinstance(name, Name)
     body = name.name
     mass = scene.mass(body)
+    along = _along_the_line(scene, quantity, body, event)
+    if along is not None:
+        return along
     late, early = (velocity_source(scene, body, stage) for stage in (event, event - 1))
     change = Binary("-", tree_of(late.value), tree_of(early.value))
     value = Vector(*(tidy(mass.value * each) for each in late.value - early.value))
@@ -189,3 +202,28 @@ def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
         value,
         together(mass.refs, late.refs, early.refs),
     )
+
+
+def _along_the_line(scene: Scene, quantity: Quantity, body: str, event: int) -> Formula | None:
+    """The impulse on a body by the change of its component along a line that slants.
+
+    None where no component has been worked out, or where the velocity after the impact stands as
+    a vector.
+    """
+    velocity = Quantity("velocity", (Name(body),), event)
+    component = Quantity("along", (velocity, Quantity("line_of_centres", (), event)))
+    if scene.desk.known(velocity) is not None or scene.desk.known(component) is None:
+        return None
+    frame = scene.frame(event)
+    if not frame.is_slanted:
+        return None
+    mass = scene.mass(body)
+    late, early = (in_direction(scene, "along", body, k, frame) for k in (event, event - 1))
+    size = tidy(mass.value * (late.value - early.value))
+    change = difference(tree_of(late.value), tree_of(early.value))
+    tree = product(tree_of(mass.value), change, unit_tree(frame.n))
+    move = Move("law", "impulse-vector", event, (body,))
+    value = Vector(*(tidy(expanded(size * each)) for each in frame.n))
+    pool = together(mass.refs, late.whole, early.whole, frame.refs)
+    refs = scene.judge.needed(move, pool, chain(quantity, (tree, None)), mass.refs)
+    return None if refs is None else Formula(move, itself, quantity, tree, value, refs)
