@@ -382,3 +382,26 @@ find velocity(A)
     assert any("A hits W at the time 77/54 = 1.43, before B reaches N" in w for w in warnings)
     ordered = restitution.solve(restitution.parse(text.format(first=early, second=late)))
     assert not any("order of time" in each for each in ordered.warnings)
+
+
+@pytest.mark.parametrize(
+    ("wall", "fact", "position"),
+    [
+        ("along j", "", "the place of the wall OY"),
+        ("along j, through (0, 0)", "", "the letters decide whether P has its event 1 before"),
+        # At a/u, after a/c, P has gone for a/u - a/c with c/2 away from the wall.
+        ("along j, through (0, 0)", "given time(1) < a/u", "Vector(x=a*(c - u)/(2*u), y=a + b)"),
+    ],
+)
+def test_a_time_is_before_an_event_or_after_it(wall: str, fact: str, position: str) -> None:
+    item = answer(f"""
+        wall OY: {wall}
+        sphere P: at (a, b), velocity -c i + u j
+        P hits OY: e = 1/2
+        {fact}
+        find position(P, at a/u)
+        """)
+    if item.answers:
+        assert str(item.answers[0].value) == position
+    else:
+        assert position in str(item.error)

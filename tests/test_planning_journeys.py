@@ -369,3 +369,13 @@ def test_who_is_sent_without_a_radius_comes_to_the_place_of_the_other() -> None:
     )
     assert answers(derivation) == ["tan(alpha) = 2/5"]
     assert "tan(alpha) = 2/5" in said(derivation)
+
+
+def test_a_time_by_a_component_of_1_in_degrees_is_one_quotient() -> None:
+    derivation = working("""
+        wall W: along j, through (0, 0)
+        sphere P: at (3, 1), velocity 2 at 60° from -i
+        P hits W: e = 1/2
+        find time(1)
+        """)
+    assert said(derivation)[0] == "time(1) = 3/(2cos(60°)) = 3 [rearrange]"

@@ -37,6 +37,30 @@ from restitution.workings import explain
         (
             """
             wall W: along i
+            sphere P: velocity u at alpha to W
+            P hits W
+            given angle(velocity(P), W) = alpha/2
+            show tan(alpha/2)^2 = 1 - 2e
+            """,
+            ["e = tan(α/2)/(2 tan(α/2)/(1 − tan²(α/2)))", "tan²(α/2) = 1 − 2e (as required)"],
+        ),
+        (
+            """
+            wall W: along i
+            sphere P: velocity u at alpha to W
+            P hits W
+            given angle(velocity(P), W) = alpha/3
+            find range of e
+            """,
+            [
+                "by the formulae for multiple angles",
+                "⅓ − e = 8 tan²(α/3)/(3(3 − tan²(α/3)))",
+                "e < ⅓, as α is acute",
+            ],
+        ),
+        (
+            """
+            wall W: along i
             sphere P: mass m, velocity u at alpha to W
             P hits W
             given energy_lost = 1/4 energy(0)

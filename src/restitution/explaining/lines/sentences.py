@@ -935,6 +935,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.gained": "kinetic energy is gained",
     "derived.pythagoras": "as sin² + cos² = 1",
     "derived.double-angle": "by the formulae for the double angle",
+    "derived.multiple-angle": "by the formulae for multiple angles",
     "derived.by-formula": "by the formula {formula}",
     "derived.half-angle": "by the formulae for the half angle",
     "derived.tangent-of-sum": "by the formula for the tangent of a sum",

@@ -51,7 +51,6 @@ from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.angle_ratios import write_other_ratio
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
-    TWO,
     ZERO,
     in_tangents,
     product,
@@ -459,21 +458,12 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     return None if line is None else known_as(scene, symbol, scene.scalar(tree), line)
 
 
-def _is_double_tangent(tree: Expression) -> bool:
-    """Whether a tree is tan 2θ of a letter."""
-    match tree:
-        case Apply("tan", Binary("*", whole, Letter())):
-            return whole == TWO
-    return False
-
-
 def _by_double_tangents(scene: Scene, number: int) -> int | None:
     """A line of the tangents of θ and of 2θ in that of θ alone; None of another line."""
     link = scene.desk.last_link(number)
-    doubles = (node for side in (link.left, link.right) for node in walk(side))
-    if not any(_is_double_tangent(node) for node in doubles):
+    left, right = tangents_opened(link.left, link.right)
+    if (left, right) == (link.left, link.right):
         return None
-    left, right = tangents_opened(link.left), tangents_opened(link.right)
     move, relation = Move("identity", "double-angle"), chain(left, (right, None))
     refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
     return None if refs is None else scene.desk.write(move, refs, relation)

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
+from restitution.oracle.formula import compared
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import after, in_direction
 from restitution.planning.formulas.velocity_formulas import (
@@ -332,8 +333,11 @@ def _to_the_line(
 
 def _of_one_sign(scene: Scene, value: sp.Expr) -> bool:
     """Whether a component has one sign, or is 0 at most at an end, for all admissible letters."""
-    return scene.model.proved_sign(value) is not None or bool(
-        scene.model.decide(scene.model.sign(value) * scene.model.in_data(value), ">=", 0)
+    sign = scene.model.sign(value)
+    return (
+        scene.model.proved_sign(value) is not None
+        or bool(scene.model.decide(sign * scene.model.in_data(value), ">=", 0))
+        or bool(scene.model.ground.decide(compared(sign * value, ">=", sp.Integer(0))))
     )
 
 

@@ -19,6 +19,7 @@ from restitution.planning.writing.inequalities import (
     subject_of,
     turned,
 )
+from restitution.planning.writing.one_tangent import in_one_tangent, write_in_one_tangent
 from restitution.planning.writing.polynomials import one_fraction
 from restitution.solving.story.letters import roles
 
@@ -141,10 +142,13 @@ class Eliminated(InStages):
         """A bound of a quotient of polynomials in which a letter stands above and below."""
         right = self.scene.desk.last_link(line).right
         value = self.worths.value(right)
-        symbols = value.free_symbols
-        if is_zero(link.right) or not value.is_rational_function(*symbols):
+        by_tangent = in_one_tangent(value)
+        plain = value if by_tangent is None else by_tangent
+        plain = plain.xreplace({each: sp.Dummy() for each in plain.atoms(sp.tan)})
+        if is_zero(link.right) or not plain.is_rational_function(*plain.free_symbols):
             return None
-        if not any(self._is_twice_in(right, symbol) for symbol in symbols):
+        above, below = sp.fraction(one_fraction(plain))
+        if not above.free_symbols & below.free_symbols:
             return None
         return write_difference(self, line, Relation(((link,),)))
 
@@ -178,7 +182,10 @@ class Eliminated(InStages):
         """One end after the other, by an equation and the range of a letter in it."""
         mark = self.worths.mark()
         written: list[int] = []
+        whole = line
         for link in relation.only:
+            if not is_zero(link.left) and not is_zero(link.right):
+                line = write_in_one_tangent(self.scene, whole) or whole
             own = turned(link) if isinstance(link.right, Letter) else link
             if self.judge.proves(self.judge.known(letters(own.left)), Relation(((own,),))):
                 continue

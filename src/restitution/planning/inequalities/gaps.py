@@ -18,6 +18,7 @@ from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, square, tree_of
+from restitution.planning.writing.one_tangent import in_one_tangent
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
@@ -175,7 +176,7 @@ def _squared(scene: Scene, tree: Expression) -> Expression:
 
 
 def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
-    """A difference in factors, as it is, and with sines or cosines alone."""
+    """A difference in factors, as it is, with sines or cosines alone, or with one tangent."""
     whole = sp.together(gap)
     angles = sorted({f.args[0] for f in whole.atoms(sp.sin, sp.cos)}, key=str)
     forms = [whole]
@@ -194,6 +195,9 @@ def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
                 lambda x: sp.cos(angle) ** 2,  # noqa: B023
             )
         yield own
+    by_tangent = in_one_tangent(whole)
+    if by_tangent is not None:
+        yield sp.factor(by_tangent)
 
 
 def _mixed(x: sp.Expr) -> tuple[int, int]:

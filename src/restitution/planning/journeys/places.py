@@ -557,9 +557,8 @@ def _flight(
 ) -> Source:
     first, last = ends
     pace = velocity(scene, body, since, axis)
-    tree = time_quotient(
-        scene, last.value, first.value, pace.value, _by_degrees(scene, body, since, axis), end
-    )
+    form = _by_degrees(scene, body, since, axis)
+    tree = time_quotient(scene, last.value, first.value, pace.value, form, end)
     value = tidy((last.value - first.value) / pace.value)
     refs = together(
         first.refs,
@@ -570,7 +569,7 @@ def _flight(
     )
     quantity = _since(scene, number, since)
     relation = chain(quantity, (swept(tree), None), (tree_of(value), "rearrange"))
-    if value.is_number and abs(pace.value) == 1:
+    if value.is_number and abs(pace.value) == 1 and form is None:
         # What is divided by 1 is still seen to be divided.
         tree = Binary("/", swept(tree), ONE)
         relation = Relation(((link(quantity, tree), link(tree, tree_of(value), by="rearrange")),))

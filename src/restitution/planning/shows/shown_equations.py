@@ -444,7 +444,8 @@ class Equation:
         if not isinstance(first, int):
             return None
         own = self.scene.desk.last_link(first)
-        middle = Link(tangents_opened(own.left), "=", tangents_opened(own.right))
+        left, right = tangents_opened(own.left, own.right)
+        middle = Link(left, "=", right)
         if own.sign != "=" or (own.left, own.right) == (middle.left, middle.right):
             return None
         mark = self.claims.worths.mark()

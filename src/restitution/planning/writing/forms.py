@@ -497,17 +497,29 @@ def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
     return sign, sorted(above), sorted(below)
 
 
-def tangents_opened(tree: Expression) -> Expression:
-    """A tree with the tangents of double angles by those of the single ones."""
+def tangents_opened(*sides: Expression) -> tuple[Expression, ...]:
+    """The sides of a relation with the tangents of double angles by those of the single ones.
+
+    Where the tangent of half an angle occurs, the whole angle is the double one.
+    """
+    of_double: dict[Expression, Expression] = {}
+    for node in (node for side in sides for node in walk(side)):
+        match node:
+            case Apply("tan", Binary("/", angle, below) as half) if below == TWO:
+                of_double[angle] = half
 
     def change(each: Expression) -> Expression:
         match each:
-            case Apply("tan", Binary("*", Number(Fraction(numerator=2, denominator=1)), angle)):
-                own = Apply("tan", angle)
-                return Binary("/", product(TWO, own), difference(ONE, square(own)))
-        return each
+            case Apply("tan", Binary("*", whole, angle)) if whole == TWO:
+                single = angle
+            case Apply("tan", angle) if angle in of_double:
+                single = of_double[angle]
+            case _:
+                return each
+        own = Apply("tan", single)
+        return Binary("/", product(TWO, own), difference(ONE, square(own)))
 
-    return swept(rebuilt(tree, change))
+    return tuple(swept(rebuilt(side, change)) for side in sides)
 
 
 def is_in_degrees(value: sp.Expr) -> bool:

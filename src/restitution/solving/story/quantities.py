@@ -295,12 +295,29 @@ def _position_when(state: State, name: str, t: Scalar, now: int, later: bool) ->
         return _missing_place(state, name)
     chosen = places[-1] if later else places[0]
     for each in () if later else places[1:]:
-        sign = state.sign(t - each[2])
-        if sign is not None and sign >= 0:
+        if _is_reached(state, name, each, t):
             chosen = each
     n, where, when = chosen
     moved: Vector = where + state.velocity(name, n) * (t - when)
     return moved
+
+
+def _is_reached(state: State, name: str, place: tuple[int, Vector, Scalar], t: Scalar) -> bool:
+    """Whether the event at a place of a path comes at a time or before it.
+
+    Where its own time is not known, the place after it is what says so.
+    Raises UnsupportedError where letters decide.
+    """
+    number, _, when = place
+    sign = state.sign(t - when)
+    if sign is not None:
+        return sign >= 0
+    if any(symbol.name.startswith("_") for symbol in when.free_symbols):
+        return True
+    raise UnsupportedError(
+        f"the letters decide whether {name} has its event {number} before then: "
+        f"'given time({number}) < …', or '>', says which"
+    )
 
 
 def _missing_place(state: State, name: str) -> Vector:

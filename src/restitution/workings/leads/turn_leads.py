@@ -92,6 +92,20 @@ def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
     )
 
 
+def _has_threefold(each: Line | Fact) -> bool:
+    """Whether a line has a ratio of three times an angle, or of a third of one."""
+    if not isinstance(each.relation, Relation):
+        return False
+    three = Number(Fraction(3))
+    arguments = (
+        node.argument
+        for tree in trees_of(each.relation)
+        for node in walk(tree)
+        if isinstance(node, Apply)
+    )
+    return any(isinstance(x, Binary) and three in (x.left, x.right) for x in arguments)
+
+
 class TurnLeads(LinesAround):
     """The words before angles of deflection, angles that are the same, and identities."""
 
@@ -118,8 +132,11 @@ class TurnLeads(LinesAround):
         name = BY[line.move.record or ""]
         named = self._angles_given(line) or self._angles_named(line)
         base = next(filter(None, map(self._cited, line.premises)), named)
-        if line.move.record == "double-angle" and base is not None and _is_of_the_rest(base, line):
-            return BY["complement"]
+        if line.move.record == "double-angle" and base is not None:
+            if _is_of_the_rest(base, line):
+                return BY["complement"]
+            if _has_threefold(base) or _has_threefold(line):
+                return "derived.multiple-angle"
         if line.move.record != "sum-of-angles" or base is None:
             return name
         assert isinstance(line.relation, Relation)
