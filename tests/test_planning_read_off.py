@@ -152,21 +152,19 @@ def test_directions_at_two_angles_are_resolved_by_their_difference() -> None:
 def test_an_impulse_along_a_line_that_slants_is_a_multiple_of_its_unit_vector() -> None:
     text = (
         "sphere A: mass 2m, velocity u (3i + j)\nsphere B: mass 3m, velocity -u i\n"
-        "A hits B: along i + j, e = 1/2\nfind impulse(B), impulse"
+        "A hits B: along i + j, e = 1/2\nfind impulse(B)"
     )
     solution, _ = planned(text)
     words = to_text(explain(solution), 200)
     assert "impulse on B = 3m(√2 u + √2 u/2)((𝐢 + 𝐣)/√2)" in words
     assert "from its components" not in words
-    assert "magnitude of the impulse = 3m(√2 u + √2 u/2) = 9√2 mu/2" in words
 
 
 def test_an_impulse_after_a_velocity_is_a_change_of_momentum() -> None:
     text = (
         "wall W: along 3i + 4j\nsphere P: mass 2, velocity 7i + j\nP hits W: e = 3/5\n"
-        "find velocity(P), impulse(P), impulse"
+        "find velocity(P), impulse(P)"
     )
     solution, _ = planned(text)
     words = to_text(explain(solution), 200)
     assert "impulse on P = 2((⅗𝐢 + (29/5)𝐣) − (7𝐢 + 𝐣))" in words
-    assert "magnitude of the impulse = 2(5 + 3) = 16 N s" in words

@@ -143,18 +143,9 @@ def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | 
         known = scene.desk.known(Quantity("impulse", (Name(body),), event))
         if known is None or not isinstance(known.value, Vector):
             continue
-        if _is_in_a_plain_direction(known.value) and not _has_components(scene, body, event):
+        if _is_in_a_plain_direction(known.value):
             return _size(Move("define", "size", event, (body,)), quantity, known)
     return None
-
-
-def _has_components(scene: Scene, body: str, event: int) -> bool:
-    """Whether lines have the components of a body along a line that slants, before and after."""
-    frame = scene.frame(event)
-    return frame.is_slanted and all(
-        scene.desk.known(frame.component("along", body, stage)) is not None
-        for stage in (scene.last_event(body, event - 1), event)
-    )
 
 
 def _is_in_a_plain_direction(vector: Vector) -> bool:
