@@ -72,10 +72,16 @@ SAYS = {
         REST.format(angle="alpha", m="m", e="")
         + "given tan(alpha) = 1/2, deflection(A) > 30°\nfind range of e",
         [
-            "tan δ > √3/3, as δ is acute and δ > 30°",
+            "so δ is acute",
+            "tan δ > √3/3, as δ > 30°",
             "(1 + e)/(3 − 2e) > √3/3",
             "(3 + 2√3)e > 3√3 − 3, as 3 − 2e > 0",
         ],
+    ),
+    # tan δ ≤ tan 30° needs that δ is between 0° and 30°.
+    "a given bound of an angle is the end of its range": (
+        REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
+        ["tan δ ≤ √3/3, as 0° ≤ δ ≤ 30°"],
     ),
     # tan²θ = e: the loss is ½mU² cos²θ (1 − e²), with cos²θ = 1/(1 + e).
     "the squares of sine and cosine come of that of the tangent": (

@@ -433,7 +433,7 @@ find range of deflection(A)""",
             "tan δ = (1 + e)/(3 − e)",
             "⅓ ≤ tan δ ≤ 1",
             "as (1 + e)/(3 − e) increases with e and 0 ≤ e ≤ 1",
-            "arctan(1/3) ≤ δ ≤ 45°, as δ is acute",
+            "arctan(1/3) ≤ δ ≤ 45°, as tan δ > 0 and so δ is acute",
         ],
     ),
     # B comes back with (1 + e)u/5, and 3e - 2 < 1 + e.

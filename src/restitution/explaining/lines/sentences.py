@@ -989,6 +989,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.for": "when {places:or}",
     "derived.from-then": "for {time}",
     "derived.acute": "{angle} is acute",
+    "derived.so-acute": "so {angle} is acute",
+    "derived.acute-by-tangent": "{bound} and so {angle} is acute",
     "derived.positive": "{letter} is positive",
     "derived.given": "this is given",
     "derived.fact": "{fact}",

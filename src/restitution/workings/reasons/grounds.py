@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from fractions import Fraction
+from typing import TypeGuard
 
 import sympy as sp
 
@@ -130,7 +131,33 @@ def acute_by_its_tangent(
         case ((*_, Link(own, "<" | "<=", bound)),) if own == angle or _is_angle(own):
             if not _is_less_than_90(bound):
                 return None
-            return angle if any(_is_above_zero(tangent, each) for each in cited) else None
+            acute = {ref.partition(":")[2].strip() for ref in line.premises if _is_acute(ref)}
+            return angle if any(_is_above_zero(tangent, each, acute) for each in cited) else None
+    return None
+
+
+def _is_acute(ref: object) -> TypeGuard[str]:
+    """Whether a premise says that an angle is acute."""
+    return isinstance(ref, str) and ref.partition(":")[0] == "acute"
+
+
+def angle_acute_by(derivation: Derivation, line: Line) -> Letter | None:
+    """The angle that a printed line makes acute by its tangent, where one below needs that."""
+    match line.relation:
+        case Relation(((Link(Apply("tan", Letter() as angle), ">", right),),)) if right == _ZERO:
+            pass
+        case _:
+            return None
+    if line.shown != "line":
+        return None
+    text = f"0° <= {angle.name} <= 180°"
+    low, high = (Degrees(Fraction(n)) for n in (0, 180))
+    extent = Relation(((Link(low, "<=", angle), Link(angle, "<=", high)),))
+    for other in derivation.lines:
+        if line.number in other.premises and text in other.premises:
+            cited = (_relation(derivation, ref) for ref in other.premises)
+            if acute_by_its_tangent(other, extent, cited) == angle:
+                return angle
     return None
 
 
@@ -140,6 +167,8 @@ def _is_less_than_90(bound: Expression) -> bool:
             return True
         case Degrees(value):
             return value < 90
+        case Binary("-", Degrees(Fraction(numerator=90, denominator=1)), Letter()):
+            return True
     return False
 
 
@@ -147,15 +176,36 @@ def _is_angle(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
 
 
-def _is_above_zero(tangent: Expression, relation: Relation | None) -> bool:
-    """Whether a relation bounds a tangent below by zero, or by a number above that."""
+def _is_above_zero(tangent: Expression, relation: Relation | None, acute: Collection[str]) -> bool:
+    """Whether a relation bounds a tangent below by zero, or by what is above that.
+
+    That is a number, or what is made of ratios of ``acute`` angles without a difference.
+    """
     for link in () if relation is None or len(relation.options) > 1 else relation.only:
         own = turned(link) if link.right == tangent else link
-        if own.left != tangent or letters(own.right):
+        if own.left != tangent:
+            continue
+        if letters(own.right):
+            if own.sign in _ABOVE and _is_positive(own.right, acute):
+                return True
             continue
         value = in_letters(own.right)
         if (own.sign == ">" and value == 0) or (own.sign in _ABOVE and value.is_positive):
             return True
+    return False
+
+
+def _is_positive(tree: Expression, acute: Collection[str]) -> bool:
+    """Whether an expression is made of positive numbers and of ratios of acute angles."""
+    match tree:
+        case Number(value):
+            return value > 0
+        case Apply("sin" | "cos" | "tan", Letter(name)):
+            return name in acute
+        case Binary("^", base, Number()):
+            return _is_positive(base, acute)
+        case Binary("*" | "/" | "+", left, right):
+            return _is_positive(left, acute) and _is_positive(right, acute)
     return False
 
 

@@ -41,6 +41,7 @@ from restitution.workings.reasons.equality import equal_tangents
 from restitution.workings.reasons.factors import factor_cancelled, factor_left, positive_factor_left
 from restitution.workings.reasons.grounds import (
     acute_by_its_tangent,
+    angle_acute_by,
     compared_quantities,
     grounds_of,
     motion_of,
@@ -56,6 +57,7 @@ from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReas
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
+_BY_TANGENT = "derived.acute-by-tangent"
 _OF_SQUARES = frozenset({"speed", "size", "energy", "total", "tan-deflection"})
 
 
@@ -87,7 +89,13 @@ class Reasons:
         return self._right_angles.among(line)
 
     def of(self, line: Line) -> tuple[Sentence, ...]:
-        """What a line rests on, to stand behind it."""
+        """What a line rests on, to stand behind it, and which angle it tells to be acute."""
+        angle = angle_acute_by(self._derivation, line)
+        more = () if angle is None else (say("derived.so-acute", angle=self._naming.layout(angle)),)
+        return (*self._of(line), *more)
+
+    def _of(self, line: Line) -> tuple[Sentence, ...]:
+        """What a line rests on."""
         if self._by_pythagoras(line):
             identity = pythagoras(self._derivation, line)
             if identity is not None:
@@ -296,8 +304,9 @@ class Reasons:
     def _known(self, line: Line) -> tuple[Sentence | lay.Layout, ...]:
         reasons: list[Sentence | lay.Layout] = []
         bounds: list[Link] = []
-        for ref in line.premises:
-            match self._reason(ref, line):
+        own = [self._reason(ref, line) for ref in line.premises]
+        for reason in self._narrowed(own):
+            match reason:
                 case Relation(options=((link,),)) if link.sign in (*UP, *DOWN):
                     bounds.append(link)
                 case Relation() as relation:
@@ -306,7 +315,31 @@ class Reasons:
                     reasons.append(sentence)
         strict = [self._where_it_divides(line, each) for each in bounds]
         merged = (self._laid(each) for each in _merged(strict))
+        if any(isinstance(each, Sentence) and each.id == _BY_TANGENT for each in reasons):
+            # By the sign of that tangent the other angles have been used.
+            reasons = [e for e in reasons if getattr(e, "id", "") != "derived.acute"]
         return (*reasons, *merged, *self._below(line, bounds))
+
+    def _narrowed(
+        self, reasons: Sequence[Sentence | Relation | None]
+    ) -> Iterator[Sentence | Relation | None]:
+        """Reasons in which a range of an angle ends at a closer bound of it: 0° ≤ δ ≤ 30°."""
+        rest = list(reasons)
+        for reason in reasons:
+            match reason:
+                case Relation(((low, Link(angle, "<=", Degrees(end))),)):
+                    name = self._naming.layout(angle)
+                case _:
+                    continue
+            for other in rest:
+                match other:
+                    case Relation(((Link(left, "<" | "<=" as sign, Degrees(bound)),),)):
+                        if self._naming.layout(left) == name and bound < end:
+                            rest.remove(other)
+                            link = Link(angle, sign, Degrees(bound))
+                            rest[rest.index(reason)] = Relation(((low, link),))
+                            break
+        yield from rest
 
     def _where_it_divides(self, line: Line, bound: Link) -> Link:
         """A bound of a letter that is divided by in what a line compares: it is not zero there."""
@@ -387,7 +420,20 @@ class Reasons:
             return self._acute(read_tree(text, self._naming.bodies))
         relation = read_relation(ref, self._naming.bodies)
         acute = acute_by_its_tangent(line, relation, map(self._shapes.relation_of, line.premises))
-        return relation if acute is None else self._acute(acute)
+        if acute is None:
+            return relation
+        if any(angle_acute_by(self._derivation, each) == acute for each in self._cited(line)):
+            return None  # the line with its tangent says it
+        tangent = Relation(((Link(Apply("tan", acute), ">", ZERO),),))
+        angle = self._naming.layout(acute)
+        return say(_BY_TANGENT, bound=self._laid(tangent), angle=angle)
+
+    def _cited(self, line: Line) -> Iterator[Line]:
+        """The lines among the premises of one."""
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if own is not None:
+                yield own
 
     def acute(self, angle: Letter) -> Sentence | None:
         """That an angle is acute, where its letter may be no other."""
