@@ -108,6 +108,16 @@ e < 5/8"""
     assert verdicts(marked(RANGE, working))[-1] == "false"
 
 
+def test_an_inequality_with_a_root_is_judged() -> None:
+    statement = (
+        "sphere A: mass 2m, velocity u at 45°\nsphere B: mass m, at rest\nA hits B: along i\n"
+        "given speed(B) >= speed(A)\nfind range of e\n"
+    )
+    working = "3w = √2u + √2eu\n3e² + 4e - 9 >= 0\ne >= (-4 + √124)/6 = 1.19"
+    said = verdicts(marked(statement, working))
+    assert said == ["true", "false", "follows"]
+
+
 @pytest.mark.parametrize(
     ("typed", "verdict"), [("λ > 8/19", "true"), ("λ > 8/9", "false"), ("λ > 1/9", "true")]
 )

@@ -176,7 +176,11 @@ def bounded_by(
             value = _value_of(condition.left.name, other.claim, put)
             if value is None:
                 continue
-            region = _COMPARISONS[condition.sign](value, _worth(condition.right, put))
+            try:
+                end = _worth(condition.right, put)
+            except _OpenError:
+                continue
+            region = _COMPARISONS[condition.sign](value, end)
             if np.mean((region == own)[there]) > 1 - 1 / _POINTS:
                 return other.number
     for other in reversed(entries):
