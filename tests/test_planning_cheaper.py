@@ -135,3 +135,42 @@ def test_equal_components_cancel_where_the_speeds_are_equal() -> None:
     )
     assert "momentum" not in laws(derivation)
     assert said(derivation)[-2:] == ["w sin(phi) = u sin(theta)", "w/u = sin(theta)/sin(phi)"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "fraction"),
+    [
+        ("energy_lost/energy(0)", "((3u/5)² − (2u/5)²)/u² = ⅕"),
+        ("energy_lost/energy(0) as a percentage", "((3u/5)² − (2u/5)²)/u² = ⅕ = 20%"),
+        ("speed(P), energy_lost/energy(0)", "(u² − (2√5 u/5)²)/u² = ⅕"),
+    ],
+)
+def test_of_one_sphere_the_fraction_lost_is_by_squares_of_speeds(asked: str, fraction: str) -> None:
+    text = (
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 2/3\n"
+        f"given tan(alpha) = 3/4\nfind {asked}"
+    )
+    solution, _ = planned(text)
+    words = to_text(explain(solution), 200)
+    assert f"(kinetic energy lost)/(kinetic energy before the impact) = {fraction}" in words
+    assert "½m" not in words
+
+
+def test_a_fraction_of_a_loss_that_is_asked_is_by_the_loss() -> None:
+    text = (
+        "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 2/3\n"
+        "given tan(alpha) = 3/4\nfind energy_lost, energy_lost/energy(0)"
+    )
+    solution, _ = planned(text)
+    assert "= (mu²/10)/(½mu²) = ⅕" in to_text(explain(solution), 200)
+
+
+def test_a_given_share_that_a_wall_takes_is_by_the_squares_of_the_component() -> None:
+    text = (
+        "wall W: along j\nsphere A: mass 2m, velocity u at theta\nA hits W: e = 3/5\n"
+        "given total_energy_lost = 1/3 energy(0)\nfind theta"
+    )
+    solution, _ = planned(text)
+    words = to_text(explain(solution), 200)
+    assert "(u cos θ)² − (⅗u cos θ)² = ⅓u²" in words
+    assert "½" not in words

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from restitution.explaining.definitions.energies import (
     energy_lost,
+    fraction_lost,
     impulse_along_the_line,
     momentum_kept,
     momentum_of_all,
@@ -35,6 +36,7 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "momentum-of": momentum_of_all,
     "momentum-vector": momentum_kept,
     "energy-lost": energy_lost,
+    "energy-ratio": fraction_lost,
     "perpendicular": tied,
     "parallel": tied,
     "scalar-angle": between_directions,

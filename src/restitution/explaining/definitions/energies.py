@@ -225,6 +225,28 @@ def energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
         yield Link(Quantity("energy_lost", (), event.number), "=", total_of(changes))
 
 
+def fraction_lost(step: Step, event: Event | None) -> Iterator[Link]:
+    """The fraction of its energy that the only sphere loses, by squares of speeds."""
+    if event is None or len(step.setting.spheres) != 1:
+        return
+    (body,) = step.setting.spheres
+    for kind, stage in (("energy_lost", event.number - 1), ("total_energy_lost", 0)):
+        lost = Quantity(kind, (), event.number)
+        forms = ("speed", "components", "vectors")
+        early, late = (
+            [_squares(form, body, at, event) for form in forms] for at in (stage, event.number)
+        )
+        changes = [Binary("-", first, last) for first in early for last in late]
+        if stage == event.number - 1:
+            first, last = (_squares("along", body, at, event) for at in (stage, event.number))
+            changes.append(Binary("-", first, last))
+        for bodies in ((), (Name(body),)):
+            before = Quantity("energy", bodies, stage)
+            for change in changes:
+                for whole in early:
+                    yield Link(Binary("/", lost, before), "=", Binary("/", change, whole))
+
+
 def _changes_cited(step: Step, event: Event, spheres: Sequence[str]) -> list[Expression]:
     """What each sphere loses at an event by a change of its energy that is cited; else nothing."""
     wholes = {link.left: link.right for link in whole_links(step) if link.sign == "="}

@@ -1031,6 +1031,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
+    "fraction-lost.title": "Fraction of the kinetic energy that is lost, in which the mass cancels",
     "change-of-energy.title": "Change of kinetic energy, by the component that changes",
     "loss-wall.title": "Kinetic energy lost, by the component that changes",
     "flight.title": "Distance = speed × time",

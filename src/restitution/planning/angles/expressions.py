@@ -28,6 +28,7 @@ from restitution.planning.closing.losses_by_products import write_loss_by_produc
 from restitution.planning.closing.squared_ratios import write_by_squares
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.energy_formulas import energy_change
+from restitution.planning.formulas.fractions_lost import fraction_lost
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.separations import relative_speed
 from restitution.planning.formulas.velocity_formulas import squared_speed, velocity_source
@@ -54,7 +55,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         inside = scene.value(asked.argument)
         if isinstance(inside, Vector):
             return _write_size(scene, asked, inside)
-    own = energy_change(scene, asked) or squared_speed(scene, asked)
+    own = energy_change(scene, asked) or fraction_lost(scene, asked)
+    own = own or squared_speed(scene, asked)
     if own is not None:
         return write_formula(scene, own), tree_of(own.value)
     values: dict[Expression, Expression] = {}

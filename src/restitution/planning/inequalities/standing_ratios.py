@@ -14,8 +14,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, walk
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.routes.givens import product_without
-from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.forms import ZERO, product_without, tree_of
 
 
 def write_by_a_ratio(worths: Worths, fact: Fact, link: Link) -> int | None:

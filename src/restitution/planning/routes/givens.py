@@ -51,9 +51,9 @@ from restitution.planning.formulas.impulse_formulas import impulse_in_sense, imp
 from restitution.planning.formulas.named_angles import tangent_line
 from restitution.planning.formulas.separations import relative_speed
 from restitution.planning.formulas.ties import write_tie
-from restitution.planning.formulas.velocity_formulas import squares
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.given_places import write_given_place
+from restitution.planning.routes.given_energies import write_share_of_energy
 from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between
@@ -67,6 +67,7 @@ from restitution.planning.writing.forms import (
     neat,
     negative,
     product,
+    product_without,
     square,
     swept,
     total,
@@ -528,34 +529,6 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     return without_equal_squares(scene, line)
 
 
-def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
-    """The energy of a body as a multiple of what it was: the ratio is that of speeds squared."""
-    others = [
-        node
-        for node in walk(each.link.right)
-        if isinstance(node, Quantity) and node.kind == "energy"
-    ]
-    if len(others) != 1 or len(left.arguments) != 1 or others[0].arguments != left.arguments:
-        return None
-    (other,), (name,) = others, left.arguments
-    factor = product_without(each.link.right, other)
-    if factor is None or not isinstance(name, Name):
-        return None
-    stages = [each.stage for each in (left, other) if isinstance(each.stage, int)]
-    if len(stages) != 2:
-        return None
-    (a, _, a_refs), (b, _, b_refs) = (
-        squares(scene, name.name, scene.last_event(name.name, stage)) for stage in stages
-    )
-    right = b if factor == ONE else swept(product(factor, b))
-    relation = chain(swept(a), (right, None))
-    move = Move("define", "energy-ratio", max(stages), (name.name,))
-    refs = scene.judge.enough(
-        move, together(each.refs, a_refs, b_refs), relation, background(scene, letters(a))
-    )
-    return None if refs is None else scene.desk.write(move, refs, relation)
-
-
 def _time_since(scene: Scene, each: GivenEquation) -> int | None:
     """A time that is a multiple of the one before it, by the time between: t₂ − t₁ = 2t₁.
 
@@ -621,19 +594,6 @@ def _of_two_components(
     return scene.desk.write(a.move, refs, relation)
 
 
-def product_without(tree: Expression, factor: Expression) -> Expression | None:
-    """What a product is without one of its factors; None where it is no such product."""
-    if tree == factor:
-        return ONE
-    match tree:
-        case Binary("*", left, right) if right == factor and not has_quantity(left):
-            return left
-        case Binary("/", above, below) if not has_quantity(below):
-            rest = product_without(above, factor)
-            return None if rest is None else Binary("/", rest, below)
-    return None
-
-
 def _of_several(scene: Scene, each: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
     own = each.link
@@ -641,8 +601,8 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
         number = special(scene, each)
         if number is not None:
             return number
-    if isinstance(own.left, Quantity) and own.left.kind in ("speed", "energy"):
-        write = _of_two_speeds if own.left.kind == "speed" else _of_two_energies
+    if isinstance(own.left, Quantity):
+        write = _of_two_speeds if own.left.kind == "speed" else write_share_of_energy
         number = write(scene, each, own.left)
         if number is not None:
             return number

@@ -525,3 +525,16 @@ def tangents_opened(*sides: Expression) -> tuple[Expression, ...]:
 def is_in_degrees(value: sp.Expr) -> bool:
     """Whether a number has ratios of angles such as 37°."""
     return not value.free_symbols and value.has(sp.sin, sp.cos, sp.tan)
+
+
+def product_without(tree: Expression, factor: Expression) -> Expression | None:
+    """What a product is without one of its factors; None where it is no such product."""
+    if tree == factor:
+        return ONE
+    match tree:
+        case Binary("*", left, right) if right == factor and not has_quantity(left):
+            return left
+        case Binary("/", above, below) if not has_quantity(below):
+            rest = product_without(above, factor)
+            return None if rest is None else Binary("/", rest, below)
+    return None

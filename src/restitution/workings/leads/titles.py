@@ -136,6 +136,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None  # the given fact says so
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
+            case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
+                name = "fraction-lost.title"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
                 name = "derived-energy.title"  # by speeds of the data
             case "energy-lost", _ if self._by_speeds(line):

@@ -1,0 +1,77 @@
+"""The fraction of its kinetic energy that the only sphere loses, without its mass."""
+
+from __future__ import annotations
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.trees import angles_with_both_ratios
+from restitution.expression.tree import Binary, Expression, Quantity
+from restitution.planning.formulas.definitions import Formula, itself
+from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.velocity_formulas import known_speed, squares
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import difference, square, swept, tree_of
+from restitution.planning.writing.polynomials import expanded
+from restitution.planning.writing.scene import Scene
+
+
+def fraction_lost(scene: Scene, asked: Expression) -> Formula | None:
+    """The fraction of the kinetic energy that is lost, as the change of v² over that before.
+
+    The change is that of the speed, where the last one is a line, or of the component at one
+    impact. None of another quotient, of several spheres, and where one of the energies is asked
+    by itself, or is a line.
+    """
+    match asked:
+        case Binary(
+            "/",
+            Quantity("energy_lost" | "total_energy_lost" as kind, (), int(event)) as lost,
+            Quantity("energy", _, int(stage)) as before,
+        ):
+            pass
+        case _:
+            return None
+    bodies = tuple(scene.model.story.spheres)
+    if len(bodies) != 1 or event not in scene.model.frames:
+        return None
+    (body,) = bodies
+    if stage != (0 if kind == "total_energy_lost" else event - 1):
+        return None
+    if any(
+        scene.desk.known(each) is not None or each in scene.asked_alone for each in (lost, before)
+    ):
+        return None
+    whole, size, refs = squares(scene, body, scene.last_event(body, stage), known=True)
+    ends = _by_component(scene, body, event) if stage == event - 1 else None
+    speed = known_speed(scene, body, event)
+    if speed is not None and not scene.unknown(speed.value) and (ends is None or ends[1].value):
+        late, used = speed.value, speed.refs
+        change, value = difference(whole, square(tree_of(late))), size - late**2
+    elif ends is not None:
+        change = difference(*(square(tree_of(each.value)) for each in ends))
+        value, used = ends[0].value ** 2 - ends[1].value ** 2, _refs_of(scene, ends, event)
+    else:
+        return None
+    if angles_with_both_ratios((whole,)):
+        return None  # sin² + cos² = 1 takes a line of its own
+    move = Move("define", "energy-ratio", event, (body,))
+    right = Binary("/", swept(change), whole)
+    needed = scene.judge.needed(move, together(refs, used), chain(asked, (right, None)))
+    if needed is None or scene.unknown(size):
+        return None
+    return Formula(move, itself, asked, right, tidy(expanded(value / size)), needed)
+
+
+def _by_component(scene: Scene, body: str, event: int) -> tuple[Source, Source]:
+    """The component along the line of an impact, before it and after it."""
+    frame = scene.frame(event)
+    first, last = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
+    return first, last
+
+
+def _refs_of(scene: Scene, ends: tuple[Source, Source], event: int) -> tuple[Ref, ...]:
+    """What two components along the line of an impact rest on, with the line itself."""
+    return together(*(each.whole for each in ends), scene.frame(event).names_axis("along"))
+
+
+__all__ = ["fraction_lost"]

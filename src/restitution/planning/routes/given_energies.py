@@ -1,0 +1,79 @@
+"""Kinetic energies that are given as shares of others: without the mass, by squares of speeds."""
+
+from __future__ import annotations
+
+from restitution.explaining.lines.derivation import Move
+from restitution.expression.tree import Binary, Expression, Name, Quantity, letters, walk
+from restitution.planning.formulas.fractions_lost import fraction_lost
+from restitution.planning.formulas.velocity_formulas import squares
+from restitution.planning.writing.desk import chain, together
+from restitution.planning.writing.forms import ONE, product, product_without, swept
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import GivenEquation, Scene
+
+
+def write_share_of_energy(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+    """The line of an energy, or of a loss, that is a multiple of an energy before it.
+
+    None of anything else, and where the mass does not cancel.
+    """
+    match left.kind:
+        case "energy":
+            return _of_two_energies(scene, each, left)
+        case "energy_lost" | "total_energy_lost":
+            return _of_a_loss(scene, each, left)
+    return None
+
+
+def _other_energy(each: GivenEquation) -> tuple[Quantity, Expression] | None:
+    """The one energy on the right of a given equation, and its factor; None without one."""
+    others = [
+        node
+        for node in walk(each.link.right)
+        if isinstance(node, Quantity) and node.kind == "energy"
+    ]
+    if len(others) != 1:
+        return None
+    factor = product_without(each.link.right, others[0])
+    return None if factor is None else (others[0], factor)
+
+
+def _of_a_loss(scene: Scene, each: GivenEquation, lost: Quantity) -> int | None:
+    """The loss of the only sphere as a multiple of its energy before: that of the squares."""
+    pair = _other_energy(each)
+    own = None if pair is None else fraction_lost(scene, Binary("/", lost, pair[0]))
+    if pair is None or own is None or not isinstance(own.right, Binary):
+        return None
+    whole = own.right.right
+    right = whole if pair[1] == ONE else swept(product(pair[1], whole))
+    relation = chain(own.right.left, (right, None))
+    refs = scene.judge.enough(
+        own.move, together(each.refs, own.refs), relation, background(scene, letters(right))
+    )
+    return None if refs is None else scene.desk.write(own.move, refs, relation)
+
+
+def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+    """The energy of a body as a multiple of what it was: the ratio is that of speeds squared."""
+    pair = _other_energy(each)
+    if pair is None or len(left.arguments) != 1 or pair[0].arguments != left.arguments:
+        return None
+    (other, factor), (name,) = pair, left.arguments
+    if not isinstance(name, Name):
+        return None
+    stages = [each.stage for each in (left, other) if isinstance(each.stage, int)]
+    if len(stages) != 2:
+        return None
+    (a, _, a_refs), (b, _, b_refs) = (
+        squares(scene, name.name, scene.last_event(name.name, stage)) for stage in stages
+    )
+    right = b if factor == ONE else swept(product(factor, b))
+    relation = chain(swept(a), (right, None))
+    move = Move("define", "energy-ratio", max(stages), (name.name,))
+    refs = scene.judge.enough(
+        move, together(each.refs, a_refs, b_refs), relation, background(scene, letters(a))
+    )
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+__all__ = ["write_share_of_energy"]
