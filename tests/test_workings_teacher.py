@@ -777,3 +777,48 @@ def test_an_answer_that_needs_another_letter_says_so_in_words() -> None:
 )
 def test_figures_stay_as_they_are_given(statement: str, words: str) -> None:
     assert words in " ".join(to_text(explain(solve(parse(statement)))).split())
+
+
+def test_letters_for_components_come_after_the_line_of_centres_that_is_found() -> None:
+    own = text("""
+        sphere A, B: mass m, radius r
+        sphere A: velocity u i
+        sphere B: at rest
+        A hits B: offset r, e = 1/2
+        find speed(B)
+        """)
+    assert own.index("unit vector along the line of centres =") < own.index("Let v and w")
+
+
+def test_a_sphere_that_was_at_rest_moves_after_its_impact() -> None:
+    own = text("""
+        sphere A, B: mass m, radius 1
+        sphere A: at (0, 0), velocity 5 i
+        sphere B: at (6.6, 1.2), at rest
+        A hits B: e = 1/2
+        find distance(A, B, at 2)
+        """)
+    assert "stays where it is" not in own
+    assert "New position = old position + velocity × time, for B:" in own
+
+
+def test_motion_in_a_line_says_each_velocity_below_its_component() -> None:
+    own = text("""
+        sphere A: mass m, velocity u i
+        sphere B: mass 2m, at rest
+        A hits B: along i, e = 1/2
+        find velocity(A), velocity(B)
+        """)
+    assert "The velocity, from its components" not in own
+    assert "𝐯_A = 𝟎" in own
+
+
+def test_an_angle_is_finished_before_the_speed_is_found() -> None:
+    own = text("""
+        wall W: along i
+        sphere P: mass m, velocity u at alpha to W
+        P hits W
+        given velocity(P) = 3i + 2j, impulse = 8m
+        find u, alpha
+        """)
+    assert own.index("α = arctan 2") < own.index("u² =")

@@ -31,7 +31,15 @@ from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, is_zero, letters
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -186,7 +194,8 @@ class _Writer:
                     yield from self._introduced()
             if not waiting:
                 yield from self._recalled(tuple(_resolved_with(shown[index:])))
-            if lets:
+            early = _before_their_line(lets, shown[index:])
+            if lets and not early:
                 introductions = tuple(self.introductions.of(lets))
                 # What they are letters of may have to be introduced itself.
                 sentences = (*self.naming.introduced(), *introductions)
@@ -488,6 +497,30 @@ def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
             if each.move.record != "component" or each.move.event != first.move.event:
                 return
             yield each
+
+
+def _before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
+    """Whether components along a line of centres stand above the line that says where it lies.
+
+    Of letters that are used before that it is not so.
+    """
+    axes = {node for each in lets for node in walk(each.quantity) if _is_axis(node)}
+    if len(axes) != 1:
+        return False
+    names = {each.letter for each in lets}
+    for line in lines:
+        if not isinstance(line.relation, Relation):
+            continue
+        trees = tuple(trees_of(line.relation))
+        if any(names & letters(tree) for tree in trees):
+            return False
+        if line.relation.options[0][0].left in axes:
+            return True
+    return False
+
+
+def _is_axis(tree: Expression) -> bool:
+    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
 
 
 def _others(beside: Sequence[Line], recalled: Sequence[Line]) -> Iterator[Line]:

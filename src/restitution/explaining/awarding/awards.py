@@ -324,7 +324,11 @@ class _Awarding:
             if not alone or len(lines) < _LONG_RUN:
                 continue
             method: Line | None = None
+            after = marked[marked.index(lines[-1]) + 1 :]
+            has_its_own = bool(after) and points[after[0].number][0] == "A"
             for line in lines:
+                if method is not None and line is lines[-1] and has_its_own:
+                    break
                 if method is not None and self._is_of_values(line):
                     points[line.number], method = ("A",), None
                 elif method is not None and line.move.id == "identity":

@@ -27,6 +27,6 @@ def is_of_a_body_at_rest(derivation: Derivation, line: Line) -> bool:
         match own.relation.only[0].left:
             case Letter(name) if name in derivation.meanings:
                 still.append(is_zero(own.relation.only[-1].right))
-            case Quantity("along" | "across", (Quantity("velocity"), _)):
+            case Quantity("velocity") | Quantity("along" | "across", (Quantity("velocity"), _)):
                 still.append(is_zero(own.relation.only[-1].right))
     return bool(still) and all(still)

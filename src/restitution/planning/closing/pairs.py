@@ -126,6 +126,10 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     if divided is None:
         return False
     scene.desk.know(subject, tangent, (divided,))
+    if role.low == 0 and role.high == sp.pi / 2:
+        close(scene, divided, theta)
+    else:
+        inverse(scene, divided, theta, (first, second))
     squares = total(square(tree_of(-x if x.could_extract_minus_sign() else x)) for x in parts)
     added = chain(
         square(Letter(v.name)),
@@ -135,10 +139,6 @@ def _polar(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     whole = _write(scene, Move("square-add"), (first, second), added)
     if whole is None:
         return False
-    if role.low == 0 and role.high == sp.pi / 2:
-        close(scene, divided, theta)
-    else:
-        inverse(scene, divided, theta, (first, second))
     close(scene, whole, v)
     return True
 

@@ -75,6 +75,22 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """The value of a letter that a definition puts in, which stands behind the line."""
         return (self._behind[line.number],) if line.number in self._behind else ()
 
+    def _is_of_the_component_above(self, line: Line) -> bool:
+        """Whether a velocity along **i** or **j** has the component that the line above says."""
+        assert isinstance(line.relation, Relation)
+        own = line.relation.options[0][0]
+        above = self._cited(line.number - 1) if line.number - 1 in line.premises else None
+        if above is None or above.shown != "line" or not isinstance(own.left, Quantity):
+            return False
+        units = [node for node in walk(own.right) if isinstance(node, Unit)]
+        return (
+            own.left.kind == "velocity"
+            and (is_zero(own.right) or len(units) == 1)
+            and isinstance(above.relation, Relation)
+            and len(above.relation.options) == 1
+            and isinstance(above.relation.only[0].left, Letter)
+        )
+
     def _by_a_multiple(self, line: Line) -> bool:
         """Whether a speed is read off a velocity that is a multiple of another."""
         above = [own.relation for own in map(self._cited, line.premises) if own is not None]
@@ -134,6 +150,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         match record.id, first.left:
             case "assemble", _ if self._under_a_tie(line):
                 return None  # the given fact says so
+            case "assemble", _ if self._is_of_the_component_above(line):
+                return None
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
             case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
