@@ -10,6 +10,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -50,6 +51,7 @@ from restitution.practice.judging.other_forms import (
 )
 from restitution.practice.letters.options import staged
 from restitution.practice.reading.phrases import (
+    event_of,
     is_phrase,
     is_relative,
     is_vague,
@@ -65,6 +67,13 @@ from restitution.practice.worlds.world import World
 OWN_ROUNDING = 0.006
 _PHRASED = 6
 _PAIRS = 40
+
+
+def _is_of_an_event(tree: Expression) -> bool:
+    """Whether a quantity is one of an event, as a deflection is, and not of a moment."""
+    inside = tree.operand if isinstance(tree, Negate) else tree
+    record = KINDS.get(inside.kind) if isinstance(inside, Quantity) else None
+    return record is not None and record.of_an_event
 
 
 class Holding:
@@ -389,9 +398,12 @@ class Holding:
         if key not in self._phrases:
             world = self._base
             first = 1 if is_relative(phrase) or tells_after(phrase, world.problem) else 0
+            event = event or event_of(phrase, world.problem)
+            trees = read_phrase(phrase, world.problem, event, world.now())
+            if event is not None and trees and _is_of_an_event(trees[0]):
+                first = 1  # no deflection of the second impact is that of the first
             every = range(first, len(world.events) + 1)
             stages = list(every) if event is None else [event, event - 1][: 2 - first]
-            trees = read_phrase(phrase, world.problem, event, world.now())
             meanings = [
                 staged(tree, world.problem, world.part, now)
                 for tree in trees

@@ -5,17 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Sequence
 
+import numpy as np
+
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Apply, Expression, Name, Quantity, letters
 from restitution.practice.judging.entries import Entry, Meanings
 from restitution.practice.script import Claim, ScriptLine
 from restitution.practice.worlds.agreement import agrees
-from restitution.practice.worlds.student import student_world
+from restitution.practice.worlds.student import facts_of, laws_of, student_world
 from restitution.practice.worlds.world import World
 
 _EXTREME = re.compile(
     r"(?<!at )\b(max|min|maximum|minimum|greatest|largest|smallest|least)\b", re.IGNORECASE
 )
+_CLOSE = 1e-6  # of a fact that holds
 _BECOMING = re.compile(r"\b(becomes?|changes? to|goes to|turns into)\b", re.IGNORECASE)
 
 
@@ -49,8 +52,21 @@ def supposed_in(
     names = frozenset[str]().union(
         *(letters(side) for each in claims for side in (each.left, each.right))
     )
-    world = student_world(base, entries, {*unknown, *(names & base.letters.keys())})
-    return () if world is None else (world,)
+    names = names & base.letters.keys()
+    follows = bool(names & base.determined)
+    for further in (frozenset[str](), frozenset(base.letters))[: 1 + follows]:
+        # Where what is supposed follows from another letter, that has another value as well.
+        world = student_world(base, entries, {*unknown, *names, *further})
+        if world is not None and (not follows or _is_consistent(world)):
+            return (world,)
+    return ()
+
+
+def _is_consistent(world: World) -> bool:
+    """Whether the laws and what the statement gives hold in a world."""
+    with np.errstate(all="ignore"):
+        equations = (*facts_of(world), *laws_of(world))
+        return all(np.all(np.abs(each.residual(world)) < _CLOSE) for each in equations)
 
 
 def changes_of_sizes(claim: Claim, line: ScriptLine, world: World) -> Iterator[tuple[Claim, Claim]]:

@@ -295,7 +295,8 @@ class Judge(Following):
         if speaks_of_an_extreme(line) and not self.question.extreme:
             return True
         unequal = any(claim.sign != "=" for claim in line.supposed)
-        if any(link.supposed and self._supposing(line, link) == () for link in line.links):
+        cases = [each for each in line.links if each.supposed and not self._misquoted(line, each)]
+        if any(self._supposing(line, each) == () for each in cases):
             return True
         return unequal and self._supposing(line) is not None
 

@@ -115,7 +115,7 @@ class LettersOfLines:
                 if len(names) == 1 and fresh and not any(" " in name for name in names):
                     (name,) = names
                     self.defined.add(name)
-                    for claim in link.readings[:1]:
+                    for claim in () if link.supposed else link.readings[:1]:
                         tree = _defining(claim, name)
                         if tree is not None:
                             yield name, (line.number, tree)

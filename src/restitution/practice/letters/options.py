@@ -104,9 +104,11 @@ def directions(problem: Problem, events: Sequence[Event], letter: str) -> Iterat
 def barred(usage: Usage, candidate: Candidate) -> bool:
     """Whether a letter cannot mean a known quantity of the start.
 
-    Only u, u_A and angles may that have a known value from their first line.
+    Only u, u_A and angles may that have a known value from their first line; t may be a tangent.
     """
     if not candidate.start or earlier(usage.letter):
+        return False
+    if candidate.kind == "tangent" and usage.letter in ("t", "T"):
         return False
     return candidate.kind != "angle" or not usage.defined
 

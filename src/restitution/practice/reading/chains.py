@@ -194,6 +194,7 @@ class Chains:
         self.case: tuple[Claim, ...] = ()
         self.behind: Sequence[Segment] = ()
         self.of_law = False
+        self.became: dict[str, tuple[Side, ...]] = {}
 
     @property
     def walls(self) -> frozenset[str]:
@@ -295,6 +296,8 @@ class Chains:
         """Whether a relation without a left side goes on from something, or is a fault."""
         if self.waiting or self.label is not None:
             return True
+        if not (self.links or self.past.side or self.past.earlier or segment.before):
+            return sum(each.kind == "relation" for each in segment.tokens) == 1
         return set(segment.before) <= _CONNECTING
 
     def chain(self, segment: Segment, sides: list[list[Token]], signs: list[Sign]) -> None:
@@ -317,6 +320,8 @@ class Chains:
                     ends = sides[place - 1]
                     column = self.line.column(ends[-1].end) if ends else column
                 raise UnreadableError("an expression on both sides of the sign", column)
+        if not sides[0] and len(signs) > 1 and self.continues and self._is_of_another_kind(read):
+            sides, read, signs = sides[1:], read[1:], signs[1:]
         if self.declaration(segment, sides, read, signs):
             return
         name = sides[0][0] if len(sides[0]) == 1 else None
@@ -344,6 +349,12 @@ class Chains:
             tokens = [*sides[place], *sides[place + 1]]
             left = (*read[place], *(share if place == len(signs) - 1 else ()))
             self.link(left, sign, read[place + 1], tokens, angle=angle, percent=percent)
+
+    def _is_of_another_kind(self, read: Sequence[tuple[Side, ...]]) -> bool:
+        """Whether a chain of vectors goes on from a number: it begins with its first vector."""
+        first, second = read[0][0].tree, read[1][0].tree
+        known = not letters(first) - self.usage.letters
+        return known and self._is_moving(second) and not is_vector(first, self.usage.vectors)
 
     def _ends_in_a_share(self, label: Expression, sides: Sequence[Sequence[Token]]) -> bool:
         """Whether a chain that works out what is lost ends in its share: ``lost = 3 J = 20%``."""
@@ -461,7 +472,8 @@ class Chains:
                 self.link(_vectors_of(label.name, self.problem), "=", read[0], sides[0], label)
             return
         evaluates = evaluates and not (
-            _is_way(label) and (self.of_law or self._is_sum_of_letters(first))
+            _is_way(label)
+            and (self.of_law or self._is_sum_of_letters(first) or self._is_timed(first))
         )
         if label.name == _LAW or (label.name == _LAW_OF_RESTITUTION and letters(first)):
             return
@@ -477,7 +489,7 @@ class Chains:
         summed = isinstance(first, Binary) and first.op == "+"
         if summed and square and HEADS.get(label.name.split()[0]) in ("speed", "magnitude"):
             return Side(name), Side(Binary("^", name, Number(Fraction(2))))
-        return (Side(name),)
+        return (Side(name), *self.became.get(label.name, ()))
 
     def _calculations(self) -> list[list[Token]]:
         """The first sides of relations further on that work out numbers, and have no label.
@@ -499,6 +511,11 @@ class Chains:
             if segment.has_relation and numeric and len(first) > 1 and not named:
                 found.append(first)
         return found
+
+    def _is_timed(self, tree: Expression) -> bool:
+        """Whether a side is a product with a time: a distance, and no component."""
+        times = {each for each in letters(tree) if each.partition("_")[0] in ("t", "T")}
+        return bool(times - self.usage.angles) and isinstance(tree, Binary) and tree.op == "*"
 
     def _is_sum_of_letters(self, tree: Expression) -> bool:
         """Whether a side adds a letter of the student's own: it is no value of a component."""

@@ -50,7 +50,7 @@ _TYPED = (
     (re.compile(r"\b(sep)\s?/\s?(app)\b", re.IGNORECASE), r"\1/\2roach"),
     (re.compile(r"(?<![*\w])\*\*([A-Za-z]\w{0,3})\*\*(?![*\w])"), r" \1 "),
     (re.compile(r"(?<![A-Za-z])([ij])\^(?=\s*(?:[-+=)\s,]|$))"), r"\1 "),
-    (re.compile(r"(?<=[A-Za-z])\s?⊥"), "_perp "),
+    (re.compile(r"(?<=[A-Za-z])(?:⊥|\s⊥(?=\s*[=)]))"), "_perp "),
     (re.compile(r"(?<=[A-Za-z])(?:[∥‖]|\|\|(?=\s*[=+\-]))"), "_par "),
     (re.compile(r"[①-⑨]"), lambda match: f" ({ord(match[0]) - 0x245F})"),
 )
@@ -168,7 +168,9 @@ def plain(line: str) -> Plain:
                 alone = inside.isdigit() and not text[end : end + 1].isdigit()
                 add(f"^{inside}" if alone else f"^({inside})", offset + 1)
             else:
-                add("_" + stretch.translate(_LOWERED_PLAIN), offset + 1)
+                below = stretch.translate(_LOWERED_PLAIN)
+                glued = text[end : end + 1].isalnum()  # e₂ui is no letter with 2ui below
+                add(f"_{{{below}}}" if glued else f"_{below}", offset + 1)
             offset = end
             continue
         add(_plain_character(character), offset + 1)

@@ -26,7 +26,7 @@ _TRAILING = frozenset(
 )
 _BEFORE_AXIS = frozenset(
     ("along", "of", "to", "in", "direction", "parallel", "perpendicular", "perp", "the", "with")
-    + ("from", "and", "-", "positive", "negative")
+    + ("from", "and", "-", "positive", "negative", "between")
 )
 _BEHIND_AXIS = frozenset(
     ("component", "components", "comp", "comps", "direction", "dir", "dirn", "axis", "cpt")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from restitution.expression.tree import Expression, Name, Quantity, Stage
 from restitution.practice.reading.features import Features
-from restitution.problem import Find, Impact, Kick, Problem, Range, Value
+from restitution.problem import Compare, Find, Impact, Kick, Problem, Range, Show, Value
 
 
 class Moments:
@@ -25,11 +25,13 @@ class Moments:
                 yield tree
 
     def values_asked(self) -> Iterator[Expression]:
-        """The values for which the question asks."""
+        """The values for which the question asks, and those of which it prints a relation."""
         for _, step in self.problem.steps():
             for item in step.items if isinstance(step, Find) else ():
                 if isinstance(item, Value | Range):
                     yield item.expression
+            if isinstance(step, Show) and isinstance(step.relation, Compare):
+                yield from step.relation.operands
 
     def numbers(self) -> list[int]:
         """The events of which the phrase may speak, the latest first."""

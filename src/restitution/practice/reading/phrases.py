@@ -38,6 +38,7 @@ from restitution.problem import Impact, Problem
 __all__ = [
     "UNNAMED_ANGLE",
     "UNNAMED_DIRECTION",
+    "event_of",
     "is_phrase",
     "is_relative",
     "is_vague",
@@ -91,6 +92,13 @@ def is_relative(name: str) -> bool:
 def tells_after(name: str, problem: Problem) -> bool:
     """Whether a phrase says that its quantity is one after an event."""
     return features_of(words_of(name), problem).stage == "after"
+
+
+def event_of(name: str, problem: Problem) -> int | None:
+    """The number of the event that a phrase counts, ``loss of the second impact``; else None."""
+    counted = features_of(words_of(name), problem).event
+    impacts = [n for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
+    return impacts[counted - 1] if counted is not None and counted <= len(impacts) else None
 
 
 def is_vague(name: str) -> bool:
@@ -383,6 +391,10 @@ class _Reader(Moments):
         difference: Expression = velocities[0]
         if len(velocities) > 1:
             difference = Binary("-", velocities[0], velocities[1])
+        if "perpendicular" in (self.features.direction or ""):
+            across = Quantity("across", (difference, line))
+            yield from (across, Negate(across))
+            return
         value = Quantity("along", (difference, line))
         yield value if approach else Negate(value)
         yield Negate(value) if approach else value
@@ -501,6 +513,8 @@ class _Reader(Moments):
         yield Quantity("along", (momentum, line))
         yield Negate(Quantity("along", (momentum, line)))
         yield momentum
+        for axis in (Unit("i"), Unit("j")) if self.features.axis is None else ():
+            yield Quantity("along", (momentum, axis))
 
     def deflection(self, event: int) -> Iterator[Expression]:
         """Angles of deflection."""

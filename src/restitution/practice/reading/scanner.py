@@ -36,7 +36,8 @@ _NUMBER = re.compile(r"\d+\.\d+|\.\d+|\d+", re.ASCII)
 _RUN = re.compile(r"[A-Za-z]+(?:'(?=[a-z])[a-z]+)?")
 # Behind it a function may stand: u_1cosθ, u_Acosθ.
 _SUBSCRIPT = re.compile(
-    r"_\s?(?:\{([A-Za-z0-9' ]{1,12})\}|([A-Za-z0-9]{1,2}(?=sin|cos|tan)|[A-Za-z0-9]{1,6}))"
+    r"_\s?(?:\{([A-Za-z0-9' ]{1,12})\}|([A-Za-z0-9]{1,2}(?=sin|cos|tan)"
+    r"|[0-9](?=[a-wz][0-9_^])|[A-Za-z0-9]{1,6}))"
     r"|([0-9]+)(?![.\d])"
 )
 _PRIMES = re.compile(r"'{1,2}")
@@ -277,7 +278,7 @@ class _Scanner:
         known = self.usage.letters
         if plain in ("m", "s"):
             return (
-                gap > 0
+                (gap > 0 or plain == "s")
                 and self.token_list[-1].kind == "number"
                 and plain not in (known | self.usage.alone)
             )

@@ -59,6 +59,17 @@ _DERIVATIVE = re.compile(
     r"\s*(?:\([^=]*\)|\[[^=]*\])?\s*[=:]"
 )
 _PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
+_COUNTED = re.compile(
+    r"\b(deflection|loss|energy\s+lost|KE\s+lost|impulse)\s?([1-4])(?=\s*=)", re.IGNORECASE
+)
+# The velocities at the beginning and at the end, of which an angle is one between.
+_FIRST_AND_LAST = re.compile(
+    r"\b(?:first|original|starting)\s+and\s+(?:last|final|new)\s+"
+    r"(?=velocit|direction|path|vel\b)",
+    re.IGNORECASE,
+)
+_BETWEEN_U_AND_V = re.compile(r"\b(angle\s+between)\s+u\s+and\s+v(?=\s*[=:])", re.IGNORECASE)
+_CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
 
 def with_labels(line: Plain, problem: Problem) -> Plain:
@@ -157,6 +168,12 @@ def _of_a_velocity(match: re.Match[str], problem: Problem) -> str:
     return f"{match[1]}velocity {when} " if known else match[0]
 
 
+def _of_both(match: re.Match[str], problem: Problem) -> str:
+    """The angle between the velocities before and after of the only sphere."""
+    known = len(problem.spheres) == 1
+    return f"{match[1]} initial and final velocities" if known else match[0]
+
+
 _ORDINALS = ("first", "second", "third", "fourth")
 _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_OF_A_SPEED, _component),
@@ -173,4 +190,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_TIME_OF_EVENT, lambda match, _: f"time of {_ORDINALS[int(match[1]) - 1]} impact "),
     (_DERIVATIVE, lambda _, __: "derivative: "),
     (_PART, lambda match, _: f"{match[1]} component"),
+    (_COUNTED, lambda match, _: f"{match[1]} of the {_ORDINALS[int(match[2]) - 1]} impact"),
+    (_FIRST_AND_LAST, lambda _, __: "initial and final "),
+    (_BETWEEN_U_AND_V, _of_both),
+    (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )

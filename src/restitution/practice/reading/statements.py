@@ -33,7 +33,7 @@ from restitution.practice.reading.relations import (
 )
 from restitution.practice.reading.segments import Segment, split_at_spaces
 from restitution.practice.reading.tokens import Token, Usage
-from restitution.practice.reading.vocabulary import DECLARES, STAGES
+from restitution.practice.reading.vocabulary import DECLARES, HEADS, STAGES
 from restitution.practice.script import Sign
 from restitution.problem import Find, Problem, Value
 
@@ -58,6 +58,11 @@ _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("
 def _ends_in_a_way(label: Token) -> bool:
     """Whether a label ends in a way, which the vector behind it is: ``comps along 2i - j``."""
     return label.kind == "phrase" and label.name.split()[-1] in _WAYS
+
+
+def _is_of_parts(label: Token) -> bool:
+    """Whether a label names components, whose speed is no value of them."""
+    return {HEADS[each] for each in label.name.split() if each in HEADS} == {"component"}
 
 
 def _is_power_of_phrase(segment: Segment) -> bool:
@@ -118,6 +123,8 @@ class _Reader(Chains):
         )
         if self.label is not None and self.label.kind == "name" and not self.links:
             self.statements.body = self.body_of(self.label)
+        if self.statements.fault and not self.links:
+            return  # nothing is known of what the next line goes on from
         last = self._last_sides() if self.links else (*self.worth, *self.past.side)
         aside = bool(self.links) and not self.continues
         earlier = self.past.side if aside else self.past.earlier
@@ -235,9 +242,13 @@ class _Reader(Chains):
     def _opens_a_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a letter of the question has a value, or a bound, for what is behind a colon.
 
-        ``e = 0: v = u/2; e = 1: v = 2u`` claims neither that e is 0 nor that it is 1.
+        ``e = 0: v = u/2; e = 1: v = 2u`` claims neither that e is 0 nor that it is 1, and
+        ``e = 1 gives v = 2u`` does not either.
         """
-        if not following or following[0].before[:1] != (":",) or not following[0].has_relation:
+        opening = following[0].before[:1] if following else ()
+        if opening not in ((":",), ("gives",), ("giving",)):
+            return False
+        if opening == (":",) and not following[0].has_relation:
             return False
         claims_ = list(self._claims_of(segment))
         return len(claims_) == 1 and any(
@@ -287,9 +298,17 @@ class _Reader(Chains):
         if tokens[0].name in self.usage.spheres and self.velocities(tokens):
             return
         sides = self.before = self.sides(tokens)
+        if tokens[-1].kind == "measure" and tokens[-1].name == "s":
+            self.before = ()  # 1 s later AB = 2i + j
         words = set(segment.before)
         if self.label is not None and tokens[0].name in self.usage.spheres:
             self.label = None  # relative to the mass centre: A 2, B -3
+        if self.label is not None and segment.before == ("of",) and _is_of_parts(self.label):
+            self.label = None
+            return  # comps of 3u: 3u cos θ and 3u sin θ
+        if self.label is not None and self._becomes(self.label):
+            self.becoming(self.label, sides, tokens)
+            return
         if self.label is not None:
             label, self.label = self.label, None
             vector = is_vector(sides[0].tree, self.usage.vectors)
@@ -310,7 +329,9 @@ class _Reader(Chains):
             self.link((Side(share),), "=", self.sides(tokens[:2]), tokens[:2])
             return
         tree = sides[0].tree
-        if self.whose and not self.links and not segment.before and self._is_moving(tree):
+        named = any(each.kind == "phrase" for each in tokens)  # parallel to i - 3j
+        alone = not (self.links or segment.before or named)
+        if self.whose and alone and self._is_moving(tree):
             self.link((Side(Letter(self.whose)),), "=", sides, tokens)
             return
         if len(tokens) == 1 and isinstance(tree, Letter) and not is_phrase(tree.name):
@@ -324,6 +345,30 @@ class _Reader(Chains):
             self.statements.values += (sides[0].tree,)
             if not isinstance(sides[0].tree, Letter | Number):
                 self.worth = sides[:1]  # the next line may go on from it with a sign
+
+    def _becomes(self, label: Token) -> bool:
+        """Whether an arrow leads from the value of a label to another: ``perp: 4 → 2``."""
+        if (
+            label.kind != "phrase"
+            or not self.behind
+            or not STAGES.keys().isdisjoint(label.name.split())
+        ):
+            return False
+        following = self.behind[0]
+        arrow = len(following.before) == 1 and following.before[0].endswith(">")
+        first, *_ = sides_of(following.tokens)[0]
+        return arrow and bool(first) and (len(first) > 1 or first[0].kind == "number")
+
+    def becoming(self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token]) -> None:
+        """The value of a label before the event; what is behind the arrow is that after it.
+
+        Or the arrow only works it out: ``perp: u sin 30 → 0.5u``.
+        """
+        own = tuple(Side(Letter(name)) for name in (f"{label.name} before", label.name))
+        self.link(own, "=", sides, tokens, label)
+        name = f"{label.name} after"
+        self.label = replace(label, name=name)
+        self.became = {name: sides[:1]}
 
     def _share(self, segment: Segment) -> Letter | None:
         """What a percentage alone is, where the question asks for one: ``60%``, ``60% lost``."""
@@ -403,4 +448,5 @@ class _Reader(Chains):
             own += [Side(Letter(f"component of {label.name} along"))] if signed else []
         elif label.name in self.usage.spheres and is_vector(sides[0].tree, self.usage.vectors):
             own += [Side(each) for each in places_of(label.name, self.problem)]
+        own += self.became.get(label.name, ())
         self.link(tuple(own), "=", sides, tokens, label)

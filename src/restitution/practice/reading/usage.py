@@ -64,6 +64,7 @@ _LATIN_FOR = {
 
 # Between these a letter is a unit: time = 4 s, and 1 m from W.
 _BEFORE_A_UNIT = re.compile(r"\d\s+$")
+_BEFORE_SECONDS = re.compile(r"\d\s*$")
 _BEHIND_A_UNIT = re.compile(r"$|[,;=)]|\.(?:\s|$)|[A-Za-z]{2,}")
 
 
@@ -164,7 +165,8 @@ def _alone(lines: Sequence[str]) -> set[str]:
             word = re.match(r"[A-Za-z]{3,}", behind)
             if match[1] in "aI" and word and word[0].lower() in PROSE | PHRASE_WORDS:
                 continue
-            measures = match[1] in "ms" and _BEFORE_A_UNIT.search(line[: match.start(1)])
+            before = {"m": _BEFORE_A_UNIT, "s": _BEFORE_SECONDS}.get(match[1])
+            measures = before is not None and before.search(line[: match.start(1)])
             if measures and _BEHIND_A_UNIT.match(behind):
                 continue  # t = 4 s
             alone.add(match[1])

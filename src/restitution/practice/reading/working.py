@@ -25,6 +25,7 @@ from restitution.practice.reading.headings import (
     without_number,
 )
 from restitution.practice.reading.merging import with_phrases
+from restitution.practice.reading.owners import with_owners
 from restitution.practice.reading.quoted import without_quoted
 from restitution.practice.reading.scanner import scan
 from restitution.practice.reading.segments import segments
@@ -56,6 +57,7 @@ def read_working(
     texts = with_angles([line[: MAX_LENGTH + 1] for _, line in typed[:MAX_LINES]], problem)
     plains = [plain(each) for each in texts]
     usage = usage_of([each.text for each in plains], problem)
+    plains = list(with_owners(plains, problem, {*usage.letters, *declared}))
     aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
     aliases |= {each: each for each in declared if len(each) == 2 and each in usage.aliases}
     own = {each: meant for each, meant in aliases.items() if meant not in GREEK_ANGLES}

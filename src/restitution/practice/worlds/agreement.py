@@ -186,13 +186,14 @@ def _grades(
         by_sample = np.where(near, np.minimum(by_sample, 1), by_sample)
     angular = degrees and any(tree is claim.left or tree is claim.right for tree in noted)
     fine, coarse = _half_units(claim, world, decimals, angular)
+    room = np.broadcast_to(tolerance, apart.shape)
     tolerance = np.zeros_like(apart)
     for grade, half_units in ((1, fine), (2, coarse)):
         for column, (value, half) in half_units.items():
             put = ({column: value - half}, {column: value + half})
             tolerance = tolerance + _moved(claim, world, meanings, scope, degrees, apart, put)
         if half_units:
-            close = _holding(claim.sign, apart, tolerance * _SLACK, closed=True)
+            close = _holding(claim.sign, apart, tolerance * _SLACK + room, closed=True)
             by_sample = np.where(close, np.minimum(by_sample, grade), by_sample)
     return by_sample
 

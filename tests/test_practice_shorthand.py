@@ -1,0 +1,124 @@
+"""Shorthand of students' lines: arrows, cases, counted quantities, one letter for two bodies."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+import restitution
+from restitution.solving.equations.solution import Solution
+
+WALL = "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W: e = 1/2\nfind velocity(P)\n"
+CORNER = (
+    "wall W: along i\nwall X: along j\nsphere P: mass m, velocity u at 30° to W\n"
+    "P hits W: e = 1/2\nP hits X: e = 1/3\nfind angle(velocity(P, 0), velocity(P))\n"
+)
+LOSSES = (
+    "wall W: along i\nwall X: along j\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+    "P hits X\ngiven 0 < e < 1\nshow energy_lost(1)/energy_lost(2) = tan^2(alpha)\n"
+)
+SLANTED = (
+    "sphere A: mass 3, velocity 4i - 3j\nsphere B: mass 2, velocity i + 2j\n"
+    "A hits B: along i - j, e = 1/2\nfind velocity(A), velocity(B)\n"
+)
+TURNED = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass 4m, at rest\nA hits B: along i\n"
+    "given deflection(A) = 90°\nfind range of alpha\n"
+)
+KICK = (
+    "sphere P: mass 1/2, velocity 6i\nP receives lambda (i + 2j)\ngiven speed(P) = 10\n"
+    "find lambda\n"
+)
+RELATIVE = (
+    "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+    "given abs(velocity(A) - velocity(B)) = 9/10 u\nfind e\n"
+)
+ANGLES = (
+    "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 3/4\n"
+    "let beta = angle(velocity(P), W)\ngiven alpha + beta = 60°\nfind tan(alpha)\n"
+)
+TIMES = (
+    "wall W: along i, through (0, 0)\npoint Q: (9, 2)\n"
+    "sphere P: at (0, 4), velocity V at alpha to W\n"
+    "P hits W\nP reaches Q\ngiven time(2) = 3 time(1)\nfind e, tan(alpha)\n"
+)
+MET = (
+    "sphere A: mass 1, at (0, 0), velocity 4i, radius 1\n"
+    "sphere B: mass 1, at (10, 6/5), at rest, radius 1\nA hits B: e = 1/2\n"
+    "find time(1), velocity(A), velocity(B)\n"
+)
+TWO = (
+    "sphere A1: mass M, velocity v at phi\nsphere A2: mass 2M, at rest\n"
+    "A1 hits A2: along i\nfind energy_lost/energy(0)\n"
+)
+
+
+@cache
+def solution_of(statement: str) -> Solution:
+    return restitution.solve(restitution.parse(statement))
+
+
+def verdicts(statement: str, *lines: str) -> list[str]:
+    marking = restitution.mark(solution_of(statement), "\n".join(lines))
+    return [line["verdict"] for line in marking.json()["lines"]]
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "verdict"),
+    [
+        (WALL, "perp: 4 → 2", "true"),
+        (WALL, "perp: 4 → 3", "false"),
+        (WALL, "KE 25 → 13, so 12 lost", "true"),
+        (WALL, "KE 25 → 12, so 13 lost", "false"),
+        (CORNER, "perp to W: usin30 → 0.5u", "true"),
+        (CORNER, "angle between first and last velocities = 169.1°", "true"),
+        (CORNER, "angle between first and last velocities = 159.1°", "false"),
+        (CORNER, "angle between u and v = 169.1°", "true"),
+        (CORNER, "deflection 1 = 30 + 16.1 = 46.1", "true"),
+        (CORNER, "deflection 2 = 30 + 16.1 = 46.1", "false"),
+        (CORNER, "after W: u(cos30i + ½sin30j) = 0.866ui + 0.25uj", "true"),
+        (LOSSES, "ratio = sin²α(1 - e²)/cos²α(1 - e²) = tan²α", "true"),
+        (LOSSES, "ratio = cos²α/sin²α", "false"),
+        (SLANTED, "A: u.n = 7/√2, B: u.n = -1/√2", "true"),
+        (SLANTED, "A: u.n = 7/√2, B: u.n = 1/√2", "asks"),
+        (SLANTED, "mom in i direction check: 12 + 2 = 14", "true"),
+        (TURNED, "e = 1 gives tan²α = 3/5", "true"),
+        (TURNED, "e = 1 gives tan²α = 4/5", "false"),
+        (KICK, "Δv = 2λi + 4λj", "true"),
+        (KICK, "Δv = 2λi + 2λj", "false"),
+        (RELATIVE, "rel vel perp = usin60 = 0.866u", "true"),
+        (RELATIVE, "rel vel perp = ucos60 = 0.5u", "false"),
+        (RELATIVE, "comps of u: ucos60 and usin60", "remark"),
+        (TIMES, "across: Vcosα × 3t1 = 9", "true"),
+        (MET, "t = 8.4/4 = 2.1s", "true"),
+    ],
+)
+def test_shorthand_is_read_as_it_is_meant(statement: str, line: str, verdict: str) -> None:
+    assert verdicts(statement, line) == [verdict]
+
+
+def test_t_may_be_a_tangent_without_a_declaration() -> None:
+    above = ["tanβ = ¾tanα", "tan(α + β) = √3"]
+    assert verdicts(ANGLES, *above, "1.75t/(1 - 0.75t²) = 1.732", "t = 0.663")[2:] == ["true"] * 2
+
+
+def test_nothing_is_said_of_what_goes_on_from_an_unread_line() -> None:
+    above = "v₁ = ⅓(1 - 2e)v cosφ"
+    said = verdicts(TWO, above, "lost/initial = [1 - ((", "= ⅔(1 - e²)cos²φ = ⅔cos²φ - ⅔e²cos²φ")
+    assert said[1:] == ["unread", "true"]
+
+
+def test_vectors_do_not_go_on_from_a_speed() -> None:
+    lines = ["speed after = √13 = 3.61", "= 3i + 2j = i + 2j + 2i"]
+    assert verdicts(WALL, *lines) == ["true", "true"]
+
+
+def test_a_subscript_ends_before_the_next_letter() -> None:
+    lines = ["vcosφ = v1 + 2v2", "v2 - v1 = evcosφ", "loss = ½M(vcosφ)^2 - ½M1v1^2 - Mv₂²"]
+    assert verdicts(TWO, *lines)[:2] == ["true", "true"]
+    assert verdicts(TWO, *lines[:2], "loss = ½M(vcosφ)² - ½Mv₁² - Mv₂²")[2] == "true"
+
+
+def test_what_holds_in_a_case_defines_no_letter() -> None:
+    assert "false" not in verdicts(TWO, "e = 1: v₁ = -⅓vcosφ", "e = 0: v₁ = ⅓vcosφ")
