@@ -376,11 +376,11 @@ def test_formulas_among_words_are_mathematics_in_latex() -> None:
 def test_opposite_roots_are_mathematics_in_latex() -> None:
     source = to_latex(
         told(
-            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/4\n"
-            "given speed(P) = u/2\nfind tan(alpha)"
+            "sphere A: mass M, velocity 6 at 30°\nsphere B: mass 2, at rest\n"
+            "A hits B: along i\ngiven speed(A) = sqrt(12), speed(B) = 3 sqrt(3)\nfind M, e"
         )
     )
-    assert r"\tan\alpha &= \pm{}2" in source
+    assert r"v &= \pm{}\sqrt{3}" in source
     assert "±" not in source
 
 

@@ -262,7 +262,7 @@ def test_of_two_equations_in_squares_none_of_the_fourth_degree_comes() -> None:
     text += "given deflection(A) = 90°, energy_lost = 1/4 energy(0)\nfind tan(alpha), e"
     own = rows(text)
     assert own.index("cos²α = 1/(1 + e)") < own.index("(1 − e²)/(1 + e) = ¼")
-    assert own[own.index("tan²α = ¾") + 1] == "tan α = ±√3/2"
+    assert own[own.index("tan²α = ¾") + 1] == "tan α = √3/2 ≈ 0.866, as α is acute"
     assert not any("⁴" in each for each in own)
 
 

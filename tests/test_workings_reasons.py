@@ -83,6 +83,54 @@ SAYS = {
         REST.format(angle="45°", m="m", e="") + "given deflection(A) <= 30°\nfind range of e",
         ["tan δ ≤ √3/3, as 0° ≤ δ ≤ 30°"],
     ),
+    # The gap closes if 0 > 2(9 − 2k)u/(9(3 + k)).
+    "a sum by which an inequality is multiplied is positive": (
+        """
+sphere P: mass 2m, velocity u i
+sphere Q: mass 3m, at rest
+sphere R: mass k m, at rest
+P hits Q: along i, e = 2/3
+Q hits R: along i, e = 2/3
+given Q and P collide again
+find range of k
+""",
+        ["0 > 2(9 − 2k)u/(9(3 + k))", "k > 9/2, as 3 + k > 0"],
+    ),
+    # sin²α < 1 makes 1/(4(1 − e²)) < 1, where e = 1 is no value.
+    "what stands below a line is not zero": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given energy_lost = 1/4 energy(0)
+find sin^2(alpha)
+find range of e
+""",
+        ["1/(4(1 − e²)) < 1", "e² < ¾, as 1 − e² > 0"],
+    ),
+    # m + M and Me − m are those of tan²α.
+    "the sign of the top of a quotient comes before what it makes": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass M, at rest
+A hits B: along i
+given velocity(A) perpendicular to velocity(A, 0)
+show tan^2(alpha) = (M e - m)/(M + m)
+show M > m
+""",
+        ["(Me − m)/(M + m) > 0", "M > m, as Me − m > 0 and e ≤ 1"],
+    ),
+    # tan α = ⅓ tan 2α.
+    "a tangent is divided by as it is not zero": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/3
+given angle(velocity(A), i) = 2 alpha
+find alpha
+""",
+        ["Dividing by tan α, which is not zero as α is acute:", "1 − tan²α = ⅔"],
+    ),
     # tan²θ = e: the loss is ½mU² cos²θ (1 − e²), with cos²θ = 1/(1 + e).
     "the squares of sine and cosine come of that of the tangent": (
         RIGHT_ANGLE + "find energy_lost in terms of m, U, e",
@@ -237,7 +285,7 @@ SAYS = {
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
             "given speed(P) = v\nfind sin(alpha) in terms of u, v, e"
         ),
-        ["u²(1 − e²) sin²α = u² − v²", "sin α = ±√((u² − v²)/(1 − e²))/u"],
+        ["u²(1 − e²) sin²α = u² − v²", "sin α = √((u² − v²)/(1 − e²))/u, as α is acute"],
     ),
     # tan α + ¾ tan α = √3(1 − ¾ tan²α).
     "the formula for the roots stands before they are without roots below": (
@@ -264,7 +312,7 @@ SAYS = {
             "A hits B: offset d, e = 1\ngiven d > 0, velocity(A, 0) perpendicular to velocity(A)\n"
             "find d"
         ),
-        ["tan φ = ±√3/3", "tan φ = √3/3, as φ is acute"],
+        ["tan φ = √3/3, as φ is acute"],
     ),
     # Of w = ±4u/5 the law of restitution, w = e(u + 4u/5), leaves one.
     "a component is not called positive without a reason": (

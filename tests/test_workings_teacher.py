@@ -212,7 +212,7 @@ SAYS = {
             "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B), p > 0, q > 0\n"
             "given energy_lost = 1/4 energy(0)\nfind e\nfind p in terms of q"
         ),
-        ["e = √15/5", "p = ±√15 q/3", "p = √15 q/3 ≈ 1.29q, as p > 0 and q > 0"],
+        ["e = √15/5", "p = √15 q/3 ≈ 1.29q, as p > 0 and q > 0"],
     ),
     # q² = e²p², and 4(1 − e²)p² = p² + q².
     "two letters of which only the ratio is known both go": (

@@ -64,7 +64,7 @@ from restitution.workings.reasons.premises import Reasons
 from restitution.workings.rendering.explanation import Explanation
 from restitution.workings.rendering.joining import joined
 from restitution.workings.rendering.steps import REQUIRED, PartExplanation, Row, Step
-from restitution.workings.rows import Rows
+from restitution.workings.rows import Rows, is_one_size
 
 if TYPE_CHECKING:
     from restitution.solving.equations.solution import Solution
@@ -170,6 +170,7 @@ class _Writer:
         again = self.ends.again(label, shown)
         due: list[Note] = []
         once_more: list[ItemEnd] = []
+        roots: Step | None = None
         for index, line in enumerate(shown):
             due += notes.get(index, ())
             once_more += again.get(index, ())
@@ -231,11 +232,18 @@ class _Writer:
                 step = self._step(line, waiting)
                 waiting = []
             introduced = self.naming.introduced()
+            both, step = step, self._with_roots(roots, step, bool(introduced or given))
+            if roots is not None and step is both:
+                yield roots
             if introduced:
                 step = self._whole(step, line)
                 yield Step("setting", sentences=introduced)
             if given:
                 yield Step("note", sentences=given, item=step.item)
+            roots = None
+            if after is not None and self._is_kept_alone(line, after):
+                roots = step
+                continue
             yield step
             for claim in self.ends.claims(line):
                 yield from self._introduced()
@@ -247,6 +255,28 @@ class _Writer:
         yield from self._again_asked([*once_more, *again.get(len(shown), ())])
         yield from self._noted([*due, *notes.get(len(shown), ())])
         yield from self._spare(label)
+
+    def _is_kept_alone(self, line: Line, after: Line) -> bool:
+        """Whether a line has two opposite roots, and the next one only keeps one of them."""
+        return (
+            line.move.id == "roots"
+            and after.move.id == "reject"
+            and line.number in after.premises
+            and line.number not in self.sources.numbers
+            and isinstance(line.relation, Relation)
+            and is_one_size(line.relation)
+            and not line.marks
+            and self.ends.of(line) is None
+            and line.number not in self.conditions
+            and self.cases.get(line.number) == self.cases.get(after.number)
+        )
+
+    @staticmethod
+    def _with_roots(roots: Step | None, step: Step, apart: bool) -> Step:
+        """The step of the root that is kept, in the place of the one of both."""
+        if roots is None or apart or step.title is not None or step.sentences:
+            return step
+        return replace(roots, rows=(*roots.rows[:-1], *step.rows), item=step.item)
 
     def _again_asked(self, ends: Sequence[ItemEnd]) -> Iterator[Step]:
         """The answers of items that an item above has too, said once more."""

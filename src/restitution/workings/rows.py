@@ -653,6 +653,11 @@ def _without_subject(relation: lay.Relation) -> lay.Layout:
     return sides[0] if len(sides) == 1 else lay.Relation(sides, signs)
 
 
+def is_one_size(relation: Relation) -> bool:
+    """Whether a relation has two roots that differ in their sign alone."""
+    return _opposite(relation.options) is not None
+
+
 def _opposite(options: tuple[tuple[Link, ...], ...]) -> Link | None:
     """The positive one of two roots that differ in their sign alone."""
     if len(options) != 2 or any(len(option) != 1 or option[0].sign != "=" for option in options):

@@ -533,8 +533,15 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.product-by-wall": (
         "It is given that {fact}. {wall} is parallel to {vector}, so the scalar product is zero:"
     ),
-    "sense.opposite": "The impulse on {body} acts away from {other}, so in the opposite sense:",
-    "sense.away": "The impulse on {body} acts away from {other}, so in the same sense:",
+    "sense.opposite": (
+        "The impulse on {body} acts away from {other}, and the direction from {body} to {other} is "
+        "opposite to it:"
+    ),
+    "sense.opposite-wall": (
+        "The impulse on {body} acts away from {other}, and the normal towards {other} is opposite "
+        "to it:"
+    ),
+    "sense.away": "The impulse on {body} acts in the direction from {other} to {body}:",
     "sense.of-line": "the direction from {one} to {two} is that of {vector}",
     "sense.of-normal": "the normal towards {wall} is in the direction of {vector}",
     "given.of-cosine": "It is given that {fact}, of which the cosine is {cosine}.",

@@ -32,7 +32,8 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
     if towards != (body == event.bodies[0]):
         return None
-    name = "sense.opposite" if towards else "sense.away"
+    opposite = "sense.opposite-wall" if event.wall else "sense.opposite"
+    name = opposite if towards else "sense.away"
     return say(name, body=pushed, other=from_)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from restitution.errors import RestitutionError
@@ -32,13 +34,14 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
     if len(above.relation.options) != 1 or len(line.relation.options) != 1:
         return None
     try:
-        before, after = (_residual(each.relation) for each in (above, line))  # type: ignore[arg-type]
+        own, back = _with_letters_for_tangents(above.relation, line.relation)
+        before, after = map(_residual, own)
         numerator, _ = sp.fraction(sp.cancel(before / after))
         _, factor = sp.factor_list(numerator)
         # Of an inequality the whole factor has a sign; an equation is divided by what is not zero.
         ordered = line.relation.only[0].sign in FLIPPED
         bases = [base**power if ordered else base for base, power in factor]
-        return tree_of(bases[0]) if len(bases) == 1 else None
+        return exchanged(tree_of(bases[0]), back) if len(bases) == 1 else None
     except (RestitutionError, UnwrittenError, ZeroDivisionError, TypeError, sp.PolynomialError):
         return None
 
@@ -74,6 +77,29 @@ def cosine_divided(derivation: Derivation, line: Line) -> Letter | None:
     divided = sp.cancel(ratio / cosine**2)
     mixed = sp.expand(after).coeff(tangent, 1) != 0
     return angle if mixed and not divided.has(cosine, tangent) else None
+
+
+def _with_letters_for_tangents(
+    *relations: Relation,
+) -> tuple[tuple[Relation, ...], dict[Expression, Expression]]:
+    """The same with letters for the tangents of angles of which nothing else stands there."""
+    nodes = {each for own in relations for each in _ratios(own)}
+    mixed = {each.argument for each in nodes if each.function != "tan"}
+    alone = [each for each in nodes if each.argument not in mixed]
+    put: dict[Expression, Expression] = {e: Letter(f"tangent_{n}") for n, e in enumerate(alone)}
+    whole = tuple(
+        Relation(
+            tuple(
+                tuple(
+                    replace(e, left=exchanged(e.left, put), right=exchanged(e.right, put))
+                    for e in links
+                )
+                for links in own.options
+            )
+        )
+        for own in relations
+    )
+    return whole, {letter: tangent for tangent, letter in put.items()}
 
 
 def _ratios(relation: Relation) -> list[Apply]:

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Expression, Number, has_quantity, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    has_quantity,
+    letters,
+    walk,
+)
 from restitution.oracle import Oracle, Role
 from restitution.oracle import Relation as Claim
 from restitution.planning.writing.forms import factors
@@ -40,8 +49,67 @@ def multipliers_of(
         if value is None or not names <= roles.keys():
             continue
         oracle = Oracle({name: roles[name] for name in names}, given)
-        if oracle.proves(Claim(value, ">")):
+        # What stands below a line is not zero.
+        if oracle.proves(Claim(value, ">=")):
             yield Relation(((Link(each, ">", _ZERO),),))
+
+
+def cleared_factors(
+    derivation: Derivation, line: Line, is_positive: Callable[[str], bool]
+) -> Iterator[Relation]:
+    """That factors with the letter which is sought are positive, where they are gone.
+
+    They are the letter itself, and sums of positive numbers and letters.
+    """
+    (first, *rest) = line.premises or ("",)
+    above = derivation.line(first) if isinstance(first, int) else None
+    if line.move.id not in ("compare", "rearrange") or above is None or rest:
+        return
+    match above.relation, line.relation:
+        case Relation((before,)), Relation((after,)):
+            if any(link.sign not in FLIPPED for link in (*before, *after)):
+                return
+        case _:
+            return
+    left = set(_factors_below(line.relation))
+    kept = {name for tree in trees_of(line.relation) for name in letters(tree)}
+    sought = {
+        tree.name
+        for end in derivation.items
+        if end.item == line.item
+        for tree in trees_of(end.answer)
+        if isinstance(tree, Letter)
+    }
+    kept = kept & sought or kept
+    for each in dict.fromkeys(_factors_below(above.relation)):
+        names = letters(each)
+        if each in left or not names & kept or not all(map(is_positive, names)):
+            continue
+        if isinstance(each, Letter) or _is_plain_sum(each):
+            yield Relation(((Link(each, ">", _ZERO),),))
+
+
+def _is_plain_sum(tree: Expression) -> bool:
+    """Whether nothing is taken away in a sum."""
+    match tree:
+        case Binary("+" | "*", left, right):
+            return _is_plain_sum(left) and _is_plain_sum(right)
+        case Number(value):
+            return value > 0
+    return isinstance(tree, Letter)
+
+
+def _factors_below(relation: Relation) -> Iterator[Expression]:
+    """The factors below a line, of powers their bases."""
+    for tree in trees_of(relation):
+        for node in walk(tree):
+            if isinstance(node, Binary) and node.op == "/" and not has_quantity(node.right):
+                for each in factors(node.right):
+                    match each:
+                        case Binary("^", base, Number()):
+                            yield base
+                        case _:
+                            yield each
 
 
 def _differences_below(relation: Relation) -> Iterator[Expression]:
@@ -61,4 +129,4 @@ def _signs(tree: Expression) -> set[str]:
     return {node.op for node in walk(tree) if isinstance(node, Binary)}
 
 
-__all__ = ["multipliers_of"]
+__all__ = ["cleared_factors", "multipliers_of"]

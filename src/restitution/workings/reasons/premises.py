@@ -37,7 +37,7 @@ from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
 from restitution.workings.reasons.before_walls import walls_ahead
-from restitution.workings.reasons.equality import equal_tangents
+from restitution.workings.reasons.equality import divisor_left_out, equal_tangents
 from restitution.workings.reasons.factors import factor_cancelled, factor_left, positive_factor_left
 from restitution.workings.reasons.grounds import (
     acute_by_its_tangent,
@@ -48,9 +48,10 @@ from restitution.workings.reasons.grounds import (
 )
 from restitution.workings.reasons.growth_reasons import GrowthReasons
 from restitution.workings.reasons.later_times import later_than
-from restitution.workings.reasons.multipliers import multipliers_of
+from restitution.workings.reasons.multipliers import cleared_factors, multipliers_of
 from restitution.workings.reasons.plain_signs import are_squares, positive_letters
 from restitution.workings.reasons.pythagoras import pythagoras
+from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
 from restitution.workings.reasons.rejected_roots import made_by_a_root
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons
@@ -132,6 +133,10 @@ class Reasons:
             return ()  # the words before the line say it
         if self.is_own_range(line):
             return tuple(self._as_it_is(line))
+        cited = [self._shapes.relation_of(ref) for ref in line.premises]
+        top = top_of_a_bound(line, cited)
+        if top is not None and not grounds:
+            return (say("derived.as", reasons=(self._laid(top),)),)
         would = self._would(line)
         if would is not None:
             return (say("derived.as", reasons=(would,)),)
@@ -139,6 +144,7 @@ class Reasons:
             *self._growth.between_ends(line),
             *self._growth.at_its_end(line),
             *self._shapes.of(line),
+            *map(self._laid, filter(None, (top_of_a_sign(line, cited),))),
             # That a sum is positive, its letters show.
             *(() if any(self._dropped(line)) else self._known(line)),
             *self._silent(line),
@@ -469,26 +475,12 @@ class Reasons:
                 yield self._laid(Relation(((Link(letter, ">", ZERO),),)))
 
     def _cleared(self, line: Line) -> Iterator[lay.Layout]:
-        """That the letter which is sought is positive, by which an inequality is multiplied."""
-        if line.move.id not in ("compare", "rearrange") or len(line.premises) != 1:
-            return
-        above = self._shapes.relation_of(line.premises[0])
+        """That the factors are positive by which an inequality is multiplied."""
+        cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         assert isinstance(line.relation, Relation)
-        if above is None or len(above.options) != 1 or len(line.relation.options) != 1:
-            return
-        names = {
-            name
-            for link in above.only
-            for side in (link.left, link.right)
-            for name in letters(side)
-        }
-        below, left = (_letters_below(each.only) for each in (above, line.relation))
-        if len(names) != 1 or not names <= below - left:
-            return
-        (name,) = names
-        role = self._roles.get(name)
-        if role is not None and role.kind == "positive" and above.only[0].sign in (*UP, *DOWN):
-            yield self._laid(Relation(((Link(Letter(name), ">", ZERO),),)))
+        if any(divisor_left_out(each, line.relation, self._roles) for each in cited):
+            return  # another reason says more
+        yield from map(self._laid, cleared_factors(self._derivation, line, self.is_positive))
 
     def _dropped(self, line: Line) -> Iterator[lay.Layout]:
         """That a sum which was a factor of a product is not zero, or positive."""
@@ -599,14 +591,6 @@ def _by_its_ends(relation: Relation) -> Relation:
     if len(relation.options) > 1 or any(each.sign != "=" for each in relation.only):
         return relation
     return Relation(((Link(relation.only[0].left, "=", relation.only[-1].right),),))
-
-
-def _letters_below(links: Sequence[Link]) -> set[str]:
-    """The letters that stand below a line."""
-    sides = (side for link in links for side in (link.left, link.right))
-    nodes = (node for side in sides for node in walk(side))
-    below = (node.right for node in nodes if isinstance(node, Binary) and node.op == "/")
-    return {name for tree in below for name in letters(tree)}
 
 
 def _merged(bounds: list[Link]) -> Iterator[Relation]:
