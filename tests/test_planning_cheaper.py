@@ -174,3 +174,23 @@ def test_a_given_share_that_a_wall_takes_is_by_the_squares_of_the_component() ->
     words = to_text(explain(solution), 200)
     assert "(u cos θ)² − (⅗u cos θ)² = ⅓u²" in words
     assert "½" not in words
+
+
+def test_a_given_tangent_stays_on_its_side() -> None:
+    text = (
+        PAIR.format(a="m", u="u at alpha", b="m", x="0 i")
+        + ", e = 1/2\ngiven deflection(A) = arctan(3/5)\nfind tan(alpha)"
+    )
+    solution, _ = planned(text)
+    words = to_text(explain(solution), 200)
+    assert "(4 tan α − tan α)/(1 + 4 tan²α) = ⅗" in words
+    assert "⅗ = " not in words
+
+
+def test_the_tangent_of_the_double_angle_stays_on_its_side() -> None:
+    text = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/3\ngiven angle(velocity(A), i) = 2alpha\nfind alpha"
+    )
+    solution, _ = planned(text)
+    assert "2 tan α/(1 − tan²α) = 3 tan α" in to_text(explain(solution), 200)

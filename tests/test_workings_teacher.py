@@ -118,7 +118,7 @@ SAYS = {
     # tan β = 3e/4 and tan 60° = √3.
     "a known tangent is put in beside the other": (
         WALL.format(e="") + "given deflection(P) = 60°, tan(alpha) = 3/4\nfind e",
-        ["Since tan α = ¾, substituting for tan β:", "√3 = (¾ + 3e/4)/(1 − 9e/16)"],
+        ["Since tan α = ¾, substituting for tan β:", "(¾ + 3e/4)/(1 − 9e/16) = √3"],
     ),
     # cos²α = 3/(8(1 − e²)) ≥ 3/8.
     "an angle has the end that the bound of its ratio gives": (

@@ -368,7 +368,7 @@ def by_tangents(
     own = tangent_of(form, *map(_tangent, terms))
     names = {name for each in terms for name in letters(each.angle)}
     known = (*background(scene, names), *meeting(scene))
-    asked = isinstance(turned, Apply)
+    asked = isinstance(turned, Apply) and turned.function == "tan"
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
     refs = scene.judge.enough(Move("identity", "sum-of-angles"), (base,), relation, known)
     if refs is None:
@@ -381,10 +381,33 @@ def by_tangents(
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
     put = swept(tangent_of(form, tangents[0], tangents[1], both_tree))
     final = tree_of(tidy(scene.scalar(put)))
+    if not asked and given is None:
+        # The value that is given stays where it stands.
+        refs = (number, *together(*(term.refs for term in terms)))
+        return _with_values(scene, refs, known, (put, final), turned)
     relation = chain(turned if given is None else given[0], (put, None), (final, "rearrange"))
     sources = together(*(term.refs for term in terms), () if given is None else given[1])
     refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _with_values(
+    scene: Scene,
+    refs: Sequence[Ref],
+    known: Sequence[Ref],
+    sides: tuple[Expression, Expression],
+    value: Expression,
+) -> int | None:
+    """The equation of a tangent with values put in, and in its shortest form."""
+    (put, final), line = sides, None
+    for tree in dict.fromkeys((put, final)):
+        move = Move("put") if line is None else Move("rearrange")
+        relation = chain(tree, (value, None))
+        premises = scene.judge.enough(move, refs if line is None else (line,), relation, known)
+        if premises is None:
+            return None
+        line = scene.desk.write(move, premises, relation)
+    return line
 
 
 def _tangent(term: Term) -> Expression:

@@ -456,7 +456,11 @@ def _by_double(
     right: Expression = Binary("/", product(tree_of(k), two), below)
     if k.is_Rational and k.q != 1:
         right = product(tree_of(k), Binary("/", two, below))
-    first = _identity(scene, line, record, chain(subject, (right, None)), *meaning)
+    relation = chain(subject, (right, None))
+    if small == 1 and scene.desk.last_link(line).left != subject:
+        # The tangent of the double angle stays on the side where it stands.
+        relation = chain(Binary("/", two, below), (product(tree_of(1 / k), subject), None))
+    first = _identity(scene, line, record, relation, *meaning)
     if first is None:
         return None
     cancelled = chain(below, (tree_of(2 * k), None))
