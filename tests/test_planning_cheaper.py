@@ -6,7 +6,13 @@ import pytest
 from test_planning_closing import lines, planned, said
 
 from restitution.explaining.awarding.awards import awarded
+from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation
+from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
+from restitution.solving import solve
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
@@ -194,3 +200,29 @@ def test_the_tangent_of_the_double_angle_stays_on_its_side() -> None:
     )
     solution, _ = planned(text)
     assert "2 tan α/(1 − tan²α) = 3 tan α" in to_text(explain(solution), 200)
+
+
+@pytest.mark.parametrize(
+    ("velocity", "early"),
+    [
+        ("u at arccos(4/5)", "arccos(4/5)"),
+        ("u at alpha\ngiven tan(alpha) = 3/4", "arctan(3/4)"),
+    ],
+)
+def test_a_deflection_after_a_direction_is_their_difference(velocity: str, early: str) -> None:
+    first, *given = velocity.split("\n")
+    text = "\n".join(
+        [
+            f"sphere A: mass m, velocity {first}",
+            "sphere B: mass 3m, at rest",
+            *given,
+            "A hits B: along i, e = 7/8",
+            "find direction(A), deflection(A)",
+        ]
+    )
+    problem = parse(text)
+    solution = solve(problem)
+    assert not follow(plan(solution), Oracle(roles(problem)))
+    words = to_text(explain(solution), 200)
+    assert "A turns through the difference of its directions before and after:" in words
+    assert f"δ = 180° − arctan(24/13) − {early}" in words

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 import sympy as sp
@@ -15,6 +15,7 @@ from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -190,22 +191,26 @@ def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
             break
     else:
         return
+    values = {each.left: each.right for each in step.links if each.sign == "="}
     for link in step.links:
         if link.left == Quantity("velocity", (body,), 0) and link.sign == "=":
             early = direction_from_i(link.right)
+            early = values.get(early, early) if isinstance(early, Letter) else early
             before = None if early is None else _number(early)
             if early is None or before is None or after is None or abs(after - before) > math.pi:
                 continue
-            if any(step.setting.role(name).kind != "positive" for name in letters(link.right)):
+            if any(step.setting.role(name).kind != "positive" for name in _of_size(link.right)):
                 continue
             turn = Binary("-", late, early) if after > before else Binary("-", early, late)
             yield Link(Quantity("deflection", (body,), event.number), "=", turn)
 
 
 def direction_from_i(velocity: Expression) -> Expression | None:
-    """The direction of a velocity, as an angle from **i**: in degrees, as the data have it."""
+    """The direction of a velocity, as an angle from **i**, as the data have it."""
     match velocity:
-        case Polar(_, Degrees() | Negate(Degrees()) as angle, None | Unit("i"), None):
+        case Polar(_, Degrees() | Negate(Degrees()) | Letter() as angle, None | Unit("i"), None):
+            return angle
+        case Polar(_, Apply("arcsin" | "arccos" | "arctan") as angle, None | Unit("i"), None):
             return angle
         case Unit(axis):
             return _NONE if axis == "i" else _RIGHT
@@ -216,6 +221,11 @@ def direction_from_i(velocity: Expression) -> Expression | None:
         case Binary("*", size, Unit() as unit):
             return direction_from_i(Negate(unit) if _is_negative(size) else unit)
     return None
+
+
+def _of_size(velocity: Expression) -> Iterable[str]:
+    """The letters of a velocity, but for that of its direction."""
+    return letters(velocity.size if isinstance(velocity, Polar) else velocity)
 
 
 def _is_negative(size: Expression) -> bool:

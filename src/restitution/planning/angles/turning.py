@@ -50,6 +50,7 @@ from restitution.planning.angles.scalar_angles import (
     write_right_angle_of_axes,
 )
 from restitution.planning.angles.turn_lines import inverse_of_data, write_turn, write_turn_tangent
+from restitution.planning.angles.turned_directions import turn_of_directions
 from restitution.planning.angles.wall_turns import tangent_at_a_wall
 from restitution.planning.closing.cotangents import write_open_angle
 from restitution.planning.formulas.definitions import Formula
@@ -62,7 +63,6 @@ from restitution.planning.formulas.named_angles import (
     tangent_line,
 )
 from restitution.planning.formulas.standing_vectors import stand_as_vectors
-from restitution.planning.formulas.turned_directions import turn_of_directions
 from restitution.planning.formulas.turns import turns_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,

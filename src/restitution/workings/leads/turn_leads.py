@@ -294,6 +294,8 @@ class TurnLeads(LinesAround):
                     stands = True
                 case Relation(((Link(Letter(name), "="), *_),)) if own is not None:
                     meaning = self._naming.meanings.get(name)
+                    if meaning is None and own.move.id == "inverse":
+                        continue  # the direction of the data, which is a letter
                     if meaning is None or _kind_of(meaning.quantity) != "direction":
                         return False
                     stands = True

@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.definitions.turnings import direction_from_i
-from restitution.explaining.lines.derivation import Meaning, Move, MoveId
+from restitution.explaining.lines.derivation import Meaning, Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
+from restitution.planning.angles.turn_lines import inverse_of_data
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import difference, negative, tree_of
@@ -28,8 +29,9 @@ from restitution.planning.writing.scene import Scene
 def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
     """The line of a deflection by the directions before and after, where both are known.
 
-    The first is one of the data, in degrees from **i**; the second stands in a line. None where
-    that is not so, or where the second is no plain angle and the first not along an axis.
+    The first is one of the data, from **i**, as a number or a letter that is known; the second
+    stands in a line. None where that is not so, or where the second is no plain angle and the first
+    not along an axis.
     """
     match asked:
         case Quantity("deflection", (Name(body),), int(event)) if not scene.last_event(
@@ -45,9 +47,17 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
     if fact is None or known is None or early is None or len(known.refs) != 1:
         return None
     (line,) = known.refs
+    told: tuple[Ref, ...] = ()
+    mark = scene.desk.mark()
+    if isinstance(early, Letter):
+        own = _known_angle(scene, early)
+        if own is None:
+            return None
+        (told, early) = own
     before, after = (sp.sympify(each, strict=True) for each in (scene.scalar(early), known.value))
     right = scene.desk.last_link(line).right if isinstance(line, int) else None
     if after.free_symbols or right is None or not (_is_plain(right) or sp.sin(2 * before) == 0):
+        scene.desk.back(mark)
         return None
     above = scene.model.sign(after - before) > 0
     pair = (right, early) if above else (early, right)
@@ -58,7 +68,6 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
     else:
         steps = [(difference(*pair), None)]
         steps += [(final, "rearrange")] if isinstance(final, Degrees) else []
-    mark = scene.desk.mark()
     letter, meaning = letter_of(scene, asked)
     named = [
         own.number
@@ -67,11 +76,22 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
     ]
     relation = chain(Letter(letter), *steps)
     move = Move("define", "difference", event, (body,))
-    premises = scene.judge.needed(move, (fact.id, line, meaning, *named), relation)
+    premises = scene.judge.needed(move, (fact.id, *told, line, meaning, *named), relation)
     if premises is None:
         scene.desk.back(mark)
         return None
     return scene.desk.write(move, premises, relation)
+
+
+def _known_angle(scene: Scene, angle: Letter) -> tuple[tuple[Ref, ...], Expression] | None:
+    """The line of an angle of the data that has been found, or of which a ratio is given."""
+    known = scene.desk.known(angle)
+    if known is not None and not sp.sympify(known.value, strict=True).free_symbols:
+        return known.refs, tree_of(known.value, angle=True, as_it_is=True)
+    if angle.name not in scene.ratio_facts:
+        return None
+    line = inverse_of_data(scene, angle.name)
+    return (line,), scene.desk.last_link(line).right
 
 
 def _is_plain(angle: Expression) -> bool:
