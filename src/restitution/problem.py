@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Literal, NamedTuple
 
 from restitution.errors import StatementError
@@ -360,6 +361,18 @@ class Problem:
     parts: tuple[Part, ...] = (Part(None, ()),)
     notes: tuple[Note, ...] = field(default=(), compare=False)
     altered: tuple[AlteredImpact, ...] = ()
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        # What is worked out once for a problem is found by it.
+        return hash((self.title, self.spheres, self.walls, self.points, self.parts, self.altered))
+
+    def __getstate__(self) -> dict[str, Any]:
+        # The hash of a text is another one in each process.
+        return {name: own for name, own in self.__dict__.items() if name != "_hash"}
 
     @property
     def warnings(self) -> tuple[str, ...]:

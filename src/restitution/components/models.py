@@ -26,6 +26,7 @@ from restitution.components.verdicts import (
     renamed_formula,
 )
 from restitution.exact import is_zero, tidy
+from restitution.exact.symbols import symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.tree import (
     Expression,
@@ -151,7 +152,7 @@ class Model:
         """An expression with the final value of every unknown put in."""
         x = sp.sympify(x, strict=True)
         for _ in range(6):
-            inside = {s: self.final[s] for s in x.free_symbols if s in self.final}
+            inside = {s: self.final[s] for s in symbols_in(x) if s in self.final}
             if not inside:
                 break
             x = x.xreplace(inside)
@@ -312,7 +313,7 @@ class Model:
     def presentable(self, x: sp.Expr) -> sp.Expr:
         """An expression of the solution with the names of hidden unknowns that people see."""
         put = {}
-        for symbol in x.free_symbols:
+        for symbol in symbols_in(x):
             key = symbol.name[1:]
             if symbol.name.startswith("_") and key in self.unknowns.names:
                 put[symbol] = self.unknowns.hidden(

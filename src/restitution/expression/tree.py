@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
-from functools import lru_cache
 from typing import Any, Literal, TypeVar, get_args
 
 _Kind = TypeVar("_Kind")
@@ -29,14 +28,15 @@ def line_and_column(place: Place | None) -> tuple[int | None, int | None]:
 
 
 class Node:
-    """A node of a tree; it keeps its hash and what stands inside it, which are asked for often."""
+    """A node of a tree; it keeps what is asked for often: its hash, its inside, its letters."""
 
-    __slots__ = ("_hash", "_inside")
+    __slots__ = ("_hash", "_inside", "_letters", "_quantity")
 
 
 def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
-    """A kind of node of which the hash is worked out once."""
+    """A kind of node of which the hash is worked out once, and compared before what is inside."""
     worked_out: Any = kind.__hash__
+    same_inside: Any = kind.__eq__
 
     def kept(node: Any) -> int:
         try:
@@ -46,7 +46,20 @@ def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
             object.__setattr__(node, "_hash", value)
             return value
 
+    def same(node: Any, other: Any) -> Any:
+        if node is other:
+            return True
+        if type(other) is not kind:
+            return NotImplemented
+        try:
+            if kept(node) != kept(other):
+                return False
+        except TypeError:  # it holds an array, which has no hash
+            pass
+        return same_inside(node, other)
+
     setattr(kind, "__hash__", kept)  # noqa: B010 - a type has no place for it that mypy knows
+    setattr(kind, "__eq__", same)  # noqa: B010
     return kind
 
 
@@ -306,15 +319,24 @@ def _inside(node: Expression) -> tuple[Expression, ...]:
         return inside
 
 
-@lru_cache(maxsize=4096)
 def letters(node: Expression) -> frozenset[str]:
     """The names of the letters in an expression."""
-    return frozenset(each.name for each in walk(node) if isinstance(each, Letter))
+    try:
+        return node._letters  # type: ignore[no-any-return, union-attr]
+    except AttributeError:
+        names = frozenset(each.name for each in walk(node) if isinstance(each, Letter))
+        object.__setattr__(node, "_letters", names)
+        return names
 
 
 def has_quantity(node: Expression) -> bool:
     """Whether an expression speaks of the motion, not of letters and numbers alone."""
-    return any(isinstance(each, Quantity) for each in walk(node))
+    try:
+        return node._quantity  # type: ignore[no-any-return, union-attr]
+    except AttributeError:
+        has_one = any(isinstance(each, Quantity) for each in walk(node))
+        object.__setattr__(node, "_quantity", has_one)
+        return has_one
 
 
 def is_zero(node: Expression) -> bool:

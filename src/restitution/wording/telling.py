@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import lru_cache
 from itertools import islice
 from typing import Any
 
@@ -85,6 +86,14 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
 
 def has_axes(problem: Problem) -> bool:
     """Whether the question in words explains **i** and **j**. Raises StatementError as it does."""
+    try:
+        return _has_axes(problem)
+    except TypeError:  # a list, say, that Python put in: it has no hash to be remembered by
+        return _has_axes.__wrapped__(problem)
+
+
+@lru_cache(maxsize=64)
+def _has_axes(problem: Problem) -> bool:
     sentences = question(problem).intro
     return _contains(sentences, lambda part: part in (lay.Bold("i"), lay.Bold("j")))
 

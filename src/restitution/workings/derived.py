@@ -92,7 +92,7 @@ def explanation_of(
     used = writer.naming.bold.all
     if used != Used():
         # Which velocities have letters is known now, so that they can be introduced together.
-        writer = _Writer(derivation, problem, conditions or {}, used)
+        writer = _Writer(derivation, problem, conditions or {}, used, shared=writer)
         steps = {label: writer.part(label) for label in labels}
     parts: list[PartExplanation] = []
     for label in labels:
@@ -115,13 +115,25 @@ class _Writer:
     heading: int | None = None
     title: Sentence | None = None
     before: tuple[Sentence, ...] = ()
+    shared: _Writer | None = None
 
     def __post_init__(self) -> None:
-        derivation = self.derivation
-        self.naming = Naming(derivation, self.problem, used=self.used)
-        self.measures = Measures(self.problem, derivation.meanings)
-        self.sources = Sources(derivation)
-        self.reasons = Reasons(derivation, self.naming, self.problem, self.sources)
+        derivation, shared = self.derivation, self.shared
+        self.naming: Naming = Naming(
+            derivation, self.problem, used=self.used, shared=shared.naming if shared else None
+        )
+        # What no letter changes is the same for both.
+        self.measures: Measures = (
+            shared.measures if shared else Measures(self.problem, derivation.meanings)
+        )
+        self.sources: Sources = shared.sources if shared else Sources(derivation)
+        self.reasons: Reasons = Reasons(
+            derivation,
+            self.naming,
+            self.problem,
+            self.sources,
+            shared.reasons if shared else None,
+        )
         self.ends = Ends(derivation, self.problem, self.naming)
         self.notes = Notes(derivation, self.naming, self.ends)
         self.introductions = Introductions(derivation, self.naming)

@@ -40,7 +40,7 @@ from restitution.explaining.awarding.mark_conditions import (
     single_sides,
     subject_of,
 )
-from restitution.explaining.awarding.mark_rules import PAIR, RULES, Rule, marks_of_note
+from restitution.explaining.awarding.mark_rules import PAIR, RULES_OF, Rule, marks_of_note
 from restitution.explaining.data.unused import lines_under
 from restitution.explaining.lines.derivation import (
     Derivation,
@@ -221,14 +221,12 @@ class _Awarding:
 
     def rule(self, line: Line) -> Rule | None:
         """The first rule of the table that fits a line."""
-        return next((each for each in RULES if self._fits(each, line)), None)
+        return next((each for each in RULES_OF[line.move.id] if self._fits(each, line)), None)
 
     def _fits(self, rule: Rule, line: Line) -> bool:
         move = line.move
-        return (
-            move.id in rule.moves
-            and (not rule.records or move.record in rule.records)
-            and all(CONDITIONS[name](self, line) for name in rule.when)
+        return (not rule.records or move.record in rule.records) and all(
+            CONDITIONS[name](self, line) for name in rule.when
         )
 
     def _settled(self, points: Mapping[int, Sequence[str]]) -> dict[int, Marks]:

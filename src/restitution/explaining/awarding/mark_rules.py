@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from restitution.explaining.lines.derivation import (
+    MOVES,
     MoveId,
     Note,
 )
@@ -187,6 +188,11 @@ RULES: tuple[Rule, ...] = (
     _rule("equation-of-a-contact", ("fact",), "M", when=("of-a-contact",)),
 )
 """The table. A line that no rule fits earns nothing by itself."""
+
+RULES_OF: Mapping[MoveId, tuple[Rule, ...]] = {
+    move: tuple(rule for rule in RULES if move in rule.moves) for move in MOVES
+}
+"""The rules of the table for each move, in its order."""
 
 
 def marks_of_note(note: Note) -> Marks:

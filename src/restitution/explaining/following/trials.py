@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from functools import lru_cache
@@ -14,6 +14,8 @@ from restitution.errors import StatementError
 from restitution.explaining.data.setting import Cited, Known, Setting
 from restitution.explaining.lines.derivation import (
     Derivation,
+    Event,
+    Fact,
     Link,
     Meaning,
     Move,
@@ -162,13 +164,32 @@ def _kept(judge: Callable[[Step, Relation], bool], step: Step, relation: Relatio
     return right
 
 
-def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
-    """What all lines of a working share."""
+def setting_of(
+    derivation: Derivation, oracle: Oracle, names: Mapping[str, str] | None = None
+) -> Setting:
+    """What all lines of a working share; ``names`` are `names_of` its facts, where known."""
+    values = {
+        line.relation.only[0].left.name: line.relation.only[-1].right
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        and len(line.relation.options) == 1
+        and isinstance(line.relation.only[0].left, Letter)
+        and line.relation.only[0].left.name in derivation.meanings
+        and line.relation.only[0].sign == "="
+        and whole_of(line.relation.only) is not None
+    }
+    own = names_of(derivation.events, derivation.facts) if names is None else names
+    either = on_either_side(derivation)
+    return Setting(oracle.roles, derivation.events, derivation.meanings, own, values, either)
+
+
+def names_of(events: Iterable[Event], facts: Iterable[Fact]) -> dict[str, str]:
+    """What each body and point of which events and facts speak is: a sphere, a wall or a point."""
     names: dict[str, str] = {}
-    for event in derivation.events:
+    for event in events:
         for position, body in enumerate(event.bodies):
             names[body] = "wall" if event.wall and position else "sphere"
-    for fact in derivation.facts:
+    for fact in facts:
         for tree in trees_of(fact.relation):
             for node in walk(tree):
                 match node:
@@ -178,18 +199,7 @@ def setting_of(derivation: Derivation, oracle: Oracle) -> Setting:
                         names.setdefault(name, "wall")
                     case Name(name):
                         names.setdefault(name, "point")
-    values = {
-        line.relation.only[0].left.name: line.relation.only[-1].right
-        for line in derivation.lines
-        if isinstance(line.relation, Relation)
-        and len(line.relation.options) == 1
-        and whole_of(line.relation.only) is not None
-        and line.relation.only[0].sign == "="
-        and isinstance(line.relation.only[0].left, Letter)
-        and line.relation.only[0].left.name in derivation.meanings
-    }
-    either = on_either_side(derivation)
-    return Setting(oracle.roles, derivation.events, derivation.meanings, names, values, either)
+    return names
 
 
 def on_either_side(derivation: Derivation) -> frozenset[int]:
@@ -267,14 +277,13 @@ def known_of_letters(ref: str, setting: Setting) -> Known | None:
 
 def _known(ref: str, setting: Setting) -> Known | None:
     head, colon, text = ref.partition(":")
-    names_of_bodies = frozenset(setting.names.items())
     if colon and head.strip() == "acute":
-        angle = _tree(text, names_of_bodies)
+        angle = read_tree(text, setting.names)
         zero, right = Degrees(Fraction(0)), Degrees(Fraction(90))
         relation = Relation(((Link(angle, ">", zero), Link(angle, "<", right)),))
         names = letters(angle)
     else:
-        relation = _relation(ref, names_of_bodies)
+        relation = read_relation(ref, setting.names)
         names = frozenset(names_in(relation))
         if not names and _of_a_coefficient(relation):
             return Known(ref, relation, names)
@@ -283,16 +292,6 @@ def _known(ref: str, setting: Setting) -> Known | None:
     if not _by_roles(ref, relation, setting):
         return None
     return Known(ref, relation, names)
-
-
-@lru_cache(maxsize=512)
-def _tree(text: str, names: frozenset[tuple[str, str]]) -> Expression:
-    return read_tree(text, dict(names))
-
-
-@lru_cache(maxsize=512)
-def _relation(text: str, names: frozenset[tuple[str, str]]) -> Relation:
-    return read_relation(text, dict(names))
 
 
 def _of_a_coefficient(relation: Relation) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise
 from typing import Literal, get_args
 
@@ -83,6 +84,18 @@ class Relation:
         """The links of a relation without alternatives. Raises ValueError where it has some."""
         (links,) = self.options
         return links
+
+    @cached_property
+    def ends(self) -> Link | None:
+        """A chain of equations by its ends; None for any other relation."""
+        if len(self.options) != 1:
+            return None
+        (links,) = self.options
+        if any(each.sign != "=" for each in links):
+            return None
+        if any(a.right != b.left for a, b in pairwise(links)):
+            return None
+        return Link(links[0].left, "=", links[-1].right)
 
 
 @dataclass(frozen=True)
@@ -248,13 +261,22 @@ class Derivation:
 
     def fact(self, name: str) -> Fact | None:
         """The fact with an id; None where there is none."""
-        return next((each for each in self.facts if each.id == name), None)
+        return self._facts.get(name)
 
     def line(self, number: int) -> Line | None:
         """The line with a number; None where there is none."""
-        return next((each for each in self.lines if each.number == number), None)
+        return self._numbered.get(number)
 
-    @property
+    # The first of several that have the same name, or number.
+    @cached_property
+    def _facts(self) -> Mapping[str, Fact]:
+        return {each.id: each for each in reversed(self.facts)}
+
+    @cached_property
+    def _numbered(self) -> Mapping[int, Line]:
+        return {each.number: each for each in reversed(self.lines)}
+
+    @cached_property
     def asked(self) -> Mapping[str, str | None]:
         """The part of each item, in the order asked."""
         parts = {each.item: each.part for each in self.items}
@@ -265,7 +287,7 @@ class Derivation:
                 order.insert(each.place, each.item)
         return {item: parts[item] for item in order}
 
-    @property
+    @cached_property
     def held(self) -> frozenset[int]:
         """The lines to which ends of items, cases and notes refer: none of them can be left out."""
         return frozenset(
@@ -276,7 +298,7 @@ class Derivation:
             )
         )
 
-    @property
+    @cached_property
     def meanings(self) -> Mapping[str, Meaning]:
         """The letters that the working introduces."""
         return {

@@ -14,7 +14,6 @@ from typing import Any, TypeGuard
 from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
-    LEAVES,
     PARTS,
     Apply,
     AtTime,
@@ -27,6 +26,7 @@ from restitution.expression.tree import (
     Pi,
     Quantity,
     Unit,
+    has_quantity,
     walk,
 )
 from restitution.render import layout as lay
@@ -52,15 +52,18 @@ def of_tree(
 ) -> lay.Layout:
     """A tree as it is printed; the letters that are ``vectors`` stand in bold type."""
     called: dict[str, lay.Layout] = {}
+    printed = (forms or Forms()).printed
+    if names is None or not has_quantity(tree):
+        return _laid_out(printed(tree), frozenset(vectors), ())
 
     def change(node: Expression) -> Expression | None:
-        name = names(node) if names is not None and isinstance(node, Quantity) else None
+        name = names(node) if isinstance(node, Quantity) else None
         if name is None:
             return None
         called[f"q_{len(called)}"] = name
         return Letter(f"q_{len(called) - 1}")
 
-    plain = (forms or Forms()).printed(_renamed(tree, change))
+    plain = printed(_renamed(tree, change))
     return _laid_out(plain, frozenset(vectors), tuple(called.items()))
 
 
@@ -74,25 +77,29 @@ def _laid_out(
 
 
 def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> Any:
-    """A tree with nodes replaced, outermost first: what is inside of a replaced one goes."""
+    """A tree with quantities replaced, outermost first: what is inside of a replaced one goes."""
+    if type(tree) in PARTS:
+        if not has_quantity(tree):
+            return tree
+        new = change(tree)
+        if new is not None:
+            return new
+        if type(tree) is Binary:
+            left, right = _renamed(tree.left, change), _renamed(tree.right, change)
+            same = left is tree.left and right is tree.right
+            return tree if same else Binary(tree.op, left, right, place=tree.place)
+        put = {}
+        for name in PARTS[type(tree)]:
+            value = getattr(tree, name)
+            own = _renamed(value, change)
+            if own is not value and own != value:
+                put[name] = own
+        return replace(tree, **put) if put else tree
     if isinstance(tree, tuple):
         return tuple(_renamed(each, change) for each in tree)
     if isinstance(tree, AtTime):
         return AtTime(_renamed(tree.time, change))
-    if type(tree) not in PARTS:
-        return tree
-    new = change(tree)
-    if new is not None:
-        return new
-    if type(tree) in LEAVES:
-        return tree
-    put = {}
-    for name in PARTS[type(tree)]:
-        value = getattr(tree, name)
-        own = _renamed(value, change)
-        if own is not value and own != value:
-            put[name] = own
-    return replace(tree, **put) if put else tree
+    return tree
 
 
 class Forms:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 
 from restitution.errors import StatementError
 from restitution.explaining.lines.derivation import SIGNS, Link, Meaning, Relation, Sign
@@ -33,11 +34,22 @@ def read_tree(text: str, names: Mapping[str, str]) -> Expression:
 
     ``names`` maps each body and point to what it is (``"sphere"``, ``"wall"``, ``"point"``).
     """
-    return read_expression(text.strip(), names={**names, **_OF_LINES})
+    return _tree(text, frozenset(names.items()))
+
+
+@lru_cache(maxsize=2048)
+def _tree(text: str, names: frozenset[tuple[str, str]]) -> Expression:
+    return read_expression(text.strip(), names={**dict(names), **_OF_LINES})
 
 
 def read_relation(text: str, names: Mapping[str, str]) -> Relation:
     """The relation that a text says. Raises StatementError for a text that says none."""
+    return _relation(text, frozenset(names.items()))
+
+
+@lru_cache(maxsize=2048)
+def _relation(text: str, own: frozenset[tuple[str, str]]) -> Relation:
+    names = dict(own)
     return Relation(
         tuple(
             tuple(link for part in _BOTH.split(option) for link in _chain(part, names))

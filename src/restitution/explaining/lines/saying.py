@@ -49,13 +49,14 @@ def say(name: SentenceId, /, **slots: Slot | Sequence[Slot]) -> Sentence:
     Raises KeyError for an id that is not there, and TypeError unless every slot is filled, and
     no other.
     """
-    wanted = {slot for _, slot, _ in _pieces(name) if slot is not None}
+    wanted = slots_of(name)
     if wanted != slots.keys():
         raise TypeError(f"{name} has the slots {sorted(wanted)}, and not {sorted(slots)}")
-    filled = (
-        (each, tuple(slot) if isinstance(slot, list) else slot) for each, slot in slots.items()
-    )
-    return Sentence(name, tuple(sorted(filled, key=lambda each: each[0])))  # type: ignore[arg-type]
+    filled = []
+    for each in sorted(slots):
+        slot = slots[each]
+        filled.append((each, tuple(slot) if isinstance(slot, list) else slot))
+    return Sentence(name, tuple(filled))  # type: ignore[arg-type]
 
 
 def topic_of(name: SentenceId) -> str:
@@ -90,6 +91,7 @@ def _pieces(name: SentenceId) -> tuple[tuple[str, str | None, str], ...]:
     )
 
 
+@lru_cache(maxsize=1024)
 def slots_of(name: SentenceId) -> frozenset[str]:
     """The names of the slots of a sentence."""
     return frozenset(slot for _, slot, _ in _pieces(name) if slot is not None)

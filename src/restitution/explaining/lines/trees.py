@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache
+from operator import is_
 from typing import Any
 
 from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Meaning, Relation
@@ -64,15 +65,22 @@ def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expr
     """A tree with others in place of some of its parts, outermost first."""
     if tree in values:
         return values[tree]
+    if type(tree) in LEAVES:
+        return tree
+    if type(tree) is Binary:
+        left, right = exchanged(tree.left, values), exchanged(tree.right, values)
+        same = left is tree.left and right is tree.right
+        return tree if same else Binary(tree.op, left, right, place=tree.place)
     put: dict[str, Any] = {}
     for name in PARTS[type(tree)]:
-        value = getattr(tree, name)
+        value = new = getattr(tree, name)
         if type(value) in PARTS:
-            put[name] = exchanged(value, values)
+            new = exchanged(value, values)
         elif isinstance(value, tuple):
-            put[name] = tuple(
-                exchanged(each, values) if type(each) in PARTS else each for each in value
-            )
+            own = [exchanged(each, values) if type(each) in PARTS else each for each in value]
+            new = value if all(map(is_, own, value)) else tuple(own)
+        if new is not value:
+            put[name] = new
     return replace(tree, **put) if put else tree
 
 

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning.closing.bounded_speeds import bounded_speeds
@@ -224,12 +225,12 @@ class Course:
         """Expresses the components in some values of which the laws are written."""
         wanted = [symbol for each in values for symbol in self.scene.unknown(each)]
         for symbol in [each for each in self.waiting if each in wanted]:
-            self._express(symbol, {s for each in values for s in each.free_symbols})
+            self._express(symbol, {s for each in values for s in symbols_in(each)})
         self._settle_tied(values)
 
     def _settle_tied(self, values: Sequence[sp.Expr]) -> None:
         """A component in some values that is known by another one, which is known, is a line."""
-        scene, free = self.scene, {s for each in values for s in each.free_symbols}
+        scene, free = self.scene, {s for each in values for s in symbols_in(each)}
         for symbol in sorted(self._letters.keys() & free, key=str):
             tied = scene.desk.known(Letter(symbol.name))
             others = set() if tied is None else tied.value.free_symbols & self._letters.keys()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
 from typing import Any
 
 from restitution.errors import UnsupportedError
@@ -124,23 +123,13 @@ def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
         return True
     if isinstance(one, Meaning) or isinstance(other, Meaning):
         return False
-    whole, end = (_whole(each) for each in (one, other))
+    whole, end = one.ends, other.ends
     if whole is not None and end is not None:
         return whole.left == end.left and alike(whole.right, end.right)
     links = (*one.options[0], *other.options[0])
     if any(each.sign not in ("<", "<=", ">", ">=") for each in links):
         return False
     return statement_of(one) == statement_of(other)
-
-
-def _whole(relation: Relation) -> Link | None:
-    """A chain of equations by its ends; None for any other relation."""
-    links = relation.options[0]
-    if len(relation.options) != 1 or any(each.sign != "=" for each in links):
-        return None
-    if any(a.right != b.left for a, b in pairwise(links)):
-        return None
-    return Link(links[0].left, "=", links[-1].right)
 
 
 @dataclass

@@ -377,6 +377,11 @@ def _subject(line: Line) -> object:
 def numbered_anew(derivation: Derivation, order: list[Line]) -> Derivation:
     """A working of these of its lines, in this order, with all that refers to them."""
     numbers = {line.number: n for n, line in enumerate(order, 1)}
+    of_cases = {number for case in derivation.cases for number in case.lines}
+    unmoved = len(order) == len(derivation.lines) and all(n == e for e, n in numbers.items())
+    if unmoved and of_cases <= numbers.keys():  # nothing that refers to lines has to change
+        same = all(a is b for a, b in zip(order, derivation.lines, strict=True))
+        return derivation if same else replace(derivation, lines=tuple(order))
 
     def renumbered(line: Line) -> Line:
         premises = tuple(numbers[e] if isinstance(e, int) else e for e in line.premises)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from restitution.explaining.data.setting import Known
-from restitution.explaining.following.trials import Trial, known_of_letters, setting_of
+from restitution.explaining.following.trials import Trial, known_of_letters, names_of, setting_of
 from restitution.explaining.lines.derivation import (
     Derivation,
+    Fact,
     Line,
     Meaning,
     Move,
@@ -38,6 +39,7 @@ class Judge:
     desk: Desk
     _last: tuple[Line | None, Trial] | None = None
     _known: dict[str, Known | None] = field(default_factory=dict)
+    _names: tuple[tuple[Fact, ...], Mapping[str, str]] | None = None
 
     def __post_init__(self) -> None:
         self.facts = {fact.id: fact for fact in self.desk.facts}
@@ -49,7 +51,9 @@ class Judge:
         last = self.desk.lines[-1] if self.desk.lines else None
         if self._last is None or self._last[0] is not last:
             start = Derivation(self.desk.facts, tuple(self.desk.lines), (), self.desk.events)
-            setting = setting_of(start, Oracle(roles(self.problem)))
+            if self._names is None or self._names[0] is not self.desk.facts:
+                self._names = self.desk.facts, names_of(self.desk.events, self.desk.facts)
+            setting = setting_of(start, Oracle(roles(self.problem)), self._names[1])
             if self._last is not None and self._last[1].setting.meanings != setting.meanings:
                 self._known.clear()
             self._last = last, Trial(setting, self._cited, self._known_of)

@@ -10,6 +10,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.components.models import Model
+from restitution.exact.symbols import symbols_in
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
@@ -155,7 +156,7 @@ class Scene:
             else:
                 self.frames[number] = frame_of(self.model, self.facts, number)
         own = self.frames[number]
-        if not any(sp.sympify(each, strict=True).free_symbols for each in own.n):
+        if not any(symbols_in(sp.sympify(each, strict=True)) for each in own.n):
             return own
         (n, n_refs), (t, t_refs) = self.put(own.n), self.put(own.t)
         if own.write is not None:
@@ -244,7 +245,7 @@ class Scene:
         if isinstance(value, Vector):
             return self.unknown(value.x) | self.unknown(value.y)
         own = sp.sympify(value, strict=True)
-        if not own.free_symbols:
+        if not symbols_in(own):
             return frozenset()
         state = self._state()
         if own in self._unknown:
@@ -256,10 +257,10 @@ class Scene:
 
     def _unknown_in(self, put: sp.Expr) -> frozenset[sp.Symbol]:
         """The unknowns of an expression in which the rest is put in."""
-        open_ = frozenset(filter(self._is_unknown, put.free_symbols))
+        open_ = frozenset(filter(self._is_unknown, symbols_in(put)))
         if not open_ or put.is_Symbol:
             return open_
-        return open_ & frozenset(expanded(put).free_symbols)  # some may cancel
+        return open_ & symbols_in(expanded(put))  # some may cancel
 
     def _is_unknown(self, symbol: sp.Symbol) -> bool:
         return (
@@ -300,7 +301,7 @@ class Scene:
         It is the same object where nothing is put in.
         """
         own = sp.sympify(value, strict=True)
-        if not own.free_symbols:
+        if not symbols_in(own):
             return own, ()
         state = self._state()
         if own not in self._put:

@@ -95,7 +95,7 @@ class BoldLetters:
     ``used`` are those that it turns out to need, where that is known: then each is introduced with
     those of its time. ``taken`` are letters that stand for something else, ``when`` says a time,
     ``layout`` lays a tree out, ``circles`` are the walls that are circular, and ``roles`` tell what
-    letters may be.
+    letters may be. ``directions`` are those of the lines of events, where they are known.
     """
 
     derivation: Derivation
@@ -106,6 +106,7 @@ class BoldLetters:
     circles: frozenset[str] = frozenset()
     roles: Mapping[str, Role] = field(default_factory=dict)
     part: str | None = None
+    directions: Mapping[int, Vector | None] | None = None
     _velocities: dict[tuple[str, int], lay.Bold] = field(default_factory=dict)
     _parts: dict[tuple[str, int], str | None] = field(default_factory=dict)
     _units: dict[tuple[int, str], lay.Bold] = field(default_factory=dict)
@@ -121,7 +122,9 @@ class BoldLetters:
             for place, body in enumerate(each.bodies)
             if not (place and each.wall)
         }
-        self._directions = {n: _direction(self.derivation, n) for n in self._events}
+        if self.directions is None:
+            self.directions = {n: _direction(self.derivation, n) for n in self._events}
+        self._directions = self.directions
 
     @property
     def all(self) -> Used:

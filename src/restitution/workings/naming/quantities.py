@@ -6,18 +6,16 @@ it is not plain from what stands above: the heading of an impact, or the end of 
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Derivation, Event, Fact, Link, Meaning, Relation
-from restitution.explaining.lines.layouts import AsTyped, Forms, of_relation, of_tree, shares_in
+from restitution.explaining.lines.layouts import AsTyped, of_relation, of_tree
 from restitution.explaining.lines.saying import Sentence, operand, say
-from restitution.explaining.lines.trees import rebuilt, trees_of
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Expression,
     Letter,
@@ -27,12 +25,9 @@ from restitution.expression.tree import (
     Stage,
     Unit,
     is_zero,
-    letters,
     walk,
 )
 from restitution.planning.writing.straight_walls import equation_of_line
-from restitution.problem import comparisons
-from restitution.problem import trees as trees_of_problem
 from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.solving.story.letters import roles
@@ -40,6 +35,7 @@ from restitution.wording.telling import has_axes
 from restitution.workings.naming.bold_letters import BoldLetters, Used
 from restitution.workings.naming.measured import is_plain, vector_worth, with_unit, worth
 from restitution.workings.naming.moments import Moments
+from restitution.workings.naming.terms import Terms, terms_of
 
 # Components at a wall, by their sense.
 _PARALLEL = "derived.component-parallel"
@@ -52,27 +48,22 @@ _ANGLES = ("beta", "theta", "phi", "psi", "gamma")
 class Naming(Moments):
     """The names of one working; ``now`` is the event under whose heading the next line stands.
 
-    ``used`` are the bold letters that it needs, where that is known.
+    ``used`` are the bold letters that it needs, where that is known; ``shared`` the names of the
+    same working without them, of which those are taken over that no bold letter changes.
     """
 
     used: Used | None = None
+    shared: Naming | None = None
     _own: dict[Expression, lay.Layout] = field(default_factory=dict)
     _pending: list[Sentence] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         super().__post_init__()
         self.vectors = frozenset(name for name, each in self.meanings.items() if each.vector)
-        shown = (item.answer for item in self.derivation.items if item.shown)
-        typed = [*trees_of_problem(self.problem)]
-        whole = [*typed, *(t for each in shown for t in trees_of(each))]
-        compared = (each.operands for each in comparisons(self.problem))
-        shares = {share for operands in compared for share in shares_in(operands)}
-        self.forms = Forms(each for each in whole if each not in shares)
-        self._used = {name for tree in typed for name in letters(tree)} | {*self.meanings}
-        for line in self.derivation.lines:
-            if not isinstance(line.relation, Meaning):
-                self._used |= {n for tree in trees_of(line.relation) for n in letters(tree)}
-        self.bold = BoldLetters(
+        shared = self.shared
+        self.terms: Terms = shared.terms if shared else terms_of(self.derivation, self.problem)
+        self._used = set(self.terms.letters)
+        self.bold: BoldLetters = BoldLetters(
             self.derivation,
             self._used,
             self._plain_when,
@@ -80,40 +71,19 @@ class Naming(Moments):
             self.used,
             frozenset(self.circles),
             roles(self.problem),
+            directions=shared.bold.directions if shared else None,
         )
-        self._often = Counter(
-            node
-            for line in self.derivation.lines
-            if line.shown != "silent" and not isinstance(line.relation, Meaning)
-            for node in set(self._nodes(trees_of(line.relation)))
-        )
-        times = {each for each in self._often if each.kind == "time" and each.stage}
+        times = {each for each in self.terms.often if each.kind == "time" and each.stage}
         #: The letters by which the statement calls times.
         self._of_the_statement = dict(_named_times(self.derivation))
         #: Whether the times of events have numbers: where there are several.
         self._numbered_times = self.several or len(times) > 1
-        self._inside = {
-            node
-            for line in self.derivation.lines
-            if not isinstance(line.relation, Meaning)
-            for tree in trees_of(line.relation)
-            for each in walk(tree)
-            if isinstance(each, Apply)
-            for node in walk(each.argument)
-            if isinstance(node, Quantity)
-        }
-
         self.introduced_early: set[str] = set()
         self._letters = {
             each.quantity: name
             for name, each in self.meanings.items()
-            if isinstance(each.quantity, Quantity) and each.quantity in self._inside
+            if isinstance(each.quantity, Quantity) and each.quantity in self.terms.inside
         }
-
-    @staticmethod
-    def _nodes(trees: Iterable[Expression]) -> Iterator[Quantity]:
-        for tree in trees:
-            yield from (node for node in walk(tree) if isinstance(node, Quantity))
 
     # --- for the writer -------------------------------------------------------------------------
 
@@ -123,7 +93,7 @@ class Naming(Moments):
             match node:
                 case Binary("-", Quantity("time", (), int()), Quantity("time", (), int()) as early):
                     self.name(early)  # it is introduced before the later one
-        return self._displacement(tree) or of_tree(tree, self.vectors, self.name, self.forms)
+        return self._displacement(tree) or of_tree(tree, self.vectors, self.name, self.terms.forms)
 
     def _displacement(self, tree: Expression) -> lay.Layout | None:
         """How far a body comes along **i** or **j** from one event to another, in words."""
@@ -146,7 +116,7 @@ class Naming(Moments):
 
     def relation(self, relation: Relation) -> lay.Layout:
         """A whole relation in one line."""
-        return of_relation(relation, self.vectors, self.name, self.forms)
+        return of_relation(relation, self.vectors, self.name, self.terms.forms)
 
     @property
     def bodies(self) -> dict[str, str]:
@@ -197,6 +167,7 @@ class Naming(Moments):
         """What a quantity is called among letters."""
         if tree in self._own:
             return self._own[tree]
+        terms = self.terms
         match tree:
             case Quantity("velocity", (Name(body),), _):
                 return self._velocity(tree, body)
@@ -208,11 +179,11 @@ class Naming(Moments):
                 return self._lettered(tree, "t", str(stage) if self._numbered_times else "")
             case Quantity("angle" | "deflection" | "direction") if tree in self._letters:
                 return self._early(tree)
-            case Quantity("deflection", _, _) if tree in self._inside or self._often[tree] > 1:
-                turns = {each for each in self._often if each.kind == "deflection"}
+            case Quantity("deflection", _, _) if tree in terms.inside or terms.often[tree] > 1:
+                turns = {each for each in terms.often if each.kind == "deflection"}
                 turns -= {meaning.quantity for meaning in self.meanings.values()}
                 return self._lettered(tree, "delta", str(tree.stage) if len(turns) > 1 else "")
-            case Quantity("angle", _, _) if tree in self._inside:
+            case Quantity("angle", _, _) if tree in terms.inside:
                 free = (each for each in _ANGLES if each not in self._used)
                 return self._lettered(tree, next(free, _ANGLES[0]))
             case Quantity("dot", _, _):
@@ -338,7 +309,7 @@ class Naming(Moments):
                 each.kind == f"total_{tree.kind}"
                 or (each.kind == tree.kind and each.stage != tree.stage)
             )
-            for each in self._often
+            for each in self.terms.often
         )
 
     def of_letter(self, meaning: Meaning) -> Sentence:

@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import UnwrittenError, factors_above, tree_of
+from restitution.work import remembered
 from restitution.workings.reasons.right_angles import in_letters_alone
 
 
@@ -33,13 +34,19 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
     assert isinstance(line.relation, Relation)
     if len(above.relation.options) != 1 or len(line.relation.options) != 1:
         return None
+    return _cancelled(above.relation, line.relation)
+
+
+@remembered(1024)
+def _cancelled(above: Relation, line: Relation) -> Expression | None:
+    """The factor by which one relation was divided to be the other."""
     try:
-        own, back = _with_letters_for_tangents(above.relation, line.relation)
+        own, back = _with_letters_for_tangents(above, line)
         before, after = map(_residual, own)
         numerator, _ = sp.fraction(sp.cancel(before / after))
         _, factor = sp.factor_list(numerator)
         # Of an inequality the whole factor has a sign; an equation is divided by what is not zero.
-        ordered = line.relation.only[0].sign in FLIPPED
+        ordered = line.only[0].sign in FLIPPED
         bases = [base**power if ordered else base for base, power in factor]
         return exchanged(tree_of(bases[0]), back) if len(bases) == 1 else None
     except (RestitutionError, UnwrittenError, ZeroDivisionError, TypeError, sp.PolynomialError):
@@ -58,7 +65,13 @@ def cosine_divided(derivation: Derivation, line: Line) -> Letter | None:
     assert isinstance(line.relation, Relation)
     if len(above.relation.options) != 1 or len(line.relation.options) != 1:
         return None
-    ratios = [_ratios(own) for own in (above.relation, line.relation)]
+    return _cosine(above.relation, line.relation)
+
+
+@remembered(1024)
+def _cosine(above: Relation, line: Relation) -> Letter | None:
+    """The angle by whose squared cosine one relation was divided to be the other."""
+    ratios = [_ratios(own) for own in (above, line)]
     angles = {each.argument for each in ratios[1] if each.function == "tan"}
     if len(angles) != 1 or any(each.function == "tan" for each in ratios[0]):
         return None
@@ -70,7 +83,7 @@ def cosine_divided(derivation: Derivation, line: Line) -> Letter | None:
     tangent, cosine = sp.Dummy(positive=True), sp.Dummy(positive=True)
     put = {sp.sin(symbol): tangent * cosine, sp.cos(symbol): cosine, sp.tan(symbol): tangent}
     try:
-        before, after = (_residual(each).xreplace(put) for each in (above.relation, line.relation))
+        before, after = (_residual(each).xreplace(put) for each in (above, line))
         ratio = sp.cancel(before / after)
     except (RestitutionError, ZeroDivisionError, TypeError, sp.PolynomialError):
         return None

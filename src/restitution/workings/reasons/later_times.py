@@ -13,10 +13,8 @@ def later_than(derivation: Derivation, naming: Naming, line: Line) -> Sentence |
 
     What is in motion from the start of the clock is so at any time.
     """
-    if any(_is_worked_out(each, line) for each in derivation.lines):
-        return None
-    above = next((each for each in derivation.lines if _is_worked_out(line, each)), None)
-    line = line if above is None else above
+    stated = line
+    line = _worked_out_of(derivation, stated) or stated
     if not isinstance(line.relation, Relation) or not line.move.event:
         return None
     times = {
@@ -32,16 +30,25 @@ def later_than(derivation: Derivation, naming: Naming, line: Line) -> Sentence |
         match each.relation:
             case Relation((links,)) if links[0].left == event and len(times) == 1:
                 (time,) = times
-                if not isinstance(time, Letter):
+                if not isinstance(time, Letter) or _is_worked_out(derivation, stated):
                     return None
                 since = Link(time, ">=", links[-1].right)
                 return say("derived.from-then", time=naming.relation(Relation(((since,),))))
     return None
 
 
-def _is_worked_out(line: Line, above: Line) -> bool:
-    """Whether a line says in another form what one above it does."""
-    return line.move.id == "rearrange" and line.premises[:1] == (above.number,)
+def _worked_out_of(derivation: Derivation, line: Line) -> Line | None:
+    """The line above one that this says in another form; None where it is no such one."""
+    first = line.premises[0] if line.premises else None
+    if line.move.id != "rearrange" or not isinstance(first, int):
+        return None
+    return derivation.line(first)
+
+
+def _is_worked_out(derivation: Derivation, line: Line) -> bool:
+    """Whether a line stands once more, in another form."""
+    above = filter(None, (_worked_out_of(derivation, each) for each in derivation.lines))
+    return any(each.number == line.number for each in above)
 
 
 __all__ = ["later_than"]

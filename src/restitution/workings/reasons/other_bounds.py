@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import BeyondError, Oracle, compared
-from restitution.problem import Range
+from restitution.problem import Find, Range
 from restitution.solving.equations.solution import Solution
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.ends import Ends
@@ -42,6 +42,9 @@ _ORDER = ("<", "<=", ">", ">=")
 
 def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
     """What is said below the lines of ranges that come of one bound of a coefficient alone."""
+    finds = (step for _, step in solution.problem.steps() if isinstance(step, Find))
+    if not any(isinstance(item, Range) for step in finds for item in step.items):
+        return {}
     naming = Naming(derivation, solution.problem)
     ends = Ends(derivation, solution.problem, naming)
     sentences: dict[int, Sentence] = {}

@@ -63,17 +63,26 @@ _OF_SQUARES = frozenset({"speed", "size", "energy", "total", "tan-deflection"})
 
 
 class Reasons:
-    """The reasons of the lines of one derivation."""
+    """The reasons of the lines of one derivation.
+
+    ``shared`` are those of the same lines in other letters.
+    """
 
     def __init__(
-        self, derivation: Derivation, naming: Naming, problem: Problem, sources: Sources
+        self,
+        derivation: Derivation,
+        naming: Naming,
+        problem: Problem,
+        sources: Sources,
+        shared: Reasons | None = None,
     ) -> None:
         self._derivation = derivation
         self._sources = sources
         self._roles = roles(problem)
         self._naming = naming
         self._shapes = ShapeReasons(derivation, naming, self._roles)
-        self._right_angles = RightAngles(derivation, naming, self._roles)
+        poles = shared._right_angles.poles if shared else None
+        self._right_angles: RightAngles = RightAngles(derivation, naming, self._roles, poles)
         self._growth = GrowthReasons(derivation, naming, self._roles, self._shapes, self._reason)
 
     def is_positive(self, name: str) -> bool:

@@ -56,13 +56,22 @@ class _Pole:
 
 
 class RightAngles:
-    """The right angles among those of the tangents of one derivation."""
+    """The right angles among those of the tangents of one derivation.
 
-    def __init__(self, derivation: Derivation, naming: Naming, roles: Mapping[str, Role]) -> None:
+    ``poles`` is what is known of its lines already.
+    """
+
+    def __init__(
+        self,
+        derivation: Derivation,
+        naming: Naming,
+        roles: Mapping[str, Role],
+        poles: dict[int, _Pole | None] | None = None,
+    ) -> None:
         self._derivation = derivation
         self._naming = naming
         self._roles = roles
-        self._poles: dict[int, _Pole | None] = {}
+        self.poles: dict[int, _Pole | None] = {} if poles is None else poles
         self._closings: dict[int, Sentence | None] = {}
 
     def of(self, line: Line) -> tuple[Sentence, ...]:
@@ -256,9 +265,9 @@ class RightAngles:
 
     def _pole(self, line: Line) -> _Pole | None:
         """Where the angle whose tangent a line gives has none, if the letters may be so."""
-        if line.number not in self._poles:
-            self._poles[line.number] = self._pole_of(line)
-        return self._poles[line.number]
+        if line.number not in self.poles:
+            self.poles[line.number] = self._pole_of(line)
+        return self.poles[line.number]
 
     def _pole_of(self, line: Line) -> _Pole | None:
         assert isinstance(line.relation, Relation)

@@ -1,0 +1,63 @@
+"""In which terms a working speaks, whatever letters in bold type it has."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from restitution.explaining.lines.derivation import Derivation, Line, Meaning
+from restitution.explaining.lines.layouts import Forms, shares_in
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters, walk
+from restitution.problem import Problem, comparisons, trees
+
+
+@dataclass(frozen=True)
+class Terms:
+    """The forms of numbers, the letters, and the quantities of a working.
+
+    ``often`` counts the printed lines in which each quantity stands, ``inside`` are those of which
+    a line has a sine or the like.
+    """
+
+    forms: Forms
+    letters: frozenset[str]
+    often: Counter[Quantity]
+    inside: frozenset[Quantity]
+
+
+def terms_of(derivation: Derivation, problem: Problem) -> Terms:
+    """The terms of the working of a problem."""
+    typed = list(trees(problem))
+    shown = (item.answer for item in derivation.items if item.shown)
+    whole = [*typed, *(tree for each in shown for tree in trees_of(each))]
+    compared = (each.operands for each in comparisons(problem))
+    shares = {share for operands in compared for share in shares_in(operands)}
+    names = {*derivation.meanings}.union(*map(letters, typed))
+    often: Counter[Quantity] = Counter()
+    inside: set[Quantity] = set()
+    for line in derivation.lines:
+        own: set[Quantity] = set()
+        for tree in _trees(line):
+            names |= letters(tree)
+            if has_quantity(tree):
+                own |= set(_quantities(tree))
+                ratios = (each.argument for each in walk(tree) if isinstance(each, Apply))
+                inside.update(node for each in ratios for node in _quantities(each))
+        if line.shown != "silent":
+            often.update(own)
+    forms = Forms(each for each in whole if each not in shares)
+    return Terms(forms, frozenset(names), often, frozenset(inside))
+
+
+def _trees(line: Line) -> Iterator[Expression]:
+    if not isinstance(line.relation, Meaning):
+        yield from trees_of(line.relation)
+
+
+def _quantities(tree: Expression) -> Iterator[Quantity]:
+    return (node for node in walk(tree) if isinstance(node, Quantity))
+
+
+__all__ = ["Terms", "terms_of"]
