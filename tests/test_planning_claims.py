@@ -480,7 +480,7 @@ def test_speeds_are_compared_by_their_squares(statement: str, lines: list[str]) 
         ),
         (
             OBLIQUE + "given e k < 1\nfind maximum of tan(deflection(A)) over alpha",
-            "when tan α = √(1 − ek)/√(1 + k)",
+            "so tan α = √(1 − ek)/√(1 + k)",
         ),
     ],
 )
@@ -531,7 +531,7 @@ SHOWN = {
             "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
             "A hits B: along i, e = 1/3\nshow speed(A)^2 + speed(B)^2 < u^2"
         ),
-        "(speed of A)² + (speed of B)² = (",
+        "V_A² + V_B² = (",
     ),
     "a ratio by its quotient": (
         WALL + "show energy_lost/energy(0) = (1 - e^2) sin^2(alpha)",

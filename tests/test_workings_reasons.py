@@ -131,6 +131,16 @@ find alpha
 """,
         ["Dividing by tan α, which is not zero as α is acute:", "1 − tan²α = ⅔"],
     ),
+    # The question says V for the speed of P.
+    "a speed has the letter that it has in the question": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+show speed(P)/u <= 1
+""",
+        ["Let V be the speed of P after the impact.", "V = √((eu sin α)² + (u cos α)²)", "V/u ≤ 1"],
+    ),
     # tan²θ = e: the loss is ½mU² cos²θ (1 − e²), with cos²θ = 1/(1 + e).
     "the squares of sine and cosine come of that of the tangent": (
         RIGHT_ANGLE + "find energy_lost in terms of m, U, e",

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
     Pair,
@@ -194,6 +195,11 @@ def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:
     for kind, group in groups.items():
         for each, name in zip(group, _free(scene, kind, group), strict=True):
             scene.denoted[_key(scene, each)] = name
+    for each in quantities:
+        match each:
+            case Quantity("speed", (Name(body),), stage):
+                at = replace(each, stage=scene.stage(stage, body))
+                scene.lettered[at] = scene.denoted[_key(scene, each)]
     return {_key(scene, quantity): scene.denoted[_key(scene, quantity)] for quantity in quantities}
 
 

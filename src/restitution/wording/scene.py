@@ -60,7 +60,8 @@ class Scene:
     """A statement, and how many of its events are told so far.
 
     ``letters`` are those of the statement and its names; ``denoted`` are the letters that the
-    wording itself has given to quantities, by their words, and grows.
+    wording itself has given to quantities, by their words, and grows; so does ``lettered``, by the
+    quantities with the number of the event after which they are meant.
     """
 
     problem: Problem
@@ -71,6 +72,7 @@ class Scene:
     letters: frozenset[str]
     now: int = 0
     denoted: dict[Words, str] = field(default_factory=dict, compare=False, repr=False)
+    lettered: dict[Quantity, str] = field(default_factory=dict, compare=False, repr=False)
 
     def at(self, now: int) -> Scene:
         """The scene when so many events are told."""

@@ -10,7 +10,7 @@ from typing import Any
 
 from restitution.errors import StatementError, require
 from restitution.expression.dimensions import LENGTH
-from restitution.expression.tree import Expression, Place, has_quantity
+from restitution.expression.tree import Expression, Place, Quantity, has_quantity
 from restitution.language import check
 from restitution.problem import (
     Event,
@@ -96,6 +96,13 @@ def has_axes(problem: Problem) -> bool:
 def _has_axes(problem: Problem) -> bool:
     sentences = question(problem).intro
     return _contains(sentences, lambda part: part in (lay.Bold("i"), lay.Bold("j")))
+
+
+def letters_of_speeds(problem: Problem) -> Mapping[Quantity, str]:
+    """The letters that formulas of the question have for speeds, each after so many events."""
+    scene = scene_of(problem)
+    list(_drafts(scene))
+    return scene.lettered
 
 
 def asked(problem: Problem) -> dict[str | None, tuple[Words, ...]]:

@@ -282,7 +282,7 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
     name = naming.layout(link.left)
     plain, general = (
         ("refuted.vector", "refuted.vector-general")
-        if isinstance(name, lay.Bold)
+        if isinstance(name, lay.Bold | lay.Letter)
         else ("refuted.value", "refuted.value-general")
     )
     agree = _may_agree(link.right, own.right) and not _differ(link.right, own.right, naming)

@@ -31,7 +31,7 @@ from restitution.planning.writing.straight_walls import equation_of_line
 from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.solving.story.letters import roles
-from restitution.wording.telling import has_axes
+from restitution.wording.telling import has_axes, letters_of_speeds
 from restitution.workings.naming.bold_letters import BoldLetters, Used
 from restitution.workings.naming.measured import is_plain, vector_worth, with_unit, worth
 from restitution.workings.naming.moments import Moments
@@ -76,6 +76,8 @@ class Naming(Moments):
         times = {each for each in self.terms.often if each.kind == "time" and each.stage}
         #: The letters by which the statement calls times.
         self._of_the_statement = dict(_named_times(self.derivation))
+        #: The letters by which the question calls speeds.
+        self._of_the_question = letters_of_speeds(self.problem)
         #: Whether the times of events have numbers: where there are several.
         self._numbered_times = self.several or len(times) > 1
         self.introduced_early: set[str] = set()
@@ -188,6 +190,9 @@ class Naming(Moments):
                 return self._lettered(tree, next(free, _ANGLES[0]))
             case Quantity("dot", _, _):
                 return None
+        if tree in self._of_the_question:
+            name, _, subscript = self._of_the_question[tree].partition("_")
+            return self._lettered(tree, name, subscript, self._speed_in_full(tree))
         return operand(self.quantity(tree))
 
     def _early(self, tree: Quantity) -> lay.Layout:
@@ -200,12 +205,28 @@ class Naming(Moments):
         self._pending.append(say("derived.let", meanings=(meaning,)))
         return symbol
 
-    def _lettered(self, tree: Quantity, letter: str, subscript: str = "") -> lay.Layout:
-        """A letter for a quantity without a short name; words where the letter is taken."""
+    def _speed_in_full(self, tree: Quantity) -> Sentence | None:
+        """The speed of a body in words, with its time."""
+        match tree:
+            case Quantity("speed", (Name(body),), int(stage)):
+                speed = say("derived.speed", of=(body,))
+            case _:
+                return None
+        own = (n for n, event in self.events.items() if n <= stage and body in event.bodies)
+        late = max(own, default=0)
+        return say("derived.when", quantity=speed, when=self._plain_when(late))
+
+    def _lettered(
+        self, tree: Quantity, letter: str, subscript: str = "", words: Sentence | None = None
+    ) -> lay.Layout:
+        """A letter for a quantity without a short name; words where the letter is taken.
+
+        It is introduced by the words that are given, or by its own.
+        """
         name = f"{letter}_{subscript}" if subscript else letter
-        words = self.quantity(tree)
         if name in self._used:
-            return operand(words)
+            return operand(self.quantity(tree))
+        words = words or self.quantity(tree)
         self._used.add(name)
         symbol = lay.letter(name)
         self._own[tree] = symbol
