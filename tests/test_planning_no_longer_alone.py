@@ -48,7 +48,7 @@ find energy_lost in terms of m, w, k
 find speed(Q)/w in terms of k
 find energy_lost/energy(0) in terms of phi
 """,
-        ("= (1 − k)mw²", "V/w = √k", "= 1 − tan²φ"),
+        ("= (1 − k)mw²", "U/w = √k", "= 1 − tan²φ"),
     ),
     "an offset for which there is an impact": (
         """
