@@ -226,3 +226,16 @@ def test_a_deflection_after_a_direction_is_their_difference(velocity: str, early
     words = to_text(explain(solution), 200)
     assert "A turns through the difference of its directions before and after:" in words
     assert f"δ = 180° − arctan(24/13) − {early}" in words
+
+
+def test_a_root_is_rejected_before_the_other_is_put_in_order() -> None:
+    text = (
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/3\n"
+        "given deflection(P) = 60°\nfind tan(alpha)"
+    )
+    solution, derivation = planned(text)
+    assert said(derivation)[-2] == "tan(alpha) = (-2 + sqrt(13))/sqrt(3)"
+    words = to_text(explain(solution), 200)
+    assert "tan α = (−2 + √13)/√3, as α is acute" in words
+    assert "= (√39 − 2√3)/3 ≈ 0.927" in words
+    assert "−(√39 + 2√3)/3" not in words

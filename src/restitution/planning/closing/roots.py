@@ -23,6 +23,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.closing.bounded_speeds import bounds_that_stand
 from restitution.planning.closing.polynomial_trees import doubled_power, polynomial_tree
+from restitution.planning.closing.roots_in_order import put_in_order_last
 from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
@@ -112,7 +113,9 @@ def by_roots(
     if line is None:
         return None
     if dropped:
+        standing = line
         line = rejected(scene, line, symbol, subject, kept)
+        put_in_order_last(scene, standing, line)
     if len(kept) > 1:
         scene.desk.splits += ((line, kept.index(value)),)
         scene.others = tuple(other for other in scene.others if is_value(other, value, of, symbol))

@@ -370,6 +370,12 @@ class Desk:
             self._sources[key] = [each for each in own if number not in each.whole]
         del self._scopes[number], self.lines[-1]
 
+    def rewrite(self, line: Line) -> None:
+        """Puts another line in the place of the one that has its number."""
+        self.version += 1
+        self.lines[line.number - 1] = line
+        self._scopes[line.number] = common_scope(map(self._scope, line.premises))
+
     def forget(self, number: int) -> None:
         """Forgets the values that lines below one give, since they are those of one case."""
         for key, own in self._sources.items():
