@@ -590,3 +590,20 @@ def test_an_answer_that_is_a_difference_of_quantities_has_its_unit() -> None:
     text = to_text(explain(solve(parse(question))))
     assert re.search(r"= 12 J\b", text)
     assert re.search(r"0\.721 +A1", text), "a ratio has none"
+
+
+@pytest.mark.parametrize("name", ["circle-wall", "corner"])
+def test_a_working_is_written_once_where_its_bold_letters_are_foreseen(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    solution = solve(parse(restitution.examples.text(name)))
+    written: list[Derivation] = []
+    init = Naming.__post_init__
+
+    def counted(naming: Naming) -> None:
+        written.append(naming.derivation)
+        init(naming)
+
+    monkeypatch.setattr(Naming, "__post_init__", counted)
+    assert "𝐯" in str(explain(solution))
+    assert len(written) == 1

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
+from dataclasses import replace
+
 import pytest
 
 from restitution import solve
@@ -111,3 +114,12 @@ def test_a_name_of_an_earlier_part_means_the_quantity_as_it_was() -> None:
     problem = parse(NAMES.format(own="given alpha + beta = 90°", asked="tan(alpha)"))
     (answer,) = solve(problem).parts["b"].items
     assert [each.exact for each in answer.answers] == ["sqrt(2)"]
+
+
+def test_a_problem_goes_to_another_process_without_its_hash() -> None:
+    # The hash of a text is another one in each process.
+    problem = parse("sphere P: velocity (3, 4)\nwall W: along i\nP hits W: e = 1/2\nfind speed(P)")
+    assert hash(problem) == hash(replace(problem))
+    sent = pickle.loads(pickle.dumps(problem))
+    assert "_hash" in vars(problem) and "_hash" not in vars(sent)
+    assert sent == problem and hash(sent) == hash(problem)

@@ -52,9 +52,9 @@ def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
         if type(other) is not kind:
             return NotImplemented
         try:
-            if kept(node) != kept(other):
+            if node._hash != other._hash:
                 return False
-        except TypeError:  # it holds an array, which has no hash
+        except AttributeError:  # one has not been asked for its hash, which an array has not
             pass
         return same_inside(node, other)
 

@@ -89,10 +89,10 @@ def explanation_of(
     labels = list(dict.fromkeys(derivation.asked.values()))
     writer = _Writer(derivation, problem, conditions or {})
     steps = {label: writer.part(label) for label in labels}
-    used = writer.naming.bold.all
-    if used != Used():
+    wanted = writer.naming.bold.wanted
+    if wanted != writer.naming.bold.used:
         # Which velocities have letters is known now, so that they can be introduced together.
-        writer = _Writer(derivation, problem, conditions or {}, used, shared=writer)
+        writer = _Writer(derivation, problem, conditions or {}, wanted, shared=writer)
         steps = {label: writer.part(label) for label in labels}
     parts: list[PartExplanation] = []
     for label in labels:
@@ -120,7 +120,11 @@ class _Writer:
     def __post_init__(self) -> None:
         derivation, shared = self.derivation, self.shared
         self.naming: Naming = Naming(
-            derivation, self.problem, used=self.used, shared=shared.naming if shared else None
+            derivation,
+            self.problem,
+            used=self.used,
+            shared=shared.naming if shared else None,
+            foresees=self.used is None,
         )
         # What no letter changes is the same for both.
         self.measures: Measures = (

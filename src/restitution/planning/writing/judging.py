@@ -54,8 +54,12 @@ class Judge:
             if self._names is None or self._names[0] is not self.desk.facts:
                 self._names = self.desk.facts, names_of(self.desk.events, self.desk.facts)
             setting = setting_of(start, Oracle(roles(self.problem)), self._names[1])
-            if self._last is not None and self._last[1].setting.meanings != setting.meanings:
-                self._known.clear()
+            if self._last is not None:
+                before = self._last[1].setting
+                if before.meanings != setting.meanings:
+                    self._known.clear()
+                elif before == setting:
+                    setting = before  # which keeps what it was asked for
             self._last = last, Trial(setting, self._cited, self._known_of)
         return self._last[1]
 

@@ -108,7 +108,8 @@ class BoldLetters:
     part: str | None = None
     directions: Mapping[int, Vector | None] | None = None
     _velocities: dict[tuple[str, int], lay.Bold] = field(default_factory=dict)
-    _parts: dict[tuple[str, int], str | None] = field(default_factory=dict)
+    _wanted: dict[tuple[str, int], str | None] = field(default_factory=dict)
+    _wanted_units: set[tuple[int, str]] = field(default_factory=set)
     _units: dict[tuple[int, str], lay.Bold] = field(default_factory=dict)
     _pending: list[Sentence] = field(default_factory=list)
     _now: int = 0
@@ -127,9 +128,9 @@ class BoldLetters:
         self._directions = self.directions
 
     @property
-    def all(self) -> Used:
-        """The letters that have been used so far."""
-        return Used(dict(self._parts), frozenset(self._units))
+    def wanted(self) -> Used:
+        """The letters that have been asked for so far, each in the part that asked first."""
+        return Used(dict(self._wanted), frozenset(self._wanted_units))
 
     def introduced(self) -> tuple[Sentence, ...]:
         """What letters stand for that have come into use since this was last asked."""
@@ -140,6 +141,10 @@ class BoldLetters:
 
     def velocity(self, body: str, number: int) -> lay.Bold:
         """The letter for a velocity after an event, or for the initial one (0)."""
+        self._wanted.setdefault((body, number), self.part)
+        return self._velocity(body, number)
+
+    def _velocity(self, body: str, number: int) -> lay.Bold:
         if (body, number) not in self._velocities:
             used = {} if self.used is None else self.used.velocities
             part = used.get((body, number), self.part)
@@ -147,7 +152,6 @@ class BoldLetters:
             new = sorted(e for e in {body, *others} if (e, number) not in self._velocities)
             for each in new:
                 self._velocities[each, number] = self._letter(each, number)
-                self._parts[each, number] = self.part
             letters = tuple(self._velocities[each, number] for each in new)
             name = "derived.velocity" if len(new) == 1 else "derived.velocities"
             words = say(name, bodies=tuple(new))
@@ -170,7 +174,7 @@ class BoldLetters:
         for (body, event), part in sorted(self.used.velocities.items(), key=lambda e: e[0][::-1]):
             now = event == number or (event == 0 and body in early)
             if now and part == self.part and body in bodies:
-                self.velocity(body, event)
+                self._velocity(body, event)
 
     def _letter(self, body: str, number: int) -> lay.Bold:
         """**u** or **v** with the name of the body, and a number where there are several."""
@@ -253,12 +257,12 @@ class BoldLetters:
         direction = self._directions.get(number)
         if direction is None or not self.has_unit(number):
             return None
+        self._wanted_units.add((number, kind))
         if (number, kind) not in self._units:
-            kinds = ["along", "across"]
-            if self.used is not None:
-                kinds = [e for e in kinds if (number, e) in self.used.units]
-            else:
-                kinds = [kind]
+            units = frozenset() if self.used is None else self.used.units
+            # Both together, where both will be needed.
+            new = [e for e in _LETTERS if e == kind or (number, e) in units]
+            kinds = [e for e in new if (number, e) not in self._units]
             self._introduce(number, kinds, direction)
         return self._units[number, kind]
 

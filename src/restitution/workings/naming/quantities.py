@@ -33,6 +33,7 @@ from restitution.shapes import Circle
 from restitution.solving.story.letters import roles
 from restitution.wording.telling import has_axes, letters_of_speeds
 from restitution.workings.naming.bold_letters import BoldLetters, Used
+from restitution.workings.naming.foreseen import foreseen
 from restitution.workings.naming.measured import is_plain, vector_worth, with_unit, worth
 from restitution.workings.naming.moments import Moments
 from restitution.workings.naming.terms import Terms, terms_of
@@ -49,11 +50,13 @@ class Naming(Moments):
     """The names of one working; ``now`` is the event under whose heading the next line stands.
 
     ``used`` are the bold letters that it needs, where that is known; ``shared`` the names of the
-    same working without them, of which those are taken over that no bold letter changes.
+    same working without them, of which those are taken over that no bold letter changes. One that
+    ``foresees`` takes those that its lines are likely to need.
     """
 
     used: Used | None = None
     shared: Naming | None = None
+    foresees: bool = False
     _own: dict[Expression, lay.Layout] = field(default_factory=dict)
     _pending: list[Sentence] = field(default_factory=list)
 
@@ -73,6 +76,8 @@ class Naming(Moments):
             roles(self.problem),
             directions=shared.bold.directions if shared else None,
         )
+        if self.foresees:
+            self.bold.used = foreseen(self.derivation, self.bold.has_unit)
         times = {each for each in self.terms.often if each.kind == "time" and each.stage}
         #: The letters by which the statement calls times.
         self._of_the_statement = dict(_named_times(self.derivation))
