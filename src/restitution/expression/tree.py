@@ -49,7 +49,7 @@ def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
     def same(node: Any, other: Any) -> Any:
         if node is other:
             return True
-        if type(other) is not kind:
+        if type(other) is not type(node):
             return NotImplemented
         try:
             if node._hash != other._hash:
