@@ -122,3 +122,56 @@ def test_a_subscript_ends_before_the_next_letter() -> None:
 
 def test_what_holds_in_a_case_defines_no_letter() -> None:
     assert "false" not in verdicts(TWO, "e = 1: v₁ = -⅓vcosφ", "e = 0: v₁ = ⅓vcosφ")
+
+
+LIGHT = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\nA hits B: along i\n"
+    "given energy(B) = energy(A)\nfind tan(alpha) in terms of e, k\n"
+)
+RIGHT = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\nA hits B: along i\n"
+    "given deflection(A) = 90°\nshow tan(alpha)^2 = (k e - 1)/(1 + k)\n"
+)
+LEAST = (
+    "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+    "find minimum of speed(A) over e, maximum of speed(A) over e\n"
+)
+STRUCK = (
+    "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W: e = 1/2\n"
+    "P receives -8i - 12j\nP hits W: e = 1/2\nfind velocity(P)\n"
+)
+ENERGY = (
+    "wall W: along theta\nsphere P: mass m, velocity u j\nP hits W\n"
+    "given energy(P) = (1/2) energy(P, 0)\nfind e in terms of theta\n"
+)
+LAWS = ["ucosα = v + kw", "w - v = eucosα"]
+
+
+@pytest.mark.parametrize(
+    ("statement", "above", "line", "verdict"),
+    [
+        (
+            LIGHT,
+            [*LAWS, "w = ucosα(1 + e)/(k + 1)", "v = ucosα(1 - ke)/(k + 1)", "kw² = v²"],
+            "k(1 + e)² = (1 - ke)²",
+            "follows",
+        ),
+        (
+            LIGHT,
+            [*LAWS, "w = ucosα(1 + e)/(k + 1)", "v = ucosα(1 - ke)/(k + 1)", "kw² = v²"],
+            "k(1 + e) = (1 - ke)²",
+            "false",
+        ),
+        (RIGHT, [*LAWS, "v = (1 - ke)ucosα/(1 + k)", "v = 0"], "ke = 1", "follows"),
+        (RIGHT, [*LAWS, "v = (1 - ke)ucosα/(1 + k)", "v = 0"], "ke = 2", "false"),
+        (LEAST, ["v + 2w = ½u", "w = v + ½eu"], "3v + ½eu = ½u", "false"),
+        (LEAST, ["v + 2w = ½u", "w = v + ½eu"], "3v + eu = ½u", "true"),
+        (STRUCK, ["W: v = 3i + 2j", "kick: v = -5i - 10j"], "W again: -5i + 5j", "follows"),
+        (STRUCK, ["W: v = 3i + 2j", "kick: v = -5i - 10j"], "W again: -5i + 4j", "false"),
+        (ENERGY, ["along wall ucosθ"], "perp to wall after = eusinθ", "follows"),
+    ],
+)
+def test_what_follows_is_no_further_mistake(
+    statement: str, above: list[str], line: str, verdict: str
+) -> None:
+    assert verdicts(statement, *above, line)[-1] == verdict

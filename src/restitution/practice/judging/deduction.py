@@ -78,15 +78,15 @@ def deduced_from(
     wrong = frozenset(
         k for k, each in enumerate(entries) if not each.right and _is_arithmetic(each, world, data)
     )
-    if _is_arithmetic(entry, world, data):
-        return ()
+    bare = _is_arithmetic(entry, world, data)
     usable = [k for k, each in enumerate(entries) if _is_equation(each.claim) and k not in wrong]
     usable = usable[-_LATEST:]
     own = _symbols(entry)
     near = [k for k in reversed(usable) if not own.isdisjoint(_symbols(entries[k]))]
     others = [(a, b) for a, b in combinations(list(reversed(usable)), 2) if a in near or b in near]
     untrue = [k for k in usable if not entries[k].right][-1:]
-    threes = [(*pair, k) for k in untrue for pair in combinations(usable, 2) if k not in pair]
+    pairs = list(combinations(list(reversed(usable)), 2))
+    threes = [(*pair, k) for k in untrue for pair in pairs if k not in pair]
     tried = 0
     for places in chain(((k,) for k in near), others, threes):
         earlier = [entries[k] for k in places]
@@ -95,7 +95,7 @@ def deduced_from(
         tried += 1
         if tried > _TRIES:
             break
-        if _follows(entry, earlier, world, data):
+        if _follows(entry, earlier, world, data, bare=bare):
             return tuple(sorted(places))
     return ()
 
@@ -159,18 +159,42 @@ def _within(tree: Expression, entry: Entry, opened: tuple[str, ...]) -> Iterator
             pending.extend(children(each))
 
 
-def _follows(entry: Entry, earlier: Sequence[Entry], world: World, data: frozenset[str]) -> bool:
-    try:
-        plane = _Plane((entry, *earlier), world, data)
-        return plane.holds(entry, earlier)
-    except (_UnfitError, RestitutionError, ArithmeticError, np.linalg.LinAlgError):
-        return False
+def _follows(
+    entry: Entry,
+    earlier: Sequence[Entry],
+    world: World,
+    data: frozenset[str],
+    *,
+    bare: bool = False,
+) -> bool:
+    """Whether a line follows; letters of the statement that it has not may keep any values.
+
+    Moved, they might make what stands between the lines zero: ``u cos α (1 - ke) = 0``. A claim
+    of free letters alone, which is ``bare``, has to follow while all others keep their values.
+    """
+    inside = {each.name for each in _symbols(entry) if isinstance(each, Letter)}
+    kept = frozenset(world.letters.keys() - world.determined - inside - data)
+    free = frozenset[str]()
+    for still in (kept,) if bare else (kept, free) if kept else (free,):
+        try:
+            plane = _Plane((entry, *earlier), world, data, still)
+            if plane.holds(entry, earlier):
+                return True
+        except (_UnfitError, RestitutionError, ArithmeticError, np.linalg.LinAlgError):
+            continue
+    return False
 
 
 class _Plane:
     """The symbols of some claims as complex unknowns, near their true values."""
 
-    def __init__(self, entries: Sequence[Entry], world: World, data: frozenset[str]) -> None:
+    def __init__(
+        self,
+        entries: Sequence[Entry],
+        world: World,
+        data: frozenset[str],
+        kept: frozenset[str] = frozenset(),
+    ) -> None:
         symbols = sorted(set().union(*(_symbols(each) for each in entries)), key=repr)
         rng = np.random.default_rng(11)
         self.columns: dict[Expression, tuple[int, ...]] = {}
@@ -182,18 +206,21 @@ class _Plane:
             if isinstance(symbol, Letter) and symbol.name in data:
                 self.fixed[symbol] = value
                 continue
-            self.columns[symbol] = tuple(range(len(starts), len(starts) + len(parts)))
+            scattered = []
             for part in parts:
                 wide = max(abs(part), 0.5)
                 moved = rng.uniform(-0.3, 0.3, _POINTS) + 1j * rng.uniform(0.2, 0.9, _POINTS)
-                starts.append(part + wide * moved)
+                scattered.append(part + wide * moved)
+            if isinstance(symbol, Letter) and symbol.name in kept:
+                self.fixed[symbol] = scattered[0]
+                continue
+            self.columns[symbol] = tuple(range(len(starts), len(starts) + len(parts)))
+            starts += scattered
         self.x = np.stack(starts) if starts else np.zeros((0, _POINTS), dtype=complex)
 
     def holds(self, entry: Entry, earlier: Sequence[Entry]) -> bool:
         """Whether a claim holds wherever the earlier ones do."""
         x = self._moved(earlier)
-        if x is None:
-            return False
         apart, size = self.sides(entry, x)
         there = self._met(earlier, x)
         if np.count_nonzero(there) < 2:
@@ -211,14 +238,12 @@ class _Plane:
             there &= np.all(np.abs(apart) <= 1e-10 * (size + 1e-3), axis=0)
         return there
 
-    def _moved(self, earlier: Sequence[Entry]) -> Array | None:
-        """The points moved to where some claims hold; None where they cannot be."""
+    def _moved(self, earlier: Sequence[Entry]) -> Array:
+        """The points moved to where some claims hold; those that come to no end are left behind."""
         x = self.x
         for _ in range(_STEPS):
             r = self._residuals(earlier, x)
-            if not np.all(np.isfinite(r)):
-                return None
-            if np.max(np.abs(r)) < 1e-12 or not len(x):
+            if np.max(np.abs(r), initial=0) < 1e-12 or not len(x):
                 break  # claims of data alone hold or do not: nothing can be moved
             step = 1e-7
             slopes = np.stack(
@@ -228,9 +253,10 @@ class _Plane:
                 ],
                 axis=1,
             )
+            slopes, r = (np.where(np.isfinite(each), each, 0) for each in (slopes, r))
             move = np.einsum("pij,pj->ip", np.linalg.pinv(slopes.transpose(2, 0, 1)), r.T)
             x = x - move
-        return x if np.all(np.isfinite(x)) else None
+        return x
 
     def _residuals(self, entries: Sequence[Entry], x: Array) -> Array:
         return np.concatenate([self.sides(each, x)[0] for each in entries])

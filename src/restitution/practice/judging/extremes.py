@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
+
+import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression import read_expression
+from restitution.expression.tree import Number, letters
+from restitution.practice.script import Claim
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Extremum
@@ -30,6 +34,20 @@ def worlds_at_extremes(
         each
         for place in _places(solved, worlds[0])
         for each in true_worlds(solution, solved, place)
+    )
+
+
+def speaks_of_any_value(claim: Claim, base: World, worlds: Sequence[World]) -> bool:
+    """Whether a claim speaks of any value of a letter that has one in ``worlds``, at an extremum.
+
+    A condition on it has no other letter, ``tan α = 2``, or says that something is zero.
+    """
+    names = letters(claim.left) | letters(claim.right)
+    if Number(Fraction(0)) in (claim.left, claim.right) or len(names) < 2:
+        return False
+    return any(
+        np.ptp(base.letters[name]) > 0 and any(np.ptp(world.letters[name]) == 0 for world in worlds)
+        for name in names & base.letters.keys()
     )
 
 

@@ -25,7 +25,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.judgement import Verdict
+from restitution.practice.judgement import Use, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
 from restitution.practice.judging.bounds import bounded_by, conditions_of, rearranged_from
 from restitution.practice.judging.deduction import deduced_from
@@ -43,6 +43,7 @@ from restitution.practice.judging.judged_link import (
     JudgedLink,
     Question,
 )
+from restitution.practice.judging.naming import Explained
 from restitution.practice.judging.other_forms import (
     after_later_events,
     by_energies,
@@ -295,9 +296,12 @@ class Following(OwnValues):
         if not self._names or not self._explained:
             return None
         entry = replace(self._entry_of(line, link, link.readings[0]), right=False, wrong=True)
-        again = {_family(use.altered) for use in self.uses_of_entry(entry) if use.altered}
+        uses = [use for use in self.uses_of_entry(entry) if use.altered]
+        again = {_family(use.altered) for use in uses if use.altered}
         for number, mistake in self._explained.items():
             if again & {_family(each.id) for each in mistake.variants}:
+                if self._is_repeated(mistake, uses):
+                    return JudgedLink("follows", link.readings[0], "exact", (number,))
                 continue
             for variant in mistake.variants[:ALTERED]:
                 world = self.altered(variant)
@@ -309,6 +313,17 @@ class Following(OwnValues):
                         self._confirmed.setdefault(number, set()).add(variant.id)
                         return JudgedLink("follows", claim, grade, (number,))
         return None
+
+    def _is_repeated(self, mistake: Explained, uses: Sequence[Use]) -> bool:
+        """Whether a line has the mistake of an earlier one once more, at the same event.
+
+        Whoever exchanges sine and cosine in one component does so in the other.
+        """
+        return any(
+            each.id == use.altered and each.event.number == use.event
+            for each in mistake.variants
+            for use in uses
+        )
 
     def _impossible(self, claim: Claim) -> str | None:
         """The remark on a coefficient, a sine or a cosine that cannot have its value."""

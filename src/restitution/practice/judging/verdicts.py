@@ -36,6 +36,7 @@ from restitution.practice.judging.entries import (
     Meanings,
     is_numeric,
 )
+from restitution.practice.judging.extremes import speaks_of_any_value
 from restitution.practice.judging.following import COEFFICIENT, NAMED, Following
 from restitution.practice.judging.judged_link import (
     COARSE,
@@ -46,6 +47,7 @@ from restitution.practice.judging.judged_link import (
 from restitution.practice.judging.listed import as_components
 from restitution.practice.judging.naming import Explained, is_sum_of_angles
 from restitution.practice.judging.other_forms import (
+    after_later_events,
     is_signed,
     is_to_a_line,
     kind_of,
@@ -316,7 +318,9 @@ class Judge(Following):
         equal = all(claim.sign == "=" for claim in link.readings)
         worlds = self.question.at_extremes if equal else ()
         held = self._holds(link, line, worlds) if worlds else None
-        return None if held is None else JudgedLink("true", held[1], held[0])
+        if held is None or speaks_of_any_value(held[1], self._base, worlds):
+            return None
+        return JudgedLink("true", held[1], held[0])
 
     def _becoming(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A component that changes its size: ``4 becomes 2``."""
@@ -621,11 +625,18 @@ class Judge(Following):
         return JudgedLink("unread", first, remark=fault)
 
     def _at_heading(self, claim: Claim, line: ScriptLine) -> Claim:
-        """A false claim, its label at the event of the heading, if it is taken for another's."""
+        """A false claim, its label at the event of the heading, if it is taken for another's.
+
+        So is a letter that has a value from before that event: ``kick: v = i - j``.
+        """
         event = line.scope.event
-        if event is None or not (isinstance(claim.left, Letter) and is_phrase(claim.left.name)):
+        if event is None or not isinstance(claim.left, Letter):
             return claim
         own = self.meanings(line.number).get(claim.left.name)
+        if not is_phrase(claim.left.name):
+            again = own is not None and self._has_value(claim.left, line)
+            later = after_later_events(own, event) if own is not None and again else ()
+            return replace(claim, left=next(reversed(list(later)), claim.left))
         meant = self._meanings_of(claim.left.name, event)
         same = tuple(each for each in meant if own is None or kind_of(each) == kind_of(own))
         return claim if own in meant or not same else replace(claim, left=same[0])

@@ -465,7 +465,9 @@ class Chains:
             self.declared.body = self.statements.body = self.body_of(label)
         known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
         evaluates = all(letters(each[0].tree) <= known for each in read[1:])
-        evaluates = evaluates and set(signs) == {"="} and not is_law(read)
+        lost = any(HEADS.get(each) == "loss" for each in label.name.split())
+        law = is_law(read) and not (lost and known <= self.usage.letters)
+        evaluates = evaluates and set(signs) == {"="} and not law
         if label.kind == "name":
             product = isinstance(first, Binary) and first.op == "*"  # as mass × velocity is
             if evaluates and not product and self._is_moving(first) and self.body_of(label):

@@ -11,7 +11,7 @@ from restitution.practice.reading.features import features_of, words_of
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.vocabulary import EVENT_WORDS, ORDINALS, STAGES
 from restitution.practice.script import Scope
-from restitution.problem import Impact, Problem
+from restitution.problem import Impact, Kick, Problem
 
 _PART = re.compile(
     r"\s*(?:part\s+\(?(\w{1,3})\)?|q(?:uestion)?\s*\d*\s*\(?([a-z]{1,3})\)|\(([a-zA-Z]{1,3})\)"
@@ -126,6 +126,9 @@ def _event_of(
         counted = next((ORDINALS[each] for each in low if each in ORDINALS), None)
         digits = [int(each) for each in low if each.isdigit()]
         counted = counted or (digits[0] if digits else None)
+    kicks = [n for n, each in enumerate(events, 1) if isinstance(each, Kick)]
+    if kicks and counted is None and _BLOWS & set(low):
+        return _next(kicks, current)
     if counted is not None:
         if "wall" in low or "walls" in low:
             struck = [n for n in impacts if _met(events[n - 1]) & walls]
@@ -153,11 +156,13 @@ def _met(event: object) -> set[str]:
     return {event.first, event.second} if isinstance(event, Impact) else set()
 
 
+_BLOWS = frozenset(("kick", "kicked", "blow", "struck"))
 _HEADING_WORDS = frozenset(
     ("after", "before", "at", "for", "in", "on", "the", "with", "wall", "between", "and", "of")
     + ("sphere", "ball", "particle", "now", "next", "then", "just", "immediately", "again", "point")
     + ("spheres", "balls", "from", "off", "when", "during", "hitting", "initially", "finally", "to")
     + ("first", "second", "third", "one", "two", "three", "cushion", "both", "against", "another")
+    + ("kick", "kicked", "blow", "struck")
 )
 
 

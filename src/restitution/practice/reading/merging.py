@@ -49,6 +49,7 @@ _OF = frozenset(
     ("of", "on", "in", "for", "to", "from", "by", "with", "at", "hits", "after", "before")
 )
 _OF_COMPONENTS = frozenset(("perpendicular", "parallel", "horizontal", "vertical"))
+_OF_CASES = frozenset(("at", "when", "where", "if", "for"))
 _PLURALS = frozenset(f"the {word}" for word in HEADS if word.endswith("s") and word != "loss")
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
@@ -436,6 +437,9 @@ def _equality(tokens: Sequence[Token], place: int) -> Token:
         return token  # energy is lost
     if token.text == "equal" and behind.kind == "phrase" and behind.name in _PLURALS:
         return token  # e = 1, equal masses
+    case = [each.kind for each in tokens[max(0, place - 3) : place]]
+    if case == ["letter", "relation", "number"] and tokens[place - 4].word in _OF_CASES:
+        return token  # least at e = 0 is u sin α
     if token.text in EQUALS and before.kind in _CLOSING - {"name"} and opens:
         return replace(token, kind="relation", name="=")
     if token.text == "of" and before.kind in ("number", "percent", ")") and opens:
