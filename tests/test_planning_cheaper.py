@@ -239,3 +239,14 @@ def test_a_root_is_rejected_before_the_other_is_put_in_order() -> None:
     assert "tan α = (−2 + √13)/√3, as α is acute" in words
     assert "= (√39 − 2√3)/3 ≈ 0.927" in words
     assert "−(√39 + 2√3)/3" not in words
+
+
+def test_an_energy_is_by_components_where_the_speed_is_a_root_of_their_squares() -> None:
+    text = (
+        "wall W: along i\nwall X: along j\nsphere P: mass m, velocity u at alpha to W\n"
+        "P hits W: e = 1/2\nP hits X: e = 1/3\nfind speed(P), energy(P)"
+    )
+    solution, _ = planned(text)
+    words = " ".join(to_text(explain(solution), 200).split())
+    assert "½m((⅓u cos α)² + (½u sin α)²)" in words
+    assert ")²/6)²" not in words

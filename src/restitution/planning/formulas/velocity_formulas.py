@@ -184,14 +184,23 @@ def squares(
 
 
 def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool:
-    """Whether a speed is known, or its square has no root of what is open."""
+    """Whether a speed is known, or its square has no root of what is open.
+
+    That of a root of a sum with letters is the sum of the squares of components, which stands.
+    """
     if not any(scene.unknown(each.value) for each in components):
-        return True
+        return not _is_root_of_a_sum(speed.value)
     under = (own for ref in speed.refs if isinstance(ref, int) for own in scene.desk.under(ref))
     if any(str(ref).startswith("given ") for ref in (*speed.refs, *under)):
         return False  # the fact that gives the speed is still to tell the components
     squared = sp.sympify(tidy(speed.value**2), strict=True)
     return all(power.exp.is_Integer or not power.free_symbols for power in squared.atoms(sp.Pow))
+
+
+def _is_root_of_a_sum(value: object) -> bool:
+    """Whether a speed is the root of a sum in which letters stand."""
+    roots = sp.sympify(value, strict=True).atoms(sp.Pow)
+    return any(each.exp == sp.S.Half and each.base.is_Add and each.free_symbols for each in roots)
 
 
 def _speed_by_a_multiple(scene: Scene, body: str, stage: int) -> Source | None:
