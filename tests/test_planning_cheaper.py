@@ -250,3 +250,11 @@ def test_an_energy_is_by_components_where_the_speed_is_a_root_of_their_squares()
     words = " ".join(to_text(explain(solution), 200).split())
     assert "½m((⅓u cos α)² + (½u sin α)²)" in words
     assert ")²/6)²" not in words
+
+
+def test_the_difference_from_a_greatest_value_says_where_that_is_reached() -> None:
+    text = PAIR.format(a="m", u="u at 60°", b="2m", x="0 i") + "\nfind maximum of speed(A) over e"
+    solution, _ = planned(text)
+    words = " ".join(to_text(explain(solution), 200).split())
+    place = "When e = 0 or e = 1, (speed of A)² = 7u²/9. The difference from that value is"
+    assert f"{place} 7u²/9 − (speed of A)² = (1 − e)eu²/9" in words

@@ -654,6 +654,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "range.every": "So every value of {letter} is possible:",
     "range.every-free": "No condition bounds {letter}, so every value of it is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
+    "extremum.value": "When {places:or}, {value}. The difference from that value is",
     "extremum.at-zero": "{square}, so {place}",
     "extremum.at-zero-angle": "{square}, so {place} and {angle}",
     "extremum.at-angle": "{place}, so {angle}",

@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    Quantity,
     is_zero,
     letters,
     walk,
@@ -141,6 +142,47 @@ def _above(derivation: Derivation, line: Line) -> Iterator[Relation]:
                 seen.add(ref)
                 above = derivation.line(ref)
                 pending += [] if above is None else [above]
+
+
+def _is_of_the_motion(tree: Expression) -> bool:
+    """Whether a quantity, or the tangent of an angle, stands in an expression."""
+    return any(
+        isinstance(node, Quantity) or (isinstance(node, Apply) and node.function == "tan")
+        for node in walk(tree)
+    )
+
+
+def value_compared(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
+    """Where a value is reached, above the line that has the difference from that value.
+
+    None of a line that is no such difference of an extremum.
+    """
+    match line.move.id, line.relation:
+        case "rearrange", Relation(((Link(Binary("-", left, right), "="),),)):
+            pass
+        case _:
+            return None
+    sides = [side for side in (left, right) if _is_of_the_motion(side)]
+    if len(sides) != 1:
+        return None
+    (own,), value = sides, right if sides == [left] else left
+    for answer in derivation.lines:
+        if answer.move.id != "answer" or answer.move.record not in ("greatest", "least"):
+            continue
+        if line.relation not in _above(derivation, answer):
+            continue
+        behind = [derivation.line(ref) for ref in answer.premises if isinstance(ref, int)]
+        places = [
+            naming.relation(Relation(((reached[0],),)))
+            for each in behind
+            if each is not None
+            and isinstance(each.relation, Relation)
+            and (reached := value_reached(each.relation.options)) is not None
+        ]
+        if places:
+            there = naming.relation(equation(own, value))
+            return say("extremum.value", places=tuple(places), value=there)
+    return None
 
 
 def _bound_above(derivation: Derivation, line: Line) -> Relation | None:

@@ -37,6 +37,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.workings.leads.component_leads import ComponentLeads
+from restitution.workings.leads.extremes import value_compared
 from restitution.workings.leads.flights import chord_title, distance_title, flight_title
 from restitution.workings.leads.offsets import (
     angle_of_offset,
@@ -564,7 +565,13 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         )
 
     def anyway(self, line: Line) -> Iterator[Sentence]:
-        """What is given and holds for all values of the letters, above a range beside others."""
+        """What is given and holds for all values of the letters, above a range beside others.
+
+        Above the difference from a greatest or least value, where that is reached.
+        """
+        compared = value_compared(self._derivation, self._naming, line)
+        if compared is not None:
+            yield compared
         match line.relation:
             case Relation(((Link(_, _, Letter() as letter), Link()),)) if (
                 self._reasons.is_own_range(line)
