@@ -39,6 +39,21 @@ from restitution.workings import explain
             wall W: along i
             sphere P: velocity u at alpha to W
             P hits W
+            given e > 0
+            let beta = angle(velocity(P), W)
+            show tan(alpha - beta) <= (1 - e)/(2 sqrt(e))
+            """,
+            [
+                "By the formula for the tangent of a difference:",
+                "(tan α − e tan α)/(1 + e tan²α) = (1 − e) tan α/(1 + e tan²α)",
+                "S ≥ 2√e, as (1 − √e tan α)² ≥ 0 and α is acute",
+            ],
+        ),
+        (
+            """
+            wall W: along i
+            sphere P: velocity u at alpha to W
+            P hits W
             given angle(velocity(P), W) = alpha/2
             show tan(alpha/2)^2 = 1 - 2e
             """,

@@ -109,6 +109,7 @@ RULES: tuple[Rule, ...] = (
     _rule("solved-again", ("combine",), "", when=("of-laws",)),
     _rule("unknowns-of-equations", ("solve",), "M A"),
     _rule("equations-joined", ("combine", "divide", "square-add"), "M"),
+    _rule("complement-of-the-data", ("identity",), "", ("complement",), ("of-facts",)),
     _rule("identity", ("identity",), "M", when=("on-the-way",)),
     _rule("square-root", ("roots",), "", when=("opposite",)),
     _rule("roots", ("roots",), "M"),

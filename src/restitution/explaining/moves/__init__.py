@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.following import follows
-from restitution.explaining.moves.inequalities import MOST_COMPARED, is_certain
+from restitution.explaining.moves.inequalities import MOST_COMPARED, is_certain, number_compared
 from restitution.explaining.moves.laws import records_of
 
 __all__ = [
@@ -17,5 +17,6 @@ __all__ = [
     "MOST_COMPARED",
     "follows",
     "is_certain",
+    "number_compared",
     "records_of",
 ]

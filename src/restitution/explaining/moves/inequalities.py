@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
+
 import sympy as sp
 
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
+from restitution.explaining.lines.trees import (
+    exchanged,
+    of_relation,
+    trees_of,
+)
 from restitution.explaining.moves.bases import FLIPPED, equal_in
 from restitution.explaining.moves.directions import (
     between_ratios,
@@ -16,9 +24,11 @@ from restitution.explaining.moves.directions import (
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Quantity,
+    letters,
     walk,
 )
 from restitution.oracle import Relation as Claim
@@ -64,6 +74,9 @@ def same_option(step: Step, a: tuple[Link, ...], b: tuple[Link, ...]) -> bool:
     return True
 
 
+_RATIOS = ("sin", "cos", "tan")
+
+
 def by_oracle(step: Step, relation: Relation) -> bool:
     """Whether a relation is proved by what is cited, and by that alone.
 
@@ -71,7 +84,40 @@ def by_oracle(step: Step, relation: Relation) -> bool:
     """
     if any(link.sign not in FLIPPED for links in relation.options for link in links):
         return False
+    if _by_ratios_as_letters(step, relation):
+        return True
     return step.oracle.proves(step.formula(relation))
+
+
+def _by_ratios_as_letters(step: Step, relation: Relation) -> bool:
+    """Whether a relation is proved with a letter for each ratio of a sum of angles in it.
+
+    What holds whatever tan(α − β) is needs no formula for that, and is proved sooner.
+    """
+    sums = [
+        node
+        for tree in trees_of(relation)
+        for node in walk(tree)
+        if isinstance(node, Apply) and node.function in _RATIOS
+        if isinstance(node.argument, Binary) and node.argument.op in ("+", "-")
+    ]
+    if not sums:
+        return False
+    names: dict[Expression, Expression] = {
+        node: Letter(f"ratio_{n}") for n, node in enumerate(dict.fromkeys(sums))
+    }
+
+    def change(tree: Expression) -> Expression:
+        return exchanged(tree, names)
+
+    cited = tuple(
+        replace(each, relation=of_relation(each.relation, change))
+        if isinstance(each.relation, Relation)
+        else each
+        for each in step.cited
+    )
+    plain = step.under(cited=cited)
+    return plain.oracle.proves(plain.formula(of_relation(relation, change)))
 
 
 def is_comparison(step: Step, relation: Relation) -> bool:
@@ -82,13 +128,29 @@ def is_comparison(step: Step, relation: Relation) -> bool:
         for each in step.cited
         if isinstance(each.relation, Relation) and not str(each.ref).startswith("axis ")
     ]
-    if len(lines) + len(step.known) > MOST_COMPARED:
+    relations = [*(each.relation for each in lines), *(each.relation for each in step.known)]
+    if number_compared(relations) > MOST_COMPARED:
         return False
     signs = {link.sign for links in relation.options for link in links}
     if "≈" in signs or ("=" in signs and any(_is_equation(each.relation) for each in lines)):
         return False
     # No less than a value, and no more: so it is that.
     return is_certain(step, relation)
+
+
+def number_compared(relations: Iterable[Relation | Meaning]) -> int:
+    """How many relations are compared: both ends of the range of a letter are one."""
+    ranges: set[Expression] = set()
+    others = 0
+    for relation in relations:
+        match relation:
+            case Relation(((Link(Letter() as letter, sign, bound),),)) if (
+                sign in FLIPPED and not letters(bound)
+            ):
+                ranges.add(letter)
+            case _:
+                others += 1
+    return others + len(ranges)
 
 
 def _is_equation(relation: Relation | Meaning) -> bool:

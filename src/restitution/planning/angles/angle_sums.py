@@ -123,9 +123,18 @@ def _sides(each: GivenEquation) -> tuple[Expression, Expression]:
 
 
 def _quantity(scene: Scene, name: str) -> Quantity | None:
-    """The angle for which a letter stands."""
+    """The angle for which a letter stands, or which is given as that letter."""
     fact = scene.facts.get(f"let {name}")
     own = scene.desk.meant(Letter(name)) if fact is None else fact.relation.only[0].left
+    if not isinstance(own, Quantity):
+        own = next(
+            (
+                each.link.left
+                for each in scene.given
+                if (each.link.sign, each.link.right) == ("=", Letter(name))
+            ),
+            own,
+        )
     return own if isinstance(own, Quantity) and own.kind in ("angle", "direction") else None
 
 

@@ -17,6 +17,7 @@ from restitution.planning.inequalities.directions_bounded import (
 )
 from restitution.planning.inequalities.gaps import has_root, is_plain, write_difference
 from restitution.planning.inequalities.signs_of_components import write_by_components
+from restitution.planning.inequalities.tangents_of_sums import write_tangent_of_a_sum
 from restitution.planning.inequalities.turned_at_walls import write_turn
 from restitution.planning.inequalities.wide_angles import write_by_cosine
 from restitution.planning.writing.desk import NotPlannedError
@@ -64,6 +65,11 @@ class Claims(Eliminated):
         ]
         target = {name for tree in trees for name in letters(tree)}
         base = [*lines, *facts, *lets]
+        of_sum = write_tangent_of_a_sum(self.scene, relation, lines)
+        if of_sum is not None:
+            line = self._by_stages([of_sum], relation)
+            if line is not None:
+                return line
         if base:
             for each in lines:
                 line = self._by_difference_of_squares(each, relation)

@@ -187,8 +187,7 @@ def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
             for kind, other in ((sp.sin, sp.cos), (sp.cos, sp.sin))
         ]
     for form in forms:
-        roots = {x for x in form.atoms(sp.Pow) if x.is_number and not x.exp.is_Integer}
-        own = sp.factor(form, extension=sorted(roots, key=str)) if roots else sp.factor(form)
+        own = _factored(form)
         for angle in angles:
             own = own.replace(
                 lambda x: x.is_Add and sp.expand(x - (1 - sp.sin(angle) ** 2)) == 0,  # noqa: B023
@@ -197,7 +196,13 @@ def _forms(gap: sp.Expr) -> Iterator[sp.Expr]:
         yield own
     by_tangent = in_one_tangent(whole)
     if by_tangent is not None:
-        yield sp.factor(by_tangent)
+        yield _factored(by_tangent)
+
+
+def _factored(form: sp.Expr) -> sp.Expr:
+    """A form in factors, over the roots that stand in it."""
+    roots = {x for x in form.atoms(sp.Pow) if x.is_number and not x.exp.is_Integer}
+    return sp.factor(form, extension=sorted(roots, key=str)) if roots else sp.factor(form)
 
 
 def _mixed(x: sp.Expr) -> tuple[int, int]:

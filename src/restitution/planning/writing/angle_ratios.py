@@ -100,6 +100,13 @@ def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
         scene.desk.know(Apply("tan", letter), others["tan"], (ref, number))
 
 
+def write_complement(scene: Angles, own: Apply, fact: Fact, other: str) -> None:
+    """``sin β = cos α``, or ``cos β = sin α``, of two angles that make 90°."""
+    ratio = Apply({"sin": "cos", "cos": "sin"}[own.function], Letter(other))
+    number = scene.desk.write(Move("identity", "complement"), (fact.id,), chain(own, (ratio, None)))
+    scene.desk.know(own, scene.scalar(ratio), (number,))
+
+
 def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
     """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
     letter = Letter(symbol.name)

@@ -21,7 +21,7 @@ from restitution.explaining.lines.derivation import (
     Showing,
 )
 from restitution.explaining.lines.quotients import NotComparableError
-from restitution.explaining.moves import MOST_COMPARED
+from restitution.explaining.moves import MOST_COMPARED, number_compared
 from restitution.explaining.steps.excluding import excludes, holds_anyway
 from restitution.expression.tree import letters
 from restitution.oracle import BeyondError, Oracle
@@ -173,12 +173,11 @@ class Judge:
 
     def _compared(self, refs: Sequence[Ref]) -> int:
         """How many relations are compared: letters and the direction of an axis are none."""
-        return sum(
-            not isinstance(self.desk.line(ref).relation, Meaning)
-            if isinstance(ref, int)
-            else not ref.startswith("axis ")
-            for ref in refs
+        step = self._trial().step(
+            Move("compare"), [ref for ref in refs if not str(ref).startswith("axis ")]
         )
+        relations = [*(e.relation for e in step.cited), *(e.relation for e in step.known)]
+        return number_compared(each for each in relations if isinstance(each, Relation))
 
     def write(
         self,

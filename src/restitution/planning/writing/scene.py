@@ -13,7 +13,7 @@ from restitution.components.models import Model
 from restitution.exact.symbols import symbols_in
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.evaluate import Evaluator
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
@@ -25,9 +25,15 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_quantity,
     walk,
 )
-from restitution.planning.writing.angle_ratios import RECIPROCALS, write_other_ratio, write_ratios
+from restitution.planning.writing.angle_ratios import (
+    RECIPROCALS,
+    write_complement,
+    write_other_ratio,
+    write_ratios,
+)
 from restitution.planning.writing.changes import by_its_change
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.writing.forms import neat, tree_of
@@ -283,8 +289,8 @@ class Scene:
         return state
 
     def _by_ratios(self, symbol: sp.Symbol) -> bool:
-        """Whether an angle is known by the ratios that the data give."""
-        return self._ratio_fact(symbol) is not None
+        """Whether an angle is known by the ratios that the data give, or as a complement."""
+        return self._ratio_fact(symbol) is not None or str(symbol) in self.complements
 
     def put(self, value: Any) -> tuple[Any, tuple[Ref, ...]]:
         """A value with everything put in that stands on the desk, and what that rests on."""
@@ -369,6 +375,9 @@ class Scene:
         if known is None and self._ratio_fact(argument) is not None:
             write_ratios(self, argument)
             known = self.desk.known(tree)
+        if known is None and argument.name in self.complements and tree.function != "tan":
+            write_complement(self, tree, *self.complements[argument.name])
+            known = self.desk.known(tree)
         if known is None and self._by_an_inverse(argument):
             write_other_ratio(self, argument, type(ratio).__name__)
             known = self.desk.known(tree)
@@ -409,13 +418,43 @@ class Scene:
                         facts[name] = fact
         return facts
 
+    @cached_property
+    def complements(self) -> Mapping[str, tuple[Fact, str]]:
+        """Facts such as α + β = 90° between letters of the data.
+
+        They stand by the letter that the solution has in terms of the other one.
+        """
+        facts: dict[str, tuple[Fact, str]] = {}
+        for fact in self.desk.facts:
+            match fact.relation.options:
+                case ((Link(left, "=", right),),) if (
+                    fact.kind == "given"
+                    and self.desk.holds(fact.id)
+                    and not any(map(has_quantity, trees_of(fact.relation)))
+                ):
+                    gap = expanded(self.scalar(left) - self.scalar(right))
+                case _:
+                    continue
+            for symbol in gap.free_symbols:
+                other = expanded(sp.pi / 2 - self.model.final.get(symbol, symbol))
+                if (
+                    other.is_Symbol
+                    and self._is_basic(other)
+                    and f"let {symbol.name}" not in self.facts
+                    and f"let {other.name}" not in self.facts
+                    and gap.subs(symbol, sp.pi / 2 - other) == 0
+                ):
+                    facts[symbol.name] = fact, other.name
+        return facts
+
     # --- facts ----------------------------------------------------------------------------------
 
     @cached_property
     def given(self) -> tuple[GivenEquation, ...]:
-        """The given equations in force, but for ratios of angles in numbers."""
+        """The given equations in force, but for ratios of angles in numbers, and complements."""
         equations: list[GivenEquation] = []
         ratios = {ratio_fact.id for ratio_fact in self.ratio_facts.values()}
+        ratios |= {fact.id for fact, _ in self.complements.values()}
         for fact in self.desk.facts:
             if fact.kind != "given" or fact.id in ratios or not self.desk.holds(fact.id):
                 continue

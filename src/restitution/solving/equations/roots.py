@@ -12,7 +12,7 @@ from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
 from restitution.oracle.roles import REAL, Role
-from restitution.problem import Compare, Impact
+from restitution.problem import Compare, Find, Impact, Show
 from restitution.solving.algebra.numbers import at
 from restitution.solving.algebra.systems import Root, solve_system
 from restitution.solving.equations.setting import Setting, out_of_range
@@ -130,9 +130,14 @@ def _substitute_linear(
     current = sp.expand(equation.xreplace(substitutions))
     if len(current.free_symbols) < 2:
         return
-    for symbol in sorted(
-        current.free_symbols, key=lambda s: (s.name in setting.asked, s.name), reverse=False
-    ):
+    terms = _wanted_in_answers(setting)
+
+    def rank(symbol: sp.Symbol) -> tuple[bool, bool]:
+        return symbol.name in setting.asked, symbol.name in terms
+
+    # Of two angles alike the first letter stays.
+    names = sorted(current.free_symbols, key=lambda each: each.name, reverse=True)
+    for symbol in sorted(names, key=rank):
         coefficient = current.coeff(symbol)
         rest = sp.expand(current - coefficient * symbol)
         if (
@@ -281,6 +286,7 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
         if not has_quantity(tree)
         for name in letters(tree)
     }
+    terms = _wanted_in_answers(setting)
 
     def priority(name: str) -> tuple[int, str]:
         role = setting.roles[name]
@@ -292,6 +298,8 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
             return 2, name
         if role.kind == "restitution":
             return 3, name
+        if name in terms:
+            return 8, name
         if name in in_shows:
             return 4, name
         if role.kind == "angle":
@@ -302,6 +310,25 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
 
     chosen_letter: str = min(candidates, key=priority)
     return chosen_letter
+
+
+def _wanted_in_answers(setting: Setting) -> set[str]:
+    """The letters in which answers are to be written, or a claim says what a letter is."""
+    listed = {
+        name
+        for step in setting.part.steps
+        if isinstance(step, Find | Show)
+        for name in step.in_terms_of or ()
+    }
+    return listed | {
+        name
+        for step in setting.shows
+        if isinstance(step.relation, Compare)
+        and any(isinstance(each, Letter) for each in step.relation.operands)
+        for tree in step.relation.operands
+        if not isinstance(tree, Letter) and not has_quantity(tree)
+        for name in letters(tree)
+    }
 
 
 def put_back(

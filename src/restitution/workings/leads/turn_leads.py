@@ -137,10 +137,11 @@ class TurnLeads(LinesAround):
                 return BY["complement"]
             if _has_threefold(base) or _has_threefold(line):
                 return "derived.multiple-angle"
-        if line.move.record != "sum-of-angles" or base is None:
+        if line.move.record != "sum-of-angles":
             return name
         assert isinstance(line.relation, Relation)
         link = line.relation.options[0][0]
+        base = line if base is None else base
         nodes = (*walk(link.left), *walk(link.right))
         ratios = {e.function for e in nodes if isinstance(e, Apply)} - {"sqrt"}
         if ratios != {"tan"}:
