@@ -343,6 +343,19 @@ find speed(B)
 2 a | define component 1 A | velocity A, 1 | along(velocity(A, 0), line_of_centres(1)) = sqrt(3) u/2
 a: 2 speed(B, 1) = sqrt(3) u/2
 """,
+    "complements": """
+wall W: along i
+sphere P: velocity u at alpha to W
+sphere Q: velocity u at beta to W
+P hits W: e = 1/2
+Q hits W: e = 1/2
+given alpha + beta = 90°
+find along(velocity(Q), i)
+---
+1 a | identity complement | given 1 | cos(beta) = sin(alpha)
+2 a | law unchanged 2 Q | velocity Q, 1 | along(velocity(Q, 2), i) = u cos(beta) = u sin(alpha) [put]
+a: 2 along(velocity(Q, 2), i) = u sin(alpha)
+""",
     # Who rests after an impact is where it was.
     "rests": """
 wall W: along j, through (8, 0)
@@ -524,6 +537,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("solved-again", "repeated", 11, "", "", ""),
     ("equations-joined", "half-the-angle-out", 4, "M1", "DM1", "M1"),
     ("unknowns-of-equations", "together", 6, "DM1 A1", "DM1 A1", "DM1 A1"),
+    ("complement-of-the-data", "complements", 1, "", "", ""),
     ("identity", "half-the-angle-out", 5, "DM1", "DM1", "DM1"),
     ("square-root", "corner", 11, "", "", ""),
     ("roots", "rejected-root", 9, "DM1", "DM1", "DM1"),

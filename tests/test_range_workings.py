@@ -36,6 +36,16 @@ from restitution.workings import explain
         ),
         (
             """
+            sphere A: mass 2m, velocity u at alpha
+            sphere B: mass m, velocity u at beta from -i
+            A hits B: along i, e = e
+            given alpha + beta = 90°, velocity(A) parallel to j
+            find e in terms of alpha
+            """,
+            ["Since α + β = 90°: cos β = sin α", "e = (2 − tan α)/(1 + tan α)"],
+        ),
+        (
+            """
             wall W: along i
             sphere P: velocity u at alpha to W
             P hits W

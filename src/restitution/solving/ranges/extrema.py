@@ -208,13 +208,16 @@ def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None
     data = region.data()
     rng = random.Random(31)
     winners: list[Extreme] = []
-    for _ in range(DRAWS_TRIED if data else 1):
-        drawn = sample(data, roles, rng)
-        chosen = _winner(region, value, candidates, drawn, sign)
-        if chosen is not None:
-            winners.append(chosen)
-        if len(winners) == DRAWS:
-            break
+    # Usual data first; then such that are very large or small beside others, or near an end.
+    for at_edge in (False, True) if data else (False,):
+        number = len(winners) + DRAWS
+        for _ in range(DRAWS_TRIED if data else 1):
+            drawn = sample(data, roles, rng, at_edge)
+            chosen = _winner(region, value, candidates, drawn, sign)
+            if chosen is not None:
+                winners.append(chosen)
+            if len(winners) == number:
+                break
     if not winners:
         return None
     first = winners[0]
