@@ -353,7 +353,7 @@ given alpha + beta = 90°
 find along(velocity(Q), i)
 ---
 1 a | identity complement | given 1 | cos(beta) = sin(alpha)
-2 a | law unchanged 2 Q | velocity Q, 1 | along(velocity(Q, 2), i) = u cos(beta) = u sin(alpha) [put]
+2 a | law unchanged 2 Q | velocity Q, 1 | along(velocity(Q, 2), i) = u sin(alpha)
 a: 2 along(velocity(Q, 2), i) = u sin(alpha)
 """,
     # Who rests after an impact is where it was.
