@@ -169,6 +169,18 @@ def test_a_given_letter_that_no_line_holds_is_not_needed() -> None:
     assert "It is also given that k = 3, which is not needed here." in words
 
 
+def test_spheres_that_do_not_meet_are_shown_not_to() -> None:
+    text = """
+sphere A: mass 3, velocity 2i + 3j, at (0, 0)
+sphere B: mass 2, velocity -3i + {}j, at (2, {})
+A hits B: along i, e = 1
+find velocity(A)
+"""
+    words = printed(solve(parse(text.format(1, 0))))
+    assert "their x-coordinates are equal only at t = ⅖, and their y-coordinates" in words
+    assert "their y-coordinates are never equal" in printed(solve(parse(text.format(3, 1))))
+
+
 def changed(relation: Relation | Meaning) -> Relation:
     """A line that says twice as much as it should."""
     assert isinstance(relation, Relation)

@@ -332,6 +332,21 @@ def meeting_time(state: State, number: int) -> Scalar | None:
     return None
 
 
+def _apart(state: State, start: Scalar, gap: Vector, approach: Vector) -> str:
+    """When two spheres have equal coordinates, where that is never at once; empty with letters."""
+    numbers = [sp.sympify(each) for each in (start, *gap, *approach)]
+    if not state.field.exact or any(each.free_symbols for each in numbers):
+        return ""
+    when: list[str] = []
+    for name, distance, speed in zip("xy", gap, approach, strict=True):
+        if sp.sympify(speed) == 0:
+            never = sp.sympify(distance) != 0
+            return f": their {name}-coordinates are never equal" if never else ""
+        time = tidy(sp.sympify(start + distance / speed))
+        when.append(f"their {name}-coordinates are equal only at t = {to_text(from_sympy(time))}")
+    return f": {when[0]}, and {when[1]}"
+
+
 def meeting(
     state: State, number: int, step: Impact, approach: Vector
 ) -> tuple[Scalar | None, Vector | None]:
@@ -359,10 +374,11 @@ def meeting(
         )
     if r is None:
         flight = gap.dot(approach) / ww
+        apart = _apart(state, start, gap, approach)
         _off(
             state,
             state.rational(gap.cross(approach)),
-            f"{step.first} and {step.second} do not meet",
+            f"{step.first} and {step.second} do not meet{apart}",
             step.place,
         )
         c = None
