@@ -141,6 +141,16 @@ show speed(P)/u <= 1
 """,
         ["Let V be the speed of P after the impact.", "V = √((eu sin α)² + (u cos α)²)", "V/u ≤ 1"],
     ),
+    # A direction of −60° is not one of 120°.
+    "a direction by a tangent has its quadrant": (
+        """
+sphere A: mass m, velocity 4u i, radius r
+sphere B: mass 2m, velocity -u i, radius r
+A hits B: offset r right, e = 1/5
+find direction(B)
+""",
+        ["θ = −60°, as 𝐯_B has a positive 𝐢-component"],
+    ),
     # tan²θ = e: the loss is ½mU² cos²θ (1 − e²), with cos²θ = 1/(1 + e).
     "the squares of sine and cosine come of that of the tangent": (
         RIGHT_ANGLE + "find energy_lost in terms of m, U, e",

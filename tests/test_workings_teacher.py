@@ -332,7 +332,7 @@ sphere P: at (a/2, 0), velocity u at 90°
 P hits C: e = 1/2
 find direction(P)
 """,
-        ["= −(3√3 u/8)𝐢 − (u/8)𝐣", "≈ −169°, as the component of 𝐯_P along 𝐢 is negative"],
+        ["= −(3√3 u/8)𝐢 − (u/8)𝐣", "≈ −169°, as 𝐯_P has a negative 𝐢-component"],
     ),
     "a direction that the statement has a letter for has its reason": (
         """

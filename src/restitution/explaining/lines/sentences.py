@@ -916,6 +916,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.divided": "Dividing top and bottom by {factor}:",
     "derived.negative": "the {component} is negative",
     "derived.above-zero": "the {component} is positive",
+    "derived.negative-part": "{velocity} has a negative {axis}-component",
+    "derived.positive-part": "{velocity} has a positive {axis}-component",
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
     "made.fraction-lost": "Fraction of the kinetic energy that is lost:",

@@ -230,8 +230,7 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
         if relation is None or len(relation.options) > 1:
             continue
         component, value = relation.only[0].left, relation.only[-1].right
-        # A vector shows that a direction is ahead; that it is behind a reader has to be told.
-        parts = coordinates(value) if beyond and _is_velocity(component) else None
+        parts = coordinates(value) if _is_velocity(component) else None
         if parts is not None:
             component, value = Quantity("along", (component, Unit("i"))), parts[0]
         if _is_along_i(derivation, component) and _is_negative(value if beyond else Negate(value)):

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    Unit,
     letters,
     walk,
 )
@@ -256,6 +257,12 @@ class Reasons:
     def _ground(self, relation: Relation) -> Sentence | lay.Layout:
         """A ground as a relation; of a component without a letter in words."""
         match relation.only:
+            case (
+                Link(Quantity("along", (Quantity("velocity") as velocity, Unit() as axis)), order),
+            ) if order in ("<", ">"):
+                name = "derived.negative-part" if order == "<" else "derived.positive-part"
+                vector, unit = map(self._naming.layout, (velocity, axis))
+                return say(name, velocity=vector, axis=unit)
             case (Link(Quantity() as component, "<" | ">" as order, right),) if right == ZERO:
                 name = "derived.negative" if order == "<" else "derived.above-zero"
                 return say(name, component=self._naming.layout(component))
