@@ -190,6 +190,26 @@ find e
 6 1 | solve | 3, 4, 5 | e = 1/2 and v = 1/4 u and w = 3/4 u
 1: 6 e = 1/2
 """,
+    # Two velocities are put together, and multiplied.
+    "product": """
+sphere A: mass 2, velocity 2i + 3j
+sphere B: mass 1, velocity -i + j
+A hits B: along i, e = 1/2
+find dot(velocity(A), velocity(B))
+---
+1 1 | let | | let v = c(A, 1)
+2 1 | let | | let w = c(B, 1)
+3 1 | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = 3
+4 1 | law unchanged 1 B | velocity B, axis 1 | s(B, 1) = 1
+5 1 | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | 4 - 1 = 2v + w
+6 1 | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 1/2 * 3
+7 1 | combine w | 5, 6 | v = 1/2
+8 1 | put | 6, 7 | w = 2
+9 1 | define assemble 1 A | axis 1, 1, 7, 3 | velocity(A, 1) = 1/2 i + 3j
+10 1 | define assemble 1 B | axis 1, 2, 8, 4 | velocity(B, 1) = 2i + j
+11 1 | define product 1 A B | 9, 10 | dot(velocity(A, 1), velocity(B, 1)) = 4
+1: 11 dot(velocity(A, 1), velocity(B, 1)) = 4
+""",
     # What is asked is the component for which a letter stands.
     "lettered": """
 sphere A, B: mass m
@@ -549,6 +569,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
     ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
     ("read-off", "speed-from-impulse", 5, "A1", "A1", "A1"),
+    ("another-put-together", "product", 10, "A1", "A1", "A1"),
     ("put-together", "centres-slanted", 10, "DM1", "DM1", "DM1"),
     ("velocity-in-components", "deflection-decimal", 9, "A1", "A1", "A1"),
     ("speed-size-angle-distance", "both-moving", 11, "DM1 A1", "DM1 A1", "DM1 A1"),
@@ -763,6 +784,35 @@ given tan(deflection(A)) = 1/2
 find k
 """
     assert printed_marks(text) == ["B1", "M1 A1", "DM1", *["M1 A1"] * 2, "A1"]
+
+
+def test_a_given_value_that_is_copied_has_its_mark_where_it_is_put_in() -> None:
+    text = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass 3m, at rest
+A hits B: along i
+part a
+find tan(deflection(A))
+part b
+given deflection(A) = 60°
+find e
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    copied = [each for each in derivation.lines if each.move.id == "fact" and each.item == "b1"]
+    assert [written(each.marks) for each in copied] == [""]
+    put = [e for e in derivation.lines if any(c.number in e.premises for c in copied)]
+    assert any("M1" in written(each.marks) for each in put)
+
+
+def test_an_equation_at_a_wall_for_a_letter_is_a_method() -> None:
+    text = """
+wall W: along i
+sphere P: mass 3, velocity p i + q j
+P hits W: e = 2/5
+given velocity(P) = 4i + 2j
+find p, q
+"""
+    assert printed_marks(text) == ["B1", "M1 A1", "A1"]
 
 
 def test_of_several_solutions_methods_count_once() -> None:

@@ -146,7 +146,7 @@ show speed(P)/u <= 1
         """
 sphere A: mass m, velocity 4u i, radius r
 sphere B: mass 2m, velocity -u i, radius r
-A hits B: offset r right, e = 1/5
+A hits B: offset -r, e = 1/5
 find direction(B)
 """,
         ["θ = −60°, as 𝐯_B has a positive 𝐢-component"],

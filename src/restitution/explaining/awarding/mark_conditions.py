@@ -296,7 +296,8 @@ def _of_one_letter(work: Work, line: Line) -> bool:
 def _sought(work: Work, line: Line) -> bool:
     """The part asks for the coefficient that the line holds, or the line is to be solved.
 
-    It is where it has scalar products with a change of velocity that holds a letter.
+    It is where it has scalar products with a change of velocity that holds a letter, and where it
+    is an equation for a letter of the data.
     """
     own = line.relation.options[0][0].left if isinstance(line.relation, Relation) else None
     axes = any(
@@ -313,10 +314,11 @@ def _sought(work: Work, line: Line) -> bool:
         for tree in ((link.left,) if link.sign == "=" else (link.left, link.right))
         if isinstance(tree, Letter)
     }
+    equation = own is not None and not isinstance(own, Quantity | Letter)
     return any(
         node in asked
         for fact in work.facts(line)
-        if fact.id.startswith("e ")
+        if fact.id.startswith("e ") or (equation and fact.kind == "data")
         for tree in trees_of(fact.relation)
         for node in walk(tree)
     )
@@ -537,20 +539,59 @@ def _bounds_a_quantity(fact: Fact) -> bool:
 def _fact_of_motion(work: Work, line: Line) -> bool:
     """A given equation about the motion is used, and for the first time.
 
-    One that only gives a letter its value is put in like any datum.
+    One that only gives a letter its value is put in like any datum. A value that is only copied is
+    used where it is put in.
     """
+    if _is_copied(work, line):
+        return False
     used = {
         fact.id
         for each in work.above(line)
         if each.move.id in ("put", "fact") and each.shown != "silent"
-        for fact in work.facts(each)
+        for fact in _facts_used(work, each)
     }
     return any(
         fact.kind == "given"
         and fact.id not in used
         and single_sides(fact.relation) is not None
         and any(map(has_quantity, trees_of(fact.relation)))
-        for fact in work.facts(line)
+        for fact in _facts_used(work, line)
+    )
+
+
+def _facts_used(work: Work, line: Line) -> Iterator[Fact]:
+    """The facts that a line cites, or that a line which it cites only copies."""
+    if not _is_copied(work, line):
+        yield from work.facts(line)
+    for each in work.cited(line):
+        if _is_copied(work, each):
+            yield from work.facts(each)
+
+
+def _is_copied(work: Work, line: Line) -> bool:
+    """Whether a line only says which value is given of a quantity."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    return (
+        line.move.id == "fact"
+        and sides is not None
+        and not any(isinstance(each.relation, Relation) for each in work.cited(line))
+        and line.number not in work.ends
+        and isinstance(sides[0], Letter | Quantity)
+        and not has_quantity(sides[1])
+        and not letters(sides[1]) & work.new
+    )
+
+
+def _another_assembled(work: Work, line: Line) -> bool:
+    """A velocity is put together below another one of the same impact, in the same part."""
+    if getattr(subject_of(line), "kind", None) != "velocity":
+        return False
+    return any(
+        each.move.record == "assemble"
+        and each.move.event == line.move.event
+        and work.part(each) == work.part(line)
+        and each.number not in work.ends
+        for each in work.above(line)
     )
 
 
@@ -637,6 +678,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "a-direction": lambda work, line: getattr(subject_of(line), "kind", None) == "direction",
     "an-angle-to-a-line": _an_angle_to_a_line,
     "of-one-term": _of_one_term,
+    "another-assembled": _another_assembled,
     "an-equation": lambda work, line: (
         line.number not in work.ends
         and (_has_power_on_the_left(line) or _closes_a_given(work, line))

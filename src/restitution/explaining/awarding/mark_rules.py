@@ -124,6 +124,9 @@ RULES: tuple[Rule, ...] = (
     _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
     _rule("given-speed", ("define",), "M", ("speed", "size"), ("of-one-term", "an-equation")),
     _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
+    _rule(
+        "another-put-together", ("define",), "A", ("assemble",), ("on-the-way", "another-assembled")
+    ),
     _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
     _rule("velocity-in-components", ("define",), "", ("assemble",)),
     # Facts closed into equations, and what is asked.

@@ -449,11 +449,19 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "let.component-centres-at": (
         "Let {letter} be the component of the velocity of {body} along the line of centres, in "
-        "the direction at {axis} to {unit}, after the impact."
+        "the direction at {axis} anticlockwise from {unit}, after the impact."
     ),
     "let.components-centres-at": (
         "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
-        "centres, in the direction at {axis} to {unit}, after the impact."
+        "centres, in the direction at {axis} anticlockwise from {unit}, after the impact."
+    ),
+    "let.component-centres-clockwise": (
+        "Let {letter} be the component of the velocity of {body} along the line of centres, in "
+        "the direction at {axis} clockwise from {unit}, after the impact."
+    ),
+    "let.components-centres-clockwise": (
+        "Let {letters:and} be the components of the velocities of {bodies:and} along the line of "
+        "centres, in the direction at {axis} clockwise from {unit}, after the impact."
     ),
     "collide-again.if": (
         "{one} and {other} collide again if the gap between them along the line of centres closes:"
@@ -929,9 +937,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived-speed.by-sin": "Speed of {body} = component ÷ sine of its angle",
     "derived-speed.resolved": "Component of the velocity of {body}, by its speed and direction",
     "wall.beside-normal": "At right angles to the normal:",
-    "made.ratio": "So the ratio is",
-    "made.product": "So the product is",
-    "made.difference": "So the difference is",
+    "made.ratio": "Taking the ratio:",
+    "made.product": "Multiplying:",
+    "made.difference": "Subtracting:",
     "made.by-these": "With these values:",
     "derived.solve": "Solving {equations:and}:",
     "derived.solve-this": "Solving this equation:",

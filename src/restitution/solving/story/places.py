@@ -334,15 +334,15 @@ def meeting_time(state: State, number: int) -> Scalar | None:
 
 def _apart(state: State, start: Scalar, gap: Vector, approach: Vector) -> str:
     """When two spheres have equal coordinates, where that is never at once; empty with letters."""
-    numbers = [sp.sympify(each) for each in (start, *gap, *approach)]
+    numbers = [sp.sympify(each, strict=True) for each in (start, *gap, *approach)]
     if not state.field.exact or any(each.free_symbols for each in numbers):
         return ""
     when: list[str] = []
     for name, distance, speed in zip("xy", gap, approach, strict=True):
-        if sp.sympify(speed) == 0:
-            never = sp.sympify(distance) != 0
+        if speed == 0:
+            never = distance != 0
             return f": their {name}-coordinates are never equal" if never else ""
-        time = tidy(sp.sympify(start + distance / speed))
+        time = tidy(sp.sympify(start + distance / speed, strict=True))
         when.append(f"their {name}-coordinates are equal only at t = {to_text(from_sympy(time))}")
     return f": {when[0]}, and {when[1]}"
 

@@ -99,14 +99,24 @@ def _where(
                     return exact
                 return say("extremum.at-zero", square=zero, place=exact)
             added = as_answer(inverse)
-            if len(added) == 1:
-                ((value, sign),) = added
-                also = lay.Relation((naming.layout(angle), value), (sign,))
+            if len(added) == 1 or letters(right):
+                also = naming.relation(equation(angle, Apply(f"arc{ratio}", under_one_root(right))))
+                if len(added) == 1:
+                    ((value, sign),) = added
+                    also = lay.Relation((naming.layout(angle), value), (sign,))
                 if square is None:
                     return say("extremum.at-angle", place=relation, angle=also)
                 own = naming.relation(place_alone)
                 return say("extremum.at-zero-angle", square=zero, place=own, angle=also)
     return relation
+
+
+def under_one_root(tree: Expression) -> Expression:
+    """The quotient of two roots as the root of a quotient; any other expression as it is."""
+    match tree:
+        case Binary("/", Apply("sqrt", above), Apply("sqrt", below)):
+            return Apply("sqrt", Binary("/", above, below))
+    return tree
 
 
 def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression | None:

@@ -31,6 +31,7 @@ _AT_A_WALL = {
     "derived.component-away": "derived.away",
 }
 _AT = ("let.component-centres-at", "let.components-centres-at")
+_CLOCKWISE = ("let.component-centres-clockwise", "let.components-centres-clockwise")
 
 
 class Introductions:
@@ -182,7 +183,8 @@ class Introductions:
             return None
         if isinstance(axis.operand if isinstance(axis, Negate) else axis, Degrees | Letter):
             unit = self._naming.layout(Negate(Unit("i")) if turned else Unit("i"))
-            return _AT, {"axis": self._naming.layout(axis), "unit": unit}
+            names, angle = (_CLOCKWISE, axis.operand) if isinstance(axis, Negate) else (_AT, axis)
+            return names, {"axis": self._naming.layout(angle), "unit": unit}
         sense: Expression = axis
         if turned:
             sense = _reversed(axis)

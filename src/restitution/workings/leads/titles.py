@@ -6,11 +6,14 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+import sympy as sp
+
 from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.laws.principles import RECORDS
 from restitution.explaining.lines.derivation import (
     FLIPPED,
+    Event,
     Fact,
     Line,
     Link,
@@ -50,7 +53,7 @@ from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY, TurnLeads
 from restitution.workings.naming.facts import fact_in_words
-from restitution.workings.naming.measured import worth
+from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.reasons.factors import cosine_divided, factor_cancelled
 from restitution.workings.reasons.in_any_case import range_behind
 
@@ -120,6 +123,20 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return kinds <= {"velocity", "mass", "speed", "energy"}
         return not kinds.isdisjoint({"energy", "speed"})
 
+    def _is_direct(self, event: Event | None) -> bool:
+        """Whether two spheres of the data move along their line of centres, which is given."""
+        if event is None or event.wall or event.number != 1:
+            return False
+        names = ("axis 1", *(" ".join(("velocity", body)) for body in event.bodies))
+        facts = [self._derivation.fact(name) for name in names]
+        if None in facts:
+            return False
+        vectors = [vector_worth(each.relation.only[-1].right) for each in facts if each]
+        axis, *own = vectors
+        return axis is not None and all(
+            each is not None and sp.expand(each.cross(axis)) == 0 for each in own
+        )
+
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
         record = RECORDS.get(line.move.record or "")
@@ -160,6 +177,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
                 name = "derived-energy.title"  # by speeds of the data
             case "energy-lost", _ if self._by_speeds(line):
+                name = "derived-energy.title"
+            case "energy-lost" | "total-lost", _ if self._is_direct(event):
                 name = "derived-energy.title"
             case "tan-deflection", Apply("cot"):
                 name = "turned.products-over"

@@ -261,8 +261,8 @@ class Reasons:
                 Link(Quantity("along", (Quantity("velocity") as velocity, Unit() as axis)), order),
             ) if order in ("<", ">"):
                 name = "derived.negative-part" if order == "<" else "derived.positive-part"
-                vector, unit = map(self._naming.layout, (velocity, axis))
-                return say(name, velocity=vector, axis=unit)
+                vector = self._naming.layout(velocity)
+                return say(name, velocity=vector, axis=self._naming.layout(axis))
             case (Link(Quantity() as component, "<" | ">" as order, right),) if right == ZERO:
                 name = "derived.negative" if order == "<" else "derived.above-zero"
                 return say(name, component=self._naming.layout(component))
