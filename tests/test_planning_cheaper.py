@@ -253,8 +253,21 @@ def test_an_energy_is_by_components_where_the_speed_is_a_root_of_their_squares()
 
 
 def test_the_difference_from_a_greatest_value_says_where_that_is_reached() -> None:
-    text = PAIR.format(a="m", u="u at 60°", b="2m", x="0 i") + "\nfind maximum of speed(A) over e"
-    solution, _ = planned(text)
+    text = (
+        "sphere A: mass m, velocity u i, radius a\nsphere B: mass m, at rest, radius a\n"
+        "A hits B: offset d, e = 1/2\nfind maximum of deflection(A) over d"
+    )
+    words = " ".join(to_text(explain(solve(parse(text))), 200).split())
+    place = "When d = 2√5 a/5, tan²δ = 9/16. The difference from that value is"
+    assert f"{place} 9/16 − tan²δ = 9(4a² − 5d²)²/" in words
+
+
+@pytest.mark.parametrize("asked", ["range of speed(A)", "maximum of speed(A) over e"])
+def test_a_square_that_stands_is_not_expanded_for_its_ends(asked: str) -> None:
+    text = PAIR.format(a="m", u="u at 60°", b="2m", x="0 i") + f"\nfind {asked}"
+    problem = parse(text)
+    solution = solve(problem)
+    assert not follow(plan(solution), Oracle(roles(problem)))
     words = " ".join(to_text(explain(solution), 200).split())
-    place = "When e = 0 or e = 1, (speed of A)² = 7u²/9. The difference from that value is"
-    assert f"{place} 7u²/9 − (speed of A)² = (1 − e)eu²/9" in words
+    assert "(speed of A)² = ((1 − 2e)u/6)² + (√3 u/2)² = (u²/36)(1 − 2e)² + 3u²/4" in words
+    assert "0 ≤ (1 − 2e)² ≤ 1, as 0 ≤ e ≤ 1" in words

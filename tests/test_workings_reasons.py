@@ -471,11 +471,11 @@ find direction(B)
         ],
     ),
     # (speed of A)² = u²((1 − 3e)² + 16)/32 at 45°, with B three times as heavy.
-    "both ends of a speed come of one square that is completed": (
+    "both ends of a speed come of one square": (
         REST.format(angle="45°", m="3m", e="") + "find range of speed(A)",
         [
-            "= (9u²/32)((e − ⅓)² + 16/9)",
-            "0 ≤ (e − ⅓)² ≤ 4/9, as 0 ≤ e ≤ 1",
+            "= (u²/32)(1 − 3e)² + u²/2",
+            "0 ≤ (1 − 3e)² ≤ 4, as 0 ≤ e ≤ 1",
             "u²/2 ≤ (speed of A)² ≤ 5u²/8\n",
             "√2 u/2 ≤ speed of A ≤ √10 u/4",
         ],

@@ -4,23 +4,31 @@ from __future__ import annotations
 
 import sympy as sp
 
+from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation
-from restitution.expression.tree import Binary, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Quantity
 from restitution.oracle.roles import Role
+from restitution.planning.angles.quantities import formula
+from restitution.planning.formulas.definitions import Formula
 from restitution.planning.inequalities.comparing import Comparing
-from restitution.planning.writing.forms import ZERO, product, square, tree_of
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import ZERO, difference, product, square, swept, tree_of
 from restitution.planning.writing.polynomials import factored
 from restitution.solving.story.letters import roles
 
 
 def write_completed(claims: Comparing, line: int, relation: Relation) -> int | None:
-    """Both ends of a speed, of which the square is of the second degree in a coefficient.
+    """The ends of a speed, of which the square is of the second degree in a coefficient.
 
-    None where the coefficient is at neither end least, or letters stand beside it in the sum.
+    It is both, or the greater one where only that is wanted. None where the coefficient is at
+    neither end least, or letters stand beside it in the sum.
     """
     speed = claims.scene.desk.last_link(line).left
-    if len(relation.only) != 2 or not isinstance(speed, Quantity) or speed.kind != "speed":
+    if not isinstance(speed, Quantity) or speed.kind != "speed":
         return None
+    first, *more = relation.only
+    if not more and (first.left != speed or first.sign[0] != "<"):
+        return None  # that a square is not negative is seen at once
     mark = claims.worths.mark()
     written = _written(claims, speed, relation)
     if written is None:
@@ -29,31 +37,47 @@ def write_completed(claims: Comparing, line: int, relation: Relation) -> int | N
 
 
 def _written(claims: Comparing, speed: Quantity, relation: Relation) -> int | None:
-    squared = claims.worths.squared(speed)
-    own = None if squared is None else _completed(claims, squared)
-    if squared is None or own is None:
+    claims.worths.determine(speed)
+    own = formula(claims.scene, speed)
+    parts = _completed(claims, tidy(own.value**2))
+    if parts is None:
         return None
-    symbol, lead, least, more = own
-    base = square(Binary("-", tree_of(symbol), tree_of(least)))
-    whole = product(tree_of(lead), Binary("+", base, tree_of(more)))
-    completed = claims.judge.write(
-        (Move("rearrange"),), [squared], Relation(((Link(square(speed), "=", whole),),))
-    )
+    symbol, lead, least, more = parts
+    below = least.as_numer_denom()[1]
+    base = square(difference(tree_of(least * below), tree_of(below * symbol)))
+    rest = tree_of(factored(lead * more))
+    whole = Binary("+", product(tree_of(factored(lead / below**2)), base), rest)
+    completed = _square_of(claims, speed, own, whole)
     most = max(least**2, (1 - least) ** 2)
-    extent = Relation(((Link(ZERO, "<=", base), Link(base, "<=", tree_of(most))),))
+    ends = Link(ZERO, "<=", base), Link(base, "<=", tree_of(most * below**2))
     known = claims.judge.known([symbol.name])
-    between = claims.judge.write((Move("sign"),), known, extent)
+    between = claims.judge.write((Move("sign"),), known, Relation((ends,)))
     if completed is None or between is None:
         return None
     low, high = (tree_of(factored(lead * (each + more))) for each in (0, most))
-    ends = Relation(((Link(low, "<=", square(speed)), Link(square(speed), "<=", high)),))
-    last = claims.compared([completed, between], ends)
+    both = Link(low, "<=", square(speed)), Link(square(speed), "<=", high)
+    wanted = both[2 - len(relation.only) :]
+    last = claims.compared([completed, between], Relation((wanted,)))
     return None if last is None else claims.compared([last], relation)
 
 
-def _completed(claims: Comparing, line: int) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
-    """A coefficient, and a, p and r of the a((e − p)² + r) that a line has, with p inside."""
-    value = claims.worths.value(claims.scene.desk.last_link(line).right)
+def _square_of(claims: Comparing, speed: Quantity, own: Formula, whole: Expression) -> int | None:
+    """The line of the square of a speed as a square plus a constant, perhaps from one above."""
+    right = swept(own.right)
+    if isinstance(right, Apply) and right.function == "sqrt":
+        sides = chain(square(speed), (right.argument, None), (whole, "rearrange"))
+        line = claims.judge.write((own.move,), own.refs, sides, own.refs)
+        if line is not None:
+            return line
+    squared = claims.worths.squared(speed)
+    moves = (Move("rearrange"),)
+    return squared and claims.judge.write(moves, [squared], chain(square(speed), (whole, None)))
+
+
+def _completed(
+    claims: Comparing, value: sp.Expr
+) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
+    """A coefficient, and a, p and r of the a((e − p)² + r) that a square is, with p inside."""
     known = {name for name, role in roles(claims.scene.problem).items() if _is_coefficient(role)}
     symbols = [each for each in value.free_symbols if each.name in known]
     if len(symbols) != 1 or not value.is_polynomial(*symbols):

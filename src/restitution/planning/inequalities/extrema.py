@@ -32,6 +32,7 @@ from restitution.planning.inequalities.angle_pairs import (
 )
 from restitution.planning.inequalities.angles_at_ends import AngleAtEnds, is_angle_of_motion
 from restitution.planning.inequalities.claims import Claims
+from restitution.planning.inequalities.completed_squares import write_completed
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities.letter_ranges import ranges_of
 from restitution.planning.inequalities.quotients import by_tangent, write_quotient
@@ -154,7 +155,7 @@ class _Extremum:
         end = self.end
         defined = self._as_defined(start, line)
         methods = [self._monotone, self._quotient, self._square, self._double]
-        methods += [self._gap, self._plain]
+        methods += [self._square_between, self._gap, self._plain]
         if defined is not None:
             line = defined
         if defined is not None or self._shows_a_square(line):
@@ -550,6 +551,10 @@ class _Extremum:
             if bound is not None:
                 return bound
         return None
+
+    def _square_between(self, line: int) -> int | None:
+        """A speed by a square in a coefficient that is greatest at an end of the range of that."""
+        return write_completed(self.claims, line, self._relation)
 
     def _double(self, line: int) -> int | None:
         """The product of a sine and a cosine of one angle, by the sine of the double."""
