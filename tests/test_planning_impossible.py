@@ -215,3 +215,13 @@ def test_who_does_not_approach_by_the_data(text: str, said: str) -> None:
     shown = working(text)
     assert said in shown
     assert shown.endswith("what is described cannot happen.")
+
+
+def test_an_offset_under_a_root_is_no_square_alone() -> None:
+    """A is turned through arctan(3/4) at most."""
+    shown = working(
+        "sphere A: mass m, radius a, velocity u i\nsphere B: mass m, radius a, at rest\n"
+        "A hits B: offset d, e = 1/2\ngiven deflection(A) = 60°\nfind d"
+    )
+    assert "3d√(4a² − d²)/(4a² + 3d²) = √3" in shown
+    assert shown.endswith("So what is described cannot happen.")

@@ -38,8 +38,9 @@ _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 
 def inside_functions(x: sp.Expr) -> set[Any]:
-    """The letters that stand in functions."""
-    return {s for each in x.atoms(sp.Function) for s in each.free_symbols}
+    """The letters that stand in functions, or under roots."""
+    roots = (each for each in x.atoms(sp.Pow) if not each.exp.is_Integer)
+    return {s for each in (*x.atoms(sp.Function), *roots) for s in each.free_symbols}
 
 
 def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> set[sp.Expr] | None:

@@ -450,7 +450,8 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if halved is not None:
         return _by_tangents(scene, halved, symbol)
     poly = sp.Poly(numerator(sp.cancel(gap)), symbol)
-    if poly.degree() != 1 or inside_functions(poly.as_expr()) or poly.as_expr().atoms(sp.cos):
+    functions = poly.as_expr().atoms(sp.Function)
+    if poly.degree() != 1 or any(e.free_symbols or isinstance(e, sp.cos) for e in functions):
         return None
     value = tidy(-poly.nth(0) / poly.nth(1))
     tree = rebuilt(tree_of(value), lambda each: back.get(each, each))
