@@ -151,6 +151,26 @@ find direction(B)
 """,
         ["θ = −60°, as 𝐯_B has a positive 𝐢-component"],
     ),
+    # v = (1 − ek)u cos α/(1 + k) is zero for k = 1/e.
+    "a place that is missing for one coefficient is said to be": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+find minimum of speed(A) over k
+""",
+        ["when k = 1/e", "This holds for e > 0 only, as there is no such k otherwise."],
+    ),
+    "a condition is not a reason too": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given along(velocity(A), i) < 0
+find range of k
+""",
+        ["k > 1/e  ", "This holds for e > 0 only"],
+    ),
     # tan²θ = e: the loss is ½mU² cos²θ (1 − e²), with cos²θ = 1/(1 + e).
     "the squares of sine and cosine come of that of the tangent": (
         RIGHT_ANGLE + "find energy_lost in terms of m, U, e",

@@ -24,7 +24,7 @@ from restitution.oracle.roles import ACUTE
 from restitution.planning.inequalities.forms_of_ranges import relation_of_condition
 from restitution.planning.inequalities.ranges import general_answer
 from restitution.planning.writing.forms import tree_of
-from restitution.problem import Find, Given, Range, Value
+from restitution.problem import Extremum, Find, Given, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
@@ -235,6 +235,9 @@ def _sentence(
             return say("answer.only", condition=condition)
         letter = lay.from_sympy(sp.Symbol(asked.name))
         return say("answer.only-range", condition=condition, letter=letter)
+    place = _place_missing(item, answer)
+    if place is not None:
+        return say("answer.only-range", condition=condition, letter=lay.from_sympy(place))
     branch = next(each for each in part.branches if each.number == answer.solution)
     protected = protected_letters(part.part)
     own = model(solution.problem, part.part, branch, part.roles, protected)
@@ -255,6 +258,23 @@ def _sentence(
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)
+
+
+def _place_missing(item: ItemResult, answer: Answer) -> sp.Symbol | None:
+    """The letter whose value at an extremum divides by the one that a condition keeps from zero."""
+    if not isinstance(item.item, Extremum) or not answer.reached or len(answer.where or {}) != 1:
+        return None
+    ((name, value),) = (answer.where or {}).items()
+    below = _names_below(value)
+    if any(text in (f"0 < {each}", f"{each} != 0") for text in answer.condition for each in below):
+        return sp.Symbol(name)
+    return None
+
+
+def _names_below(text: str) -> list[str]:
+    """The letters behind the last division of an expression."""
+    _, sign, below = text.rpartition("/")
+    return _names_in(below) if sign else []
 
 
 def _each(

@@ -260,7 +260,7 @@ class _Writer:
             if after is not None and self._is_kept_alone(line, after):
                 roots = step
                 continue
-            yield step
+            yield _without_its_condition(step, self.conditions.get(line.number))
             for claim in self.ends.claims(line):
                 yield from self._introduced()
                 yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
@@ -526,6 +526,20 @@ class _Writer:
             item = self.group if not sentences else item
             self.group = item
         return Step(kind, tuple(rows), None if named else title, sentences, item=item)
+
+
+def _without_its_condition(step: Step, condition: Sentence | None) -> Step:
+    """A step without the reason that the sentence below it says as a condition."""
+    told = None if condition is None else dict(condition.slots).get("condition")
+    if told is None or not step.rows:
+        return step
+    last = step.rows[-1]
+    kept = tuple(
+        each
+        for each in last.reasons
+        if each.id != "derived.as" or dict(each.slots).get("reasons") != (told,)
+    )
+    return replace(step, rows=(*step.rows[:-1], replace(last, reasons=kept)))
 
 
 def _spoken(sentence: Sentence) -> tuple[object, ...]:

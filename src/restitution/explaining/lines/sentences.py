@@ -575,7 +575,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "carried.part": "From part ({label}):",
     "carried.above": "From above:",
     # --- places and times -------------------------------------------------------------------------
-    "turned-velocity.title": "The velocity, by its size and the angle through which it is turned",
+    "turned-velocity.title": "The velocity, from its magnitude and direction",
     "turned-velocity.why": (
         "The angle of deflection is the angle between the directions before and after. From the "
         "direction before it gives the direction after, to one side or the other. With the speed "
