@@ -78,6 +78,8 @@ class Model:
     _numbers: dict[sp.Expr, Any] = field(default_factory=dict, repr=False)
     floats: dict[Expression, Any] = field(default_factory=dict, repr=False)
     """What quantities without letters are worth at the sample in floats, as lines are tried."""
+    true: dict[object, set[object]] = field(default_factory=dict, repr=False)
+    """What has been seen to be true at the sample, by what its letters and axes mean."""
 
     # --- what is proved -----------------------------------------------------------------------
 
@@ -119,7 +121,7 @@ class Model:
         """The same solution where some conditions of the letters hold as well."""
         own = copy(self)
         own._oracles_of_names, own._inside, own._verdicts = {}, {}, {}
-        own._numbers, own.floats = {}, {}
+        own._numbers, own.floats, own.true = {}, {}, {}
         names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
         ground, known = (each.with_facts(conditions) for each in self._oracles)
         own._oracles_of_names[names] = ground, known

@@ -19,6 +19,7 @@ from restitution.explaining.following.meanings import means_something
 from restitution.explaining.following.trials import Trial, known_of_letters, names_in, setting_of
 from restitution.explaining.lines.derivation import (
     Derivation,
+    Fact,
     ItemEnd,
     Line,
     Link,
@@ -112,6 +113,8 @@ def settled_derivation(derivation: Derivation) -> Derivation:
         return settled(tree, derivation.events)
 
     def of(relation: Relation | Meaning) -> Relation | Meaning:
+        if all(change(tree) is tree for tree in trees_of(relation)):
+            return relation
         if isinstance(relation, Meaning):
             return replace(relation, quantity=change(relation.quantity))
         return Relation(
@@ -121,10 +124,18 @@ def settled_derivation(derivation: Derivation) -> Derivation:
             )
         )
 
+    def fact_of(fact: Fact) -> Fact:
+        own = of(fact.relation)
+        return fact if own is fact.relation else replace(fact, relation=own)  # type: ignore[arg-type]
+
+    def line_of(line: Line) -> Line:
+        own = of(line.relation)
+        return line if own is line.relation else replace(line, relation=own)
+
     return replace(
         derivation,
-        facts=tuple(replace(fact, relation=of(fact.relation)) for fact in derivation.facts),  # type: ignore[arg-type]
-        lines=tuple(replace(line, relation=of(line.relation)) for line in derivation.lines),
+        facts=tuple(map(fact_of, derivation.facts)),
+        lines=tuple(map(line_of, derivation.lines)),
         items=tuple(replace(item, answer=of(item.answer)) for item in derivation.items),  # type: ignore[arg-type]
         notes=tuple(
             replace(note, claim=None if note.claim is None else of(note.claim))  # type: ignore[arg-type]

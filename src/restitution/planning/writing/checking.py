@@ -68,12 +68,21 @@ def require_true(
 ) -> None:
     """Raises NotPlannedError for a line that is false at the numbers of a solution.
 
-    ``above`` are all lines that may introduce letters, ``facts`` tell the senses of axes.
+    ``above`` are all lines that may introduce letters, ``facts`` tell the senses of axes. A line
+    that is true is not tried again, while letters have the same meanings.
     """
-    value = evaluator(model, above, facts)
+    above, facts = tuple(above), tuple(facts)
+    meanings = frozenset(line.relation for line in above if isinstance(line.relation, Meaning))
+    axes = frozenset(fact.relation for fact in facts if fact.id.startswith("axis "))
+    true = model.true.setdefault((meanings, axes), set())
+    value: Callable[[Expression], Any] | None = None
     for line in lines:
-        if isinstance(line.relation, Relation) and not holds(line.relation, value):
+        if not isinstance(line.relation, Relation) or line.relation in true:
+            continue
+        value = value or evaluator(model, above, facts)
+        if not holds(line.relation, value):
             raise NotPlannedError(f"line {line.number} is not true in numbers")
+        true.add(line.relation)
 
 
 def evaluator(
