@@ -9,6 +9,8 @@ import re
 import runpy
 import unicodedata
 import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from functools import cache, partial
 from pathlib import Path
 
 import matplotlib as mpl
@@ -119,24 +121,30 @@ def test_the_settings_of_matplotlib_neither_change_nor_matter():
         assert law_plot(result) == usual
 
 
-HOSTILE = {
-    "one reading": wall(0.7, [40]),
-    "two hundred": wall(0.6, list(np.linspace(10, 85, 200)), 1.5),
-    "e near 0": wall(0.01, [20, 30, 40, 50, 60], 0.2),
-    "e near 1": wall(0.99, [20, 30, 40, 50, 60], 1.0),
-    "e above 1": wall(1.4, [20, 30, 40, 50, 60], 1.0),
-    "steep alone": wall(0.7, [80, 82, 84, 86, 88], 0.2),
-    "two too steep": wall(0.7, [20, 30, 40, 50, 60, 85, 88], 0.3),
-    "no bound": spheres(0.9, [(1.0, 0.95), (2.0, 1.7)]),
-    "no upper bound": spheres(1.2, [(1.0, 1.2), (2.0, 2.4)], (1.1, math.inf)),
-    "negative": spheres(-0.1, [(1.0, -0.1), (2.0, -0.2)]),
+HOSTILE: dict[str, Callable[[], Experiment]] = {
+    "one reading": partial(wall, 0.7, [40]),
+    "two hundred": partial(wall, 0.6, list(np.linspace(10, 85, 200)), 1.5),
+    "e near 0": partial(wall, 0.01, [20, 30, 40, 50, 60], 0.2),
+    "e near 1": partial(wall, 0.99, [20, 30, 40, 50, 60], 1.0),
+    "e above 1": partial(wall, 1.4, [20, 30, 40, 50, 60], 1.0),
+    "steep alone": partial(wall, 0.7, [80, 82, 84, 86, 88], 0.2),
+    "two too steep": partial(wall, 0.7, [20, 30, 40, 50, 60, 85, 88], 0.3),
+    "no bound": partial(spheres, 0.9, [(1.0, 0.95), (2.0, 1.7)]),
+    "no upper bound": partial(spheres, 1.2, [(1.0, 1.2), (2.0, 2.4)], (1.1, math.inf)),
+    "negative": partial(spheres, -0.1, [(1.0, -0.1), (2.0, -0.2)]),
 }
+
+
+@cache
+def hostile(name: str) -> Experiment:
+    """What one of these comes to."""
+    return HOSTILE[name]()
 
 
 @pytest.mark.parametrize("name", HOSTILE)
 @pytest.mark.parametrize("plot", [law_plot, residual_plot, speed_plot])
 def test_all_stays_within_the_picture(name, plot):
-    svg = plot(HOSTILE[name])
+    svg = plot(hostile(name))
     if svg is None:
         return
     left, top, right, bottom = box(svg)
@@ -167,10 +175,10 @@ def test_any_readings_are_drawn(e, rows, interval):
 
 
 def test_steep_readings_do_not_squeeze_the_others():
-    frame = frame_of(HOSTILE["two too steep"])
-    xs = sorted(each.x for each in HOSTILE["two too steep"].points)
+    frame = frame_of(hostile("two too steep"))
+    xs = sorted(each.x for each in hostile("two too steep").points)
     assert xs[4] > 0.8 * frame.right and xs[5] > frame.right
-    svg = law_plot(HOSTILE["two too steep"])
+    svg = law_plot(hostile("two too steep"))
     assert "2 of them outside the frame" in svg
 
 
@@ -200,7 +208,7 @@ def test_a_reading_far_from_the_fit_is_named():
 
 
 def test_without_speeds_there_is_no_plot_of_them():
-    assert speed_plot(HOSTILE["e near 1"]) is None
+    assert speed_plot(hostile("e near 1")) is None
 
 
 # --- the command ------------------------------------------------------------------------------
