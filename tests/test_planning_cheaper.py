@@ -271,3 +271,29 @@ def test_a_square_that_stands_is_not_expanded_for_its_ends(asked: str) -> None:
     words = " ".join(to_text(explain(solution), 200).split())
     assert "(speed of A)² = ((1 − 2e)u/6)² + (√3 u/2)² = (u²/36)(1 − 2e)² + 3u²/4" in words
     assert "0 ≤ (1 − 2e)² ≤ 1, as 0 ≤ e ≤ 1" in words
+
+
+@pytest.mark.parametrize("items", ["find time(3)\n{given}\nfind e", "{given}\nfind e, time(3)"])
+def test_a_time_that_is_given_by_an_earlier_one_does_not_wait_for_e(items: str) -> None:
+    text = (
+        "wall W1: along j, through (0, 0)\nwall W2: along j, through (L, 0)\n"
+        "sphere P: at (0, 0), velocity V i\nP hits W2\nP hits W1\nP hits W2\n"
+        + items.format(given="given time(3) - time(1) = 6 L/V")
+    )
+    problem = parse(text)
+    solution = solve(problem)
+    assert not follow(plan(solution), Oracle(roles(problem)))
+    words = " ".join(to_text(explain(solution), 200).split())
+    assert "t₃ = L/V + 6L/V = 7L/V" in words
+    assert "L(1 + e + e²)/(e²V)" not in words
+
+
+def test_a_speed_of_one_component_at_an_acute_angle_is_that_component() -> None:
+    text = (
+        "sphere A, B: mass m, radius r\nsphere A: velocity u i\nsphere B: at rest\n"
+        "A hits B: offset d, e = 1/2\ngiven speed(B) = 3/5 u\nfind d"
+    )
+    solution, _ = planned(text)
+    words = to_text(explain(solution), 200)
+    assert "⅗u = ¾u cos φ" in words
+    assert "(⅗u)²" not in words

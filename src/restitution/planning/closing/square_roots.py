@@ -21,7 +21,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
-from restitution.planning.writing.desk import chain
+from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import TWO, factors_above, product, swept, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
@@ -201,7 +201,10 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
 def is_not_negative(scene: Scene, tree: Expression) -> bool:
     """Whether what is known of its letters makes a side not negative, without the equation."""
     relation = Relation(((Link(tree, ">=", Number(Fraction(0))),),))
-    return scene.judge.proves(scene.judge.known(letters(tree)), relation)
+    names = letters(tree)
+    # An angle to the line of centres has its letter from the working, which says its range.
+    known = together(scene.judge.known(names), background(scene, names))
+    return scene.judge.proves(known, relation)
 
 
 def _as_a_product(

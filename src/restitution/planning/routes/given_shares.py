@@ -1,4 +1,4 @@
-"""A kinetic energy, or a speed, that the statement gives as a share of one before the impact."""
+"""A kinetic energy, a speed or a time that the statement gives by one before it."""
 
 from __future__ import annotations
 
@@ -14,21 +14,22 @@ from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import product, tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene
 
-_KINDS = frozenset({"energy", "energy_lost", "total_energy_lost", "speed"})
+_KINDS = frozenset({"energy", "energy_lost", "total_energy_lost", "speed", "time"})
 
 
-def write_given_share(scene: Scene, asked: Quantity) -> int | None:
+def write_given_share(scene: Scene, asked: Quantity, *, early: bool = False) -> int | None:
     """The line of what is asked, by the given fact of which it is the one side; None of another.
 
     What stands on the other side is of the data, as the kinetic energy before the impact. The fact
-    has told what is open already, or nothing else is asked.
+    has told what is open already, or nothing else is asked, or it is an ``early`` item, above it.
     """
     if asked.kind not in _KINDS:
         return None
     used = {ref for line in scene.desk.lines for ref in line.premises}
     for each in scene.given:
         other = _other_side(each, asked)
-        if other is None or (each.fact.id not in used and len(scene.solution.items) > 1):
+        waits = each.fact.id not in used and len(scene.solution.items) > 1
+        if other is None or (waits and not early):
             continue
         mark = scene.desk.mark()
         line = _write(scene, each, asked, other)
@@ -46,6 +47,8 @@ def _other_side(given: GivenEquation, asked: Quantity) -> Expression | None:
                 other = right
             case Binary("/", above, below) if above == asked:
                 other = product(right, below)
+            case Binary("-", late, early) if late == asked:
+                other = Binary("+", early, right)
             case _:
                 continue
         inside = [node for node in walk(other) if isinstance(node, Quantity)]

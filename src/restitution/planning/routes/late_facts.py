@@ -12,6 +12,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.routes.given_shares import write_given_share
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import tree_of
@@ -37,6 +38,11 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
     ):
         return False
     standing = solver.mark()
+    subject = link.left
+    told = write_given_share(scene, subject, early=True) if isinstance(subject, Quantity) else None
+    if told is not None:
+        scene.desk.end(name, told, chain(subject, (scene.desk.last_link(told).right, None)))
+        return True
     try:
         solver.determine([value])
         put, refs = scene.put(value)
