@@ -171,6 +171,24 @@ find range of k
 """,
         ["k > 1/e  ", "This holds for e > 0 only"],
     ),
+    "of two at right angles each is named": (
+        """
+sphere A: mass m, velocity v i, radius R
+sphere B: mass m, at rest, radius R
+A hits B: offset R, e = 1
+find angle(velocity(A), velocity(B))
+""",
+        ["B moves along the line of centres, and A at right angles to it:\n"],
+    ),
+    "an angle that has a tangent is not 90°": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+show angle(velocity(P), W) <= alpha
+""",
+        ["as 0° ≤ β < 90° and α is acute"],
+    ),
     # tan²θ = e: the loss is ½mU² cos²θ (1 − e²), with cos²θ = 1/(1 + e).
     "the squares of sine and cosine come of that of the tangent": (
         RIGHT_ANGLE + "find energy_lost in terms of m, U, e",

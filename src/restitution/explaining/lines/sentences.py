@@ -395,6 +395,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "between.right": (
         "One of {bodies:and} moves along the line of centres, the other at right angles to it:"
     ),
+    "between.right-of": (
+        "{one} moves along the line of centres, and {other} at right angles to it:"
+    ),
     "between.beside-same": (
         "{one} moves at right angles to the line of centres, and {other} to the same side of it:"
     ),

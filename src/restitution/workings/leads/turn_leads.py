@@ -249,10 +249,13 @@ class TurnLeads(LinesAround):
         form = self._form_of(first)
         alone = len(line.move.bodies) == 1
         if not alone:
-            still = self._standing(line).get("along")
+            standing = self._standing(line)
+            still, mover = standing.get("along"), standing.get("across")
             if still is not None and form in _BESIDE:
                 (other,) = (each for each in line.move.bodies if each != still)
                 return say(_BESIDE[form], one=still, other=other)
+            if form == "straight" and still and mover and still != mover:
+                return say("between.right-of", one=mover, other=still)
             if not isinstance(first.right, Binary | Degrees) and (one := self._on_the_line(line)):
                 return say("between.line", body=one)
             return say(_BETWEEN[form], bodies=line.move.bodies)

@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -145,7 +146,7 @@ class Reasons:
             return tuple(self._as_it_is(line))
         cited = [self._shapes.relation_of(ref) for ref in line.premises]
         top = top_of_a_bound(line, cited)
-        if top is not None and not grounds:
+        if top is not None and not grounds and self._known(line):
             return (say("derived.as", reasons=(self._laid(top),)),)
         would = self._would(line)
         if would is not None:
@@ -327,7 +328,7 @@ class Reasons:
         reasons: list[Sentence | lay.Layout] = []
         bounds: list[Link] = []
         own = [self._reason(ref, line) for ref in line.premises]
-        for reason in self._narrowed(own):
+        for reason in (self._without_a_pole(line, each) for each in self._narrowed(own)):
             match reason:
                 case Relation(options=((link,),)) if link.sign in (*UP, *DOWN):
                     bounds.append(link)
@@ -362,6 +363,31 @@ class Reasons:
                             rest[rest.index(reason)] = Relation(((low, link),))
                             break
         yield from rest
+
+    def _without_a_pole(
+        self, line: Line, reason: Sentence | Relation | None
+    ) -> Sentence | Relation | None:
+        """A range of an angle up to 90°, which is less where a line that is cited has its tangent.
+
+        A line that ends at 90° itself keeps the range as it is.
+        """
+        match reason:
+            case Relation(((low, Link(angle, "<=", Degrees(Fraction(numerator=90)) as end)),)):
+                tangent = Apply("tan", angle)
+            case _:
+                return reason
+        cited = (own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None)
+        nodes = (node for own in cited for tree in trees_of(own) for node in walk(tree))
+        if tangent not in nodes or end in set(self._ends_of(line)):
+            return reason
+        return Relation(((low, Link(angle, "<", end)),))
+
+    @staticmethod
+    def _ends_of(line: Line) -> Iterator[Expression]:
+        """The sides of a line that compares."""
+        assert isinstance(line.relation, Relation)
+        for link in line.relation.options[0]:
+            yield from (link.left, link.right)
 
     def _where_it_divides(self, line: Line, bound: Link) -> Link:
         """A bound of a letter that is divided by in what a line compares: it is not zero there."""
