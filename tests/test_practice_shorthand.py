@@ -175,3 +175,57 @@ def test_what_follows_is_no_further_mistake(
     statement: str, above: list[str], line: str, verdict: str
 ) -> None:
     assert verdicts(statement, *above, line)[-1] == verdict
+
+
+HALF = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+    "A hits B: along i, e = 1/3\nlet phi = angle(velocity(A), line_of_centres)\n"
+    "given phi = 90° - alpha\nfind tan(alpha)\n"
+)
+TWICE = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\nA hits B: along i\n"
+    "given deflection(A) = alpha\nfind k in terms of e, alpha\n"
+)
+BLOW = (
+    "sphere A: mass 2, velocity p i - j\nsphere B: mass 4, velocity i + q j\n"
+    "A hits B: along 3i + 4j, e = 1/2\ngiven impulse(B) = 6i + 8j\n"
+    "given velocity(A) parallel to j\nfind p, q\n"
+)
+SLOPE = (
+    "wall W: along i - j\nsphere P: velocity v at theta\nP hits W: e = 1/3\n"
+    "given velocity(P) = 4i, 0 < theta < 360°\nfind v, theta\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "above", "line", "name"),
+    [
+        (HALF, ["3 tan² α = 1"], "tan α = 1/3", None),
+        (TWICE, ["v = ucosα(1 - ke)/(1 + k)"], "tanα = usinα/v", "deflection-is-after"),
+        (BLOW, [], "v_A = (p + 3, 3)", "impulse-sign"),
+    ],
+)
+def test_a_mistake_has_its_own_name_or_none(
+    statement: str, above: list[str], line: str, name: str | None
+) -> None:
+    marking = restitution.mark(solution_of(statement), "\n".join([*above, line])).json()
+    mistake = marking["lines"][-1]["mistake"]
+    assert marking["lines"][-1]["verdict"] == "false"
+    assert mistake["id"] == name
+
+
+def test_that_a_component_stays_may_be_shown_by_saying_so() -> None:
+    statement = (
+        "wall W: along j\nsphere P: velocity u at alpha to W\nP hits W\n"
+        "let beta = angle(velocity(P), W)\nshow speed(P) cos(beta) = u cos(alpha)\n"
+    )
+    assert verdicts(statement, "component along the wall does not change: Vcosβ = ucosα") == [
+        "true"
+    ]
+
+
+def test_a_value_behind_a_heading_of_a_moment_is_of_that_moment() -> None:
+    found = restitution.mark(solution_of(SLOPE), "before: perp = 3 × 2.83 = 8.49").json()
+    assert found["lines"][0]["verdict"] == "true"
+    assert found["lines"][0]["read_as"].startswith("the perp before")
+    assert verdicts(SLOPE, "after: perp = 8.49") == ["false"]

@@ -50,6 +50,7 @@ from restitution.practice.judging.other_forms import (
     same_left,
 )
 from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
+from restitution.practice.judging.support import Support
 from restitution.practice.letters.options import Usage, options
 from restitution.practice.letters.trial import inside_angles
 from restitution.practice.reading.phrases import (
@@ -75,6 +76,8 @@ COEFFICIENT = re.compile(r"e(_\w+)?'*")
 
 class Following(OwnValues):
     """What follows from the lines above, where it does not hold."""
+
+    _support: Support
 
     def __init__(
         self,
@@ -313,6 +316,16 @@ class Following(OwnValues):
                         self._confirmed.setdefault(number, set()).add(variant.id)
                         return JudgedLink("follows", claim, grade, (number,))
         return None
+
+    def _is_without_support(self, entry: Entry, students: Sequence[World]) -> bool:
+        """Whether a true line is what is to be shown, and nothing leads to it.
+
+        That a component stays is a law itself, and needs no other line.
+        """
+        if not self._support.is_missing(entry, self.entries, students):
+            return False
+        uses = self.uses_of_entry(entry) if self._names else ()
+        return not uses or any(use.altered or use.principle != "unchanged" for use in uses)
 
     def _is_repeated(self, mistake: Explained, uses: Sequence[Use]) -> bool:
         """Whether a line has the mistake of an earlier one once more, at the same event.

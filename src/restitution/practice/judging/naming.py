@@ -40,13 +40,15 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
-from restitution.practice.judging.other_forms import is_turn
+from restitution.practice.judging.other_forms import is_turn, kind_of
 from restitution.practice.judging.plain_mistakes import (
     has_coefficient,
     holds_in,
     is_coefficient,
+    is_deflection_as_angle,
     is_direct,
     is_energetic,
+    is_found_angle,
     is_law_of_speeds,
     is_momentum_of_speeds,
     is_of_energy,
@@ -176,7 +178,9 @@ class Names:
         whole = is_whole_speed(entry, judge.base)
         law = is_law_of_speeds(entry, judge.base)
         unresolved = is_momentum_of_speeds(entry, judge.base)
-        variants = () if whole or law else self._explaining(entry, judge, mended)
+        of_deflection = is_deflection_as_angle(entry, judge.base)
+        alone = whole or law or of_deflection or is_found_angle(entry, judge.base)
+        variants = () if alone else self._explaining(entry, judge, mended)
         if unresolved:
             # Where the law with speeds explains it as well, it tells of the letters.
             variants = tuple(each for each in variants if each.mistake == "speed-for-component")
@@ -189,6 +193,8 @@ class Names:
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
         plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
+        if of_deflection:
+            plain = "deflection-is-after"
         if plainer:
             plain = "restitution-whole-speed" if law else "speed-for-component"
         if variants and all(_is_of_a_whole_speed(each, judge.base) for each in variants):
@@ -304,7 +310,11 @@ class Names:
     def _is_of_impulse(self, entry: Entry) -> bool:
         """Whether a side of a claim is an impulse, or one that the question gives."""
         sides = (entry.claim.left, entry.claim.right)
-        given = (value for quantity, value in self._given if quantity.kind == "impulse")
+        given = [value for quantity, value in self._given if quantity.kind == "impulse"]
+        meant = entry.meanings.get(sides[0].name) if isinstance(sides[0], Letter) else None
+        if given and meant is not None and kind_of(meant) == "velocity":
+            # The velocity of one body, from its own and the impulse that is given.
+            return letters(sides[1]).isdisjoint(entry.meanings)
         return any(_is_impulse(side, entry) for side in sides) or any(
             map(sides.__contains__, given)
         )

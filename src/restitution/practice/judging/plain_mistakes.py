@@ -36,7 +36,7 @@ from restitution.practice.worlds.arrays import Array, is_bare
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact
+from restitution.problem import Impact, trees
 
 _TWO = Number(Fraction(2))
 _SIGNED = frozenset({"momentum", "restitution"})
@@ -541,6 +541,69 @@ def is_of_energy(entry: Entry) -> bool:
     return False
 
 
+def _is_impulse_reversed(entry: Entry, world: World) -> bool:
+    """Whether a velocity after an impulse is worked out with the impulse in the other sense."""
+    given = (each for tree in trees(world.problem) for each in walk(tree))
+    if not any(isinstance(each, Quantity) and each.kind == "impulse" for each in given):
+        return False
+    meant = _meant(entry)
+    inside = meant.operand if isinstance(meant, Negate) else meant
+    match inside:
+        case Quantity("velocity", _, int(stage)) if stage:
+            after: Expression = inside
+        case Quantity("along", (Quantity("velocity", _, int(stage)), _)) if stage:
+            after = inside
+        case _:
+            return False
+    twice = Binary("*", Number(Fraction(2)), _at_stage(after, stage - 1))
+    value: Expression = Binary("-", twice, after)
+    value = Negate(value) if inside is not meant else value
+    return _is(value, entry.claim.right, entry, world)
+
+
+def _at_stage(tree: Expression, stage: int) -> Expression:
+    match tree:
+        case Quantity("velocity", arguments):
+            return Quantity("velocity", arguments, stage)
+        case Quantity("along", (velocity, axis)):
+            return Quantity("along", (_at_stage(velocity, stage), axis))
+    return tree
+
+
+def is_found_angle(entry: Entry, world: World) -> bool:
+    """Whether a claim gives an angle that the part has to find, by itself: ``tan α = 1/3``."""
+    left = entry.claim.left
+    angle = left.argument if isinstance(left, Apply) else left
+    own = isinstance(angle, Letter) and angle.name in world.angles & world.determined
+    return own and not letters(entry.claim.right)
+
+
+def is_deflection_as_angle(entry: Entry, world: World) -> bool:
+    """Whether the tangent of a deflection has the value of that of the angle after the impact.
+
+    Either angle is one to the line of centres: ``tan 30° = usinθ/v`` for a sphere turned by 30°.
+    """
+    left = entry.claim.left
+    if not (isinstance(left, Apply) and left.function == "tan"):
+        return False
+    for number in world.lines:
+        line = Quantity("line_of_centres", (), number)
+        for name in world.start:
+            velocity = Quantity("velocity", (Name(name),), number)
+            after = Apply("tan", Quantity("angle", (velocity, line)))
+            turned = Quantity("deflection", (Name(name),), number)
+            try:
+                if (
+                    _is(after, entry.claim.right, entry, world)
+                    and _is(turned, left.argument, entry, world)
+                    and not _is(after, left, entry, world)
+                ):
+                    return True
+            except RestitutionError:
+                continue
+    return False
+
+
 def is_coefficient(entry: Entry) -> bool:
     """Whether a claim gives a coefficient of restitution a number: e = 3/4."""
     left = entry.claim.left
@@ -586,4 +649,5 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (_is_other_function, "sine-cosine"),
     (_is_relative_speed_across, "restitution-parallel"),
     (_is_without_across, "across-changed"),
+    (_is_impulse_reversed, "impulse-sign"),
 )

@@ -544,7 +544,7 @@ class Judge(Following):
             verdict: Verdict = "true"
             entry = self._entry_of(line, link, claim)
             students = self.students() if self.wrong else ()
-            if len(line.links) == 1 and self._support.is_missing(entry, self.entries, students):
+            if len(line.links) == 1 and self._is_without_support(entry, students):
                 verdict = "unsupported"
             firm = [each for each in self.entries if each.number not in self._groundless]
             grounded = self._support.is_grounded(entry, firm, self._forgone())

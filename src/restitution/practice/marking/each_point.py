@@ -315,6 +315,8 @@ class EachPoint:
                 if not line.grounded and not self._is_his_own(point, self.lines[:place]):
                     last = PointMark(point, "lost", line.line.number, _UNGROUNDED)
             elif line.verdict == "follows" and match != "true":
+                if last is not None and last.state == "earned" and point.item is None:
+                    continue  # a value on the way, that another equation gives once more
                 through = self._follows_through(point, line)
                 state: State = "earned" if through else "lost"
                 last = PointMark(point, state, line.line.number, "follows from an earlier slip")

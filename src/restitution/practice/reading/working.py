@@ -33,6 +33,7 @@ from restitution.practice.reading.spoken import with_labels
 from restitution.practice.reading.statements import read_statements
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.usage import GREEK_ANGLES, usage_of, with_angles
+from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS, STAGES
 from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
 from restitution.problem import Impact, Problem
 
@@ -40,6 +41,8 @@ MAX_LINES = 60
 MAX_LENGTH = 200
 
 
+# What has a value at every moment.
+_OF_A_MOMENT = frozenset(("speed", "velocity", "component", "momentum", "energy"))
 _WALL = re.compile(r"\s*(?:the\s+)?(?:wall|cushion|barrier)\s*:", re.IGNORECASE)
 
 
@@ -121,6 +124,7 @@ class _Reader:
         scope, tokens = self._heading(tokens, line)
         if not tokens:
             return self._script_line(number, typed, "heading")
+        tokens = [_staged(each, scope.stage) for each in tokens]
         whose = None if scope == self.scope and scope.event is None else self._whose(scope)
         if _WALL.match(line.text) or _ends_at(line, tokens):
             whose = None  # wall: 2i + j is its direction, hits at (2, 1) a place
@@ -210,6 +214,16 @@ class _Reader:
         if not rest or scope.event != self.scope.event:
             self.scope = scope if not rest else replace(scope, body=None, stage=None)
         return scope, rest
+
+
+def _staged(token: Token, stage: str | None) -> Token:
+    """A phrase for a motion without a moment, at that of the heading: ``before: perp = 3``."""
+    words = token.name.split()
+    heads = {HEADS[each] for each in words if each in HEADS}
+    moving = heads <= _OF_A_MOMENT and (heads or not DIRECTIONS.keys().isdisjoint(words))
+    if token.kind != "phrase" or stage is None or not moving or not STAGES.keys().isdisjoint(words):
+        return token
+    return replace(token, name=f"{token.name} {stage}")
 
 
 def _is_dash(tokens: Sequence[Token]) -> bool:
