@@ -297,3 +297,13 @@ def test_a_speed_of_one_component_at_an_acute_angle_is_that_component() -> None:
     words = to_text(explain(solution), 200)
     assert "⅗u = ¾u cos φ" in words
     assert "(⅗u)²" not in words
+
+
+def test_a_right_angle_to_the_line_of_centres_leaves_the_first_angle() -> None:
+    text = (
+        "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
+        "A hits B: offset d, e = 1\ngiven deflection(A) = 60°\nfind d, speed(A)"
+    )
+    solution, derivation = planned(text)
+    assert "phi = 90° - 60° = 30° [rearrange]" in said(derivation)
+    assert "tan 60°" not in to_text(explain(solution), 200)

@@ -224,7 +224,18 @@ def _one_angle(
     if premises is None:
         return None
     line = scene.desk.write(turn.move, premises, relation)
-    return line if side.angle is not None else _of_components(scene, turn, side, line, final)
+    if side.angle is not None or _is_in_its_letter(scene, side, subject):
+        return line
+    return _of_components(scene, turn, side, line, final)
+
+
+def _is_in_its_letter(scene: Scene, side: Direction, subject: Expression) -> bool:
+    """Whether components are written in the letter for their angle, which is an unknown."""
+    if not isinstance(subject, Letter):
+        return False
+    symbol = scene.model.unknowns.letter(subject.name)
+    ratio = sp.sympify(side.across.value / side.along.value, strict=True)
+    return symbol in scene.unknown(ratio) and tidy(ratio**2 - sp.tan(symbol) ** 2) == 0
 
 
 def _is_at_whole_degrees(side: Direction) -> bool:
