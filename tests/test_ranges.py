@@ -488,3 +488,23 @@ def test_no_limit_is_sought_where_a_letter_never_comes() -> None:
     assert limits(value, k, -m, POSITIVE, broken=True) == []
     assert limits(value, k, sp.Rational(-3, 2), POSITIVE, broken=False) == []
     assert limits(value, k, sp.Integer(0), POSITIVE, broken=False) == [(sp.Integer(-1), {})]
+
+
+@pytest.mark.parametrize(
+    ("coefficient", "terms", "ends"),
+    [
+        ("1", "u", "v = u"),
+        ("1/2", "u, alpha", "v = u√(4 − 3 sin²α)/2"),
+        ("1/2", "u", "u/2 < v < u"),
+    ],
+)
+def test_a_letter_that_the_facts_tie_to_data_has_one_value(
+    coefficient: str, terms: str, ends: str
+) -> None:
+    text = f"""wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = {coefficient}
+given speed(P) = v
+find range of v in terms of {terms}"""
+    ((_, item),) = solve(parse(text)).items()
+    assert item.answers[0].display == ends

@@ -216,6 +216,20 @@ def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
     return squares
 
 
+def _ends_meet(solution: Solution, values: sp.Set) -> bool:
+    """Whether the ends of a range are one where a coefficient is 0 or 1: that value may be had."""
+    if not isinstance(values, sp.Interval):
+        return False
+    known = roles(solution.problem)
+    gap = values.end - values.start
+    return any(
+        sp.simplify(gap.subs(symbol, end)) == 0
+        for symbol in gap.free_symbols
+        if symbol.name in known and known[symbol.name].kind == "restitution"
+        for end in (0, 1)
+    )
+
+
 def _sentence(
     solution: Solution,
     part: PartSolution,
@@ -231,7 +245,7 @@ def _sentence(
         exist = isinstance(answer.value, sp.Set) and always_exist(
             answer.value, Oracle(roles(solution.problem))
         )
-        if not isinstance(asked, Letter) or not exist:
+        if not isinstance(asked, Letter) or not exist or _ends_meet(solution, answer.value):
             return say("answer.only", condition=condition)
         letter = lay.from_sympy(sp.Symbol(asked.name))
         return say("answer.only-range", condition=condition, letter=letter)

@@ -140,6 +140,9 @@ def _range_of_letter(
         if values is not sp.S.EmptySet:
             return [(values, ())], "algebra"
         free = _free(outcome, in_terms_of) - {name}
+        tied = _tied_to_data(desk, name, in_terms_of, outcome)
+        if tied is not sp.S.EmptySet:
+            return [(tied, ())], "algebra"
         region = Region(outcome, name, tuple(sorted(free)))
         values, several = _forms(region)
     except ContradictionError:
@@ -158,6 +161,23 @@ def _range_of_letter(
     return [(values, range_limitations(outcome, region, values))], region.proof
 
 
+def _tied_to_data(
+    desk: Desk, name: str, in_terms_of: tuple[str, ...] | None, outcome: Outcome
+) -> sp.Set:
+    """The values of a letter that the facts tie to data which do not vary: v = u, say.
+
+    Where letters are listed, these are the data; else what has no dimension varies.
+    """
+    setting = outcome.setting
+    data = set(in_terms_of or setting.roles.keys() - _without_dimension(outcome))
+    data -= declared(setting.problem, setting.part)
+    if not any(data & trial.root.values.keys() for trial in outcome.accepted):
+        return sp.S.EmptySet
+    values = fixed_values(desk, name, setting)
+    inside = {symbol.name for symbol in values.free_symbols}
+    return values if inside <= data else sp.S.EmptySet
+
+
 def _is_general(region: Region, values: sp.Set) -> bool:
     """Whether the ends of a range have values, and lie in the range of the letter, for all data."""
     if values.has(sp.Min, sp.Max) or not always_exist(values, Oracle(region.roles, region.given)):
@@ -171,6 +191,8 @@ def _is_general(region: Region, values: sp.Set) -> bool:
         for end, bound, sense in ends
         if bound is not None and end.free_symbols
     ]
+    if (values.left_open or values.right_open) and not values.end.is_infinite:
+        claims.append(Relation(values.end - values.start, ">"))  # not one value alone
     return all(oracle.decide(claim).answer != "refuted" for claim in claims)
 
 
