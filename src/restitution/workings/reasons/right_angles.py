@@ -134,7 +134,24 @@ class RightAngles:
         again = line.move.id == "rearrange" and any(
             self._pole(own) is not None for own in map(self._line, line.premises) if own is not None
         )
-        return None if pole is None or again else self._said(pole)
+        if pole is None or again or (pole.upright and self._is_said_below(line)):
+            return None
+        return self._said(pole)
+
+    def _is_said_below(self, line: Line) -> bool:
+        """Whether a line that is made of a tangent says for which letters it holds all the same."""
+        if any(end.line == line.number for end in self._derivation.items):
+            return False
+        below = (
+            each
+            for each in self._derivation.lines
+            if each.number > line.number and isinstance(each.relation, Relation)
+        )
+        return any(
+            (line.number in each.premises and self._upright_too(each) is not None)
+            or (each.item == line.item and self._closing(each) is not None)
+            for each in below
+        )
 
     def _said(self, pole: _Pole) -> Sentence:
         """That an angle is a right one, or for which letters it is any."""
