@@ -299,10 +299,11 @@ def test_a_speed_of_one_component_at_an_acute_angle_is_that_component() -> None:
     assert "(⅗u)²" not in words
 
 
-def test_a_right_angle_to_the_line_of_centres_leaves_the_first_angle() -> None:
+@pytest.mark.parametrize("angle", ["deflection(A)", "angle(velocity(A), i)"])
+def test_a_right_angle_to_the_line_of_centres_leaves_the_first_angle(angle: str) -> None:
     text = (
         "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
-        "A hits B: offset d, e = 1\ngiven deflection(A) = 60°\nfind d, speed(A)"
+        f"A hits B: offset d, e = 1\ngiven {angle} = 60°\nfind d, speed(A)"
     )
     solution, derivation = planned(text)
     assert "phi = 90° - 60° = 30° [rearrange]" in said(derivation)

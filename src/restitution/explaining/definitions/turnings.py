@@ -61,9 +61,20 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
         subjects = [Quantity("angle", tuple(pair)) for pair in (velocities, velocities[::-1])]
         if one[0] == other[0]:
             subjects.append(Quantity("deflection", (Name(one[0]),), event.number))
+            subjects += _from_its_axis(step, *velocities)
         for angle in (_between(step, event, one, other), _from_a_unit(step, event, one, other)):
             if angle is not None:
                 yield from (Link(subject, "=", angle) for subject in subjects)
+
+
+def _from_its_axis(step: Step, early: Quantity, late: Quantity) -> Iterator[Quantity]:
+    """The angle of a velocity to **i** or **j**, where the body came in that direction."""
+    for link in step.links:
+        if link.left == early and link.sign == "=":
+            for axis, angle in (("i", _NONE), ("j", _RIGHT)):
+                sure = all(step.setting.role(x).kind == "positive" for x in _of_size(link.right))
+                if sure and direction_from_i(link.right) == angle:
+                    yield Quantity("angle", (late, Unit(axis)))  # type: ignore[arg-type]
 
 
 def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:

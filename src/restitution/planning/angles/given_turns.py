@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 from typing import Any
 
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
@@ -17,7 +19,9 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Quantity,
+    Unit,
     letters,
 )
 from restitution.planning.angles.known_turns import by_the_known, other_angle
@@ -62,12 +66,27 @@ def given_turn(scene: Scene, each: GivenEquation) -> int | None:
         case _:
             return None
     mark = scene.desk.mark()
-    for turn in turns_of(scene, asked):
+    own = _as_a_turn(scene, asked)
+    for turn in turns_of(scene, own):
+        if own != asked and not any(_is_across(scene, e) for e in (turn.first, turn.second)):
+            continue  # its tangent is a quotient of components
         line = _by_ratio(scene, each, turn) if ratio else _by_angle(scene, each, turn)
         if line is not None:
             return line
         scene.desk.back(mark)
     return None
+
+
+def _as_a_turn(scene: Scene, asked: Quantity) -> Quantity:
+    """The deflection that an angle to **i** or **j** is, of a body that came in that direction."""
+    match asked:
+        case Quantity("angle", (Quantity("velocity", (Name(body),), int(event)), Unit(axis))):
+            fact = scene.facts.get(f"velocity {body}")
+            early = None if fact is None else direction_from_i(fact.relation.only[0].right)
+            came = {"i": Degrees(Fraction(0)), "j": RIGHT}[axis]
+            if early == came and event and not scene.last_event(body, event - 1):
+                return Quantity("deflection", (Name(body),), event)
+    return asked
 
 
 def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
@@ -217,6 +236,7 @@ def _one_angle(
             *turn.second.refs,
             *turn.pushed,
             *turn.frame.refs,
+            f"velocity {_body(side)}",  # from its direction an angle may be given
         )
     )
     pool = dict.fromkeys(ref for ref in pool if isinstance(ref, int) or ref in scene.facts)
