@@ -229,3 +229,30 @@ def test_a_value_behind_a_heading_of_a_moment_is_of_that_moment() -> None:
     assert found["lines"][0]["verdict"] == "true"
     assert found["lines"][0]["read_as"].startswith("the perp before")
     assert verdicts(SLOPE, "after: perp = 8.49") == ["false"]
+
+
+TURN = (
+    "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+    "given tan(alpha) = 1/2, deflection(A) > 30°\nfind range of e\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("answer", "state"), [("0.340 < e ≤ 1", "earned"), ("e > 0.34", "lost"), ("e > 0.330", "lost")]
+)
+def test_the_end_of_a_range_may_be_a_decimal(answer: str, state: str) -> None:
+    lines = "v = ½(1 - e)ucosα", "tanθ = 2tanα/(1 - e) = 1/(1 - e)", "1/(1 - e) > 1.514", answer
+    points = restitution.mark(solution_of(TURN), "\n".join(lines)).json()["marks"]["points"]
+    assert points[-1]["state"] == state
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("least when e = 0, v = u/6", "true"),
+        ("least when e = 0, v = u/5", "false"),
+        ("time = 3u/4 = 0.75u", "remark"),
+    ],
+)
+def test_a_case_before_a_comma_and_a_time_that_counts_from_nowhere(line: str, verdict: str) -> None:
+    assert verdicts(LEAST, "v + 2w = ½u", "w = v + ½eu", line)[-1] == verdict

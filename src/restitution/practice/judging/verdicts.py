@@ -240,7 +240,8 @@ class Judge(Following):
         worst = links[place]
         if verdict == "false" and self._is_only_supposed(line):
             return JudgedLine(line, "remark")
-        if verdict == "asks" and self._is_of_the_book(line, worst.letters):
+        timed = bool(worst.letters) and all(map(names_time, worst.letters))  # since when?
+        if verdict == "asks" and (timed or self._is_of_the_book(line, worst.letters)):
             return JudgedLine(line, "remark")
         if verdict in ("asks", "false") and is_of_impulse(line):
             return JudgedLine(line, "remark")

@@ -59,6 +59,12 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
 }
 
 
+def _is_of_plain_mistake(line: JudgedLine, use: Use) -> bool:
+    """Whether a line with a mistake about a deflection only happens to fit an altered law."""
+    named = line.mistake is not None and line.mistake.id in _OF_DEFLECTION
+    return named and use.altered is not None and use.principle in LAWS
+
+
 class EachPoint:
     """The lines of a working, and what each point of one scheme finds in them."""
 
@@ -99,7 +105,12 @@ class EachPoint:
             if earns:
                 return self._earned(point, line, why)
             lost = lost or PointMark(point, "lost", line.line.number, why)
-        line_of_it = self._by_value(point) or self._pointing(point) or self._condition(point)
+        whole = lost is not None and point.principle == "impulse"
+        line_of_it = (
+            (None if whole else self._by_value(point))
+            or self._pointing(point)
+            or self._condition(point)
+        )
         if line_of_it is not None:
             return self._earned(point, line_of_it, "")
         compared = self._compared(point)
@@ -491,7 +502,7 @@ class EachPoint:
                 if self.values.is_formula(line):
                     continue
                 use = self._use(line, point)
-                if use is None or self._is_by_chance(line, use):
+                if use is None or self._is_by_chance(line, use) or _is_of_plain_mistake(line, use):
                     continue
                 if not self._is_stated_wrongly(line, use, point):
                     yield line, use

@@ -50,6 +50,8 @@ _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
     "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
     "parallel to": re.compile(r"\b(parallel|direction|along|line of centres|loc)\b", re.IGNORECASE),
 }
+# Of a decimal that is an answer.
+_FIGURES = 3
 # What is said of a line that rests on several laws.
 _OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
@@ -79,6 +81,8 @@ class Values(Sides):
         if point.shown and not self._is_printed(point, line):
             whole = line.verdict == "true" and self._gives_whole(point.link.left, line)
             return self._match(line) if whole else None
+        if point.link.sign != "=" and self._gives_end(point.link.left, line):
+            return self._match(line)
         if not point.shown and not self._gives(point.link.left, line, self._is_open(point, line)):
             computed = point.principle in ("energy", "component") or point.letter == "A"
             open_ = self._is_open(point, line)
@@ -88,6 +92,21 @@ class Values(Sides):
             if not computed and not self._gives_whole(point.link.left, line):
                 return None
         return self._match(line)
+
+    def _gives_end(self, end: Expression, line: JudgedLine) -> bool:
+        """Whether a line compares something with the end of a range as a decimal: ``e > 0.340``."""
+        if any(names_in(end)) or any(quantities_in(end)) or line.verdict != "true":
+            return False
+        try:
+            value = float(self.worlds[0].scalar(end).flat[0])
+        except RestitutionError:
+            return False
+        return any(
+            decimal.figures >= _FIGURES and abs(float(decimal.value) - value) <= decimal.half_unit
+            for link in line.line.links
+            if link.readings[0].sign in ("<", "<=", ">", ">=")
+            for decimal in link.decimals
+        )
 
     def gives_multiple(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives a multiple of what a point is for its value."""

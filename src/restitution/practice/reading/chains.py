@@ -192,6 +192,7 @@ class Chains:
         self.declared = Declarations(usage, problem)
         self.pending_letters: list[Letter] = []
         self.case: tuple[Claim, ...] = ()
+        self.condition: tuple[Claim, ...] = ()
         self.behind: Sequence[Segment] = ()
         self.of_law = False
         self.became: dict[str, tuple[Side, ...]] = {}

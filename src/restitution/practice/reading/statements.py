@@ -34,7 +34,7 @@ from restitution.practice.reading.relations import (
 from restitution.practice.reading.segments import Segment, split_at_spaces
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.vocabulary import DECLARES, HEADS, STAGES
-from restitution.practice.script import Sign
+from restitution.practice.script import Claim, Sign
 from restitution.problem import Find, Problem, Value
 
 _CONDITIONS = frozenset(("when", "if", "unless", "whenever"))
@@ -156,6 +156,8 @@ class _Reader(Chains):
             self.declares = False
         elif ":" in words and self.declared.declarations:
             self.declares = False  # let x = 6/M: 17 = 25 - 10x
+        if self._is_under_case(segment, following):
+            self.supposes, self.case = False, self.condition
         if words & _CONDITIONS:
             self.supposes = True
         elif words & _ENDING:
@@ -238,6 +240,7 @@ class _Reader(Chains):
         self.statements.values += tuple(read)
         if self.supposes:
             self.statements.supposed += tuple(self._claims_of(segment))
+            self.condition = self._case_in(segment)
 
     def _opens_a_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a letter of the question has a value, or a bound, for what is behind a colon.
@@ -250,11 +253,22 @@ class _Reader(Chains):
             return False
         if opening == (":",) and not following[0].has_relation:
             return False
-        claims_ = list(self._claims_of(segment))
-        return len(claims_) == 1 and any(
+        return bool(self._case_in(segment))
+
+    def _case_in(self, segment: Segment) -> tuple[Claim, ...]:
+        """The relation of a segment, if it puts a number for a letter of the question."""
+        found = tuple(self._claims_of(segment))
+        single = len(found) == 1 and any(
             isinstance(one, Letter) and one.name in self.usage.letters and is_numeric(other)
-            for one, other in permutations((claims_[0].left, claims_[0].right))
+            for one, other in permutations((found[0].left, found[0].right))
         )
+        return found if single else ()
+
+    def _is_under_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
+        """Whether a relation holds in the case before it: ``least when e = 0, v = u cos α``."""
+        parted = segment.before in ((",",), (":",)) and segment.has_relation
+        further = any(_CONDITIONS & set(each.before) or "then" in each.before for each in following)
+        return self.supposes and bool(self.condition) and parted and not further
 
     def _is_label(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a phrase, or a name, labels what follows."""
