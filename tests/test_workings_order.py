@@ -39,6 +39,18 @@ find time(2), velocity(P)
     assert words.index(reason) < words.index(" P moves through the centre: ")
 
 
+def test_a_chord_is_introduced_once() -> None:
+    text = """
+wall C: circle centre (0, 0) radius a
+sphere P: at (-a, 0), velocity u at alpha
+P hits C
+find time(1), speed(P)
+"""
+    words = printed(text)
+    assert words.count("A chord makes equal angles with the radii at its ends") == 1
+    assert "The component along the tangent before the impact:" in words
+
+
 def test_the_side_that_is_worked_out_is_said_before_it_is_taken() -> None:
     text = """
 sphere A, B: mass m

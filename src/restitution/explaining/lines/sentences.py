@@ -272,6 +272,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A chord makes equal angles with the radii at its ends. Components along {wall} are taken "
         "anticlockwise"
     ),
+    "chord.again": "The next chord makes equal angles with the radii at its ends too",
+    "chord.along-tangent": "The component along the tangent before the impact",
+    "chord.along-radius": "The component along the radius before the impact",
     "chord.length": "Chord = diameter × cosine of its angle with the radius",
     "chord.diameter": ("{body} moves along the radius, so it passes through the centre of {wall}"),
     "chord.through": "{body} moves through the centre",

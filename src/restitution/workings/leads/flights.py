@@ -69,6 +69,14 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
         return _length_title(derivation, line, wall)
     if _is_on_a_diameter(derivation, line):
         return say("chord.through", body=line.move.bodies[0])
+    before = [e for e in derivation.lines if e.number < line.number and _is_of_a_chord(e)]
+    if before and (before[-1].number, before[-1].move.event) == (line.number - 1, line.move.event):
+        return chord_title(derivation, before[-1], wall)
+    if before and line.shown == "line":
+        if before[-1].move.event != line.move.event:
+            return say("chord.again")
+        tangential = isinstance(left, Quantity) and left.kind == "across"
+        return say("chord.along-tangent" if tangential else "chord.along-radius")
     own = (each for each in derivation.lines if each.move.record == "chord")
     sensed = any(
         isinstance(each.relation, Relation)
@@ -78,6 +86,14 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
         for each in own
     )
     return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
+
+
+def _is_of_a_chord(line: Line) -> bool:
+    """Whether a line gives a component of the velocity along a chord."""
+    match line.relation:
+        case Relation(((Link(Quantity("along" | "across")), *_), *_)):
+            return line.move.record == "chord" and line.shown == "line"
+    return False
 
 
 def _length_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
