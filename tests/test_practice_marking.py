@@ -542,7 +542,8 @@ find energy_lost/energy(0) as a percentage
 @pytest.mark.parametrize("typed", ["60%", "60.0%", "60", "0.6", "3/5"])
 def test_a_percentage_is_right_in_percent_and_as_a_number(typed: str) -> None:
     marking = restitution.mark(restitution.parse(LOST), f"percentage lost = {typed}")
-    assert (marking.json()["lines"][0]["verdict"], marking.marks.earned) == ("true", 4)
+    assert marking.json()["lines"][0]["verdict"] == "true"
+    assert marking.marks.earned == marking.marks.of >= 3
 
 
 @pytest.mark.parametrize("typed", ["12.3%", "75%", "7%", "59.9%", "12.3"])
