@@ -822,3 +822,15 @@ def test_an_angle_is_finished_before_the_speed_is_found() -> None:
         find u, alpha
         """)
     assert own.index("α = arctan 2") < own.index("u² =")
+
+
+def test_a_ratio_of_components_is_shown_as_the_spheres_approach() -> None:
+    own = text("""
+        sphere A: mass m, velocity u i + v j
+        sphere B: mass 3m, at rest
+        A hits B: along i, e = e
+        given velocity(A) perpendicular to velocity(A, 0)
+        show v^2/u^2 = (3e - 1)/4
+        """)
+    assert "not written out" not in own
+    assert "v² = (3e − 1)u²/4" in own

@@ -394,6 +394,11 @@ class Equation:
         line = self._by_tangent_of_double(pool) or self.judge.write(LAST, pool, self.relation)
         if line is not None:
             return line
+        # What divides a side may vanish by its role, and not as bodies approach.
+        story = [ref for ref in self.scene.facts if ref.startswith(("approach ", "velocity "))]
+        line = self.judge.write((Move("rearrange"),), [*pool, *story], self.relation)
+        if line is not None:
+            return line
         # Letters that have values were put in on the way; others are tied by what is given.
         names = letters(self.link.left) | letters(self.link.right)
         trees: list[Expression] = [Letter(name) for name in sorted(names)]
@@ -441,7 +446,7 @@ class Equation:
     def _by_tangent_of_double(self, pool: Sequence[Ref]) -> int | None:
         """The form by way of a line that has the tangent of a double angle by its formula."""
         first = pool[0] if pool else None
-        if not isinstance(first, int):
+        if not isinstance(first, int) or len(self.scene.desk.relation(first).options) != 1:
             return None
         own = self.scene.desk.last_link(first)
         left, right = tangents_opened(own.left, own.right)

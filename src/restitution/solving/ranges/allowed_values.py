@@ -166,10 +166,14 @@ def _tied_to_data(
 ) -> sp.Set:
     """The values of a letter that the facts tie to data which do not vary: v = u, say.
 
-    Where letters are listed, these are the data; else what has no dimension varies.
+    Where letters are listed, these are the data; else what has no dimension varies, and is asked
+    for all that it can be.
     """
     setting = outcome.setting
-    data = set(in_terms_of or setting.roles.keys() - _without_dimension(outcome))
+    ratios = _without_dimension(outcome)
+    if in_terms_of is None and name in ratios:
+        return sp.S.EmptySet
+    data = set(in_terms_of or setting.roles.keys() - ratios)
     data -= declared(setting.problem, setting.part)
     if not any(data & trial.root.values.keys() for trial in outcome.accepted):
         return sp.S.EmptySet
