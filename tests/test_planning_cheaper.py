@@ -308,3 +308,12 @@ def test_a_right_angle_to_the_line_of_centres_leaves_the_first_angle(angle: str)
     solution, derivation = planned(text)
     assert "phi = 90° - 60° = 30° [rearrange]" in said(derivation)
     assert "tan 60°" not in to_text(explain(solution), 200)
+
+
+def test_the_energy_before_stands_before_what_is_lost_of_it() -> None:
+    text = PAIR.format(a="m", u="u at alpha", b="m", x="0 i") + (
+        ", e = 1/2\nfind energy_lost/energy(0) in terms of alpha"
+    )
+    solution, _ = planned(text)
+    words = to_text(explain(solution), 200)
+    assert words.index("before the impact = ½mu²") < words.index("kinetic energy lost = ½m(")

@@ -62,8 +62,9 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     values: dict[Expression, Expression] = {}
     refs: list[Ref] = []
     ranges: list[Ref] = []
+    sources = {node: _value_of(scene, node) for node in _in_order(asked)}
     for node in outermost(asked):
-        source = _value_of(scene, node)
+        source = sources[node]
         if source is None:
             continue
         angle = isinstance(node, Quantity) and node.kind in ANGLES
@@ -108,6 +109,15 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
             raise NotPlannedError("an expression of sines and cosines")
         return last, final
     return scene.desk.write(Move("put"), premises, whole), final
+
+
+def _in_order(asked: Expression) -> list[Expression]:
+    """The quantities of an expression in their order: an energy before what is lost of it."""
+    nodes = outermost(asked)
+    match asked:
+        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+            return nodes[::-1]
+    return nodes
 
 
 def _is_of_both(tree: Expression) -> bool:
