@@ -8,16 +8,18 @@ line ``sphere A: velocity 3i - 4j`` of a statement are the same.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
-from typing import Any, Literal, NamedTuple
+from functools import cached_property, lru_cache, wraps
+from typing import Any, Literal, NamedTuple, TypeVar
 
 from restitution.errors import StatementError
 from restitution.expression.tree import Expression, Name, Pair, Place, letters, rational
 from restitution.mending import Note
 from restitution.shapes import Circle, Line, Segment, Shape
+
+_Result = TypeVar("_Result")
 
 _NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
 _TO_A_WALL = re.compile(r"\bto\s+([A-Z][A-Za-z0-9]*)")
@@ -511,3 +513,22 @@ def trees_of_relation(relation: Relation) -> Iterator[Expression]:
     elif isinstance(relation, Aligned):
         yield relation.left
         yield relation.right
+
+
+def once_a_problem(function: Callable[[Problem], _Result]) -> Callable[[Problem], _Result]:
+    """A function whose results for the last problems are kept: nobody may change them.
+
+    Equal problems have the same result, wherever their parts were said. One into which Python has
+    put what has no hash, such as a list, cannot be remembered by it.
+    """
+    kept = lru_cache(maxsize=64)(function)
+
+    @wraps(function)
+    def own(problem: Problem) -> _Result:
+        try:
+            hash(problem)
+        except TypeError:
+            return function(problem)
+        return kept(problem)
+
+    return own

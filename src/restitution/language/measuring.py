@@ -69,6 +69,7 @@ from restitution.problem import (
     Show,
     Step,
     Unknown,
+    once_a_problem,
     trees,
 )
 
@@ -209,6 +210,11 @@ def dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
 
     A coefficient of restitution is a number, also where it stands beside one, as in 5 + e.
     """
+    return dict(_dimensions_of_letters(problem))
+
+
+@once_a_problem
+def _dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
     dimensions: dict[str, Dimension] = {}
     for _, step in problem.steps():
         if isinstance(step, Impact):

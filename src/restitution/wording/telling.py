@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
-from functools import lru_cache
 from itertools import islice
 from typing import Any
 
@@ -26,6 +25,7 @@ from restitution.problem import (
     Step,
     Unknown,
     Wall,
+    once_a_problem,
 )
 from restitution.render import layout as lay
 from restitution.wording import facts, formulas
@@ -84,16 +84,9 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
     return Question(problem.title, opening, parts)
 
 
+@once_a_problem
 def has_axes(problem: Problem) -> bool:
     """Whether the question in words explains **i** and **j**. Raises StatementError as it does."""
-    try:
-        return _has_axes(problem)
-    except TypeError:  # a list, say, that Python put in: it has no hash to be remembered by
-        return _has_axes.__wrapped__(problem)
-
-
-@lru_cache(maxsize=64)
-def _has_axes(problem: Problem) -> bool:
     sentences = question(problem).intro
     return _contains(sentences, lambda part: part in (lay.Bold("i"), lay.Bold("j")))
 

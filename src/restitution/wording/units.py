@@ -41,7 +41,7 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
-from restitution.problem import Compare, Given, Impact, Kick, Problem, trees
+from restitution.problem import Compare, Given, Impact, Kick, Problem, once_a_problem, trees
 from restitution.wording.letters import acute_letters
 
 _GAP = "\u00a0"
@@ -91,6 +91,7 @@ class Style:
         return _UNITS.get(dimension, "")
 
 
+@once_a_problem
 def style_of(problem: Problem) -> Style:
     """How the values of a statement are to be printed."""
     fixed = frozenset(d for d, tree in _data(problem) if d != NONE and is_number(tree))

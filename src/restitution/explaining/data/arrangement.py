@@ -29,7 +29,17 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import Formula, Oracle, compared
-from restitution.problem import Arrival, Compare, Given, Impact, Kick, Problem, Sphere, Wall
+from restitution.problem import (
+    Arrival,
+    Compare,
+    Given,
+    Impact,
+    Kick,
+    Problem,
+    Sphere,
+    Wall,
+    once_a_problem,
+)
 from restitution.solving.story.letters import roles
 
 _PLAIN = 12
@@ -41,6 +51,7 @@ _AXES: Mapping[Expression, Expression] = {
 }
 
 
+@once_a_problem
 def events_of(problem: Problem) -> tuple[Event, ...]:
     """The events of a problem, in the order told."""
     walls = {each.name for each in problem.walls}

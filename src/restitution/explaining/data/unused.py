@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from collections.abc import Set as AbstractSet
 from functools import partial
 
-from restitution.explaining.lines.derivation import Derivation, Fact, Line, Ref
+from restitution.explaining.lines.derivation import Derivation, Fact, Ref
 
 
 def unused_facts(
@@ -16,6 +16,9 @@ def unused_facts(
 
     ``under`` gives a line, or a fact, with all that it rests on.
     """
+    given = [fact for fact in derivation.facts if fact.kind == "given"]
+    if not given:
+        return
     used: dict[str | None, set[Ref]] = {}
     for end in derivation.items:
         used.setdefault(end.part, set()).update(under(end.line))
@@ -25,8 +28,8 @@ def unused_facts(
     # Where an item has no working, the facts that it would use may stand idle.
     idle = {e.part for e in derivation.notes if not e.premises or e.kind == "unwritten"}
     every = set().union(*used.values()) if used else set()
-    for fact in derivation.facts:
-        if fact.kind != "given" or fact.part in idle or (fact.part is None and idle):
+    for fact in given:
+        if fact.part in idle or (fact.part is None and idle):
             continue
         own = every if fact.part is None else used.get(fact.part, set())
         # What several parts are given is one fact.
@@ -44,7 +47,6 @@ def spare_facts(derivation: Derivation) -> Iterator[Fact]:
 
 def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
     """A line, or a fact, and all that it rests on."""
-    lines: dict[Ref, Line] = {line.number: line for line in derivation.lines}
     refs: set[Ref] = set()
     pending: list[Ref] = [ref]
     while pending:
@@ -52,7 +54,7 @@ def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
         if own in refs:
             continue
         refs.add(own)
-        line = lines.get(own)
+        line = derivation.line(own) if isinstance(own, int) else None
         if line is not None:
             pending.extend(line.premises)
             pending.extend(case.line for case in derivation.cases if own in case.lines)

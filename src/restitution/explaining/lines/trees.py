@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    has_quantity,
     walk,
 )
 
@@ -153,12 +154,16 @@ def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relatio
     return of_relation(relation, change)
 
 
-@lru_cache(maxsize=4096)
 def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
     """A tree in which a velocity has the number of the last event that changed it.
 
     To come to a point, or to a wall, changes none.
     """
+    return _settled(tree, events) if has_quantity(tree) else tree
+
+
+@lru_cache(maxsize=4096)
+def _settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
 
     def change(tree: Expression) -> Expression:
         if not (isinstance(tree, Quantity) and tree.kind in _LASTING and tree.arguments):

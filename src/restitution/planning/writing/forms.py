@@ -418,8 +418,10 @@ def alike(a: Expression, b: Expression) -> bool:
     ``e + 1``; ``½ (4u)`` and ``2u`` are not, nor are ``d/(u/2)`` and ``2d/u``; of numbers a
     product is not its value.
     """
+    if a == b:
+        return True
     if is_rational(a.operand if isinstance(a, Negate) else a):
-        return a == b
+        return False
     return _shape(a) == _shape(b)
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import lru_cache
 
 import sympy as sp
 
@@ -55,6 +54,7 @@ from restitution.problem import (
     Show,
     Step,
     Unknown,
+    once_a_problem,
     trees,
 )
 
@@ -63,13 +63,10 @@ TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 
 def roles(problem: Problem) -> dict[str, Role]:
     """The role of every letter of a problem, by its canonical name."""
-    try:
-        return dict(_roles(problem))
-    except TypeError:  # a list, say, that Python put in: it has no hash to be remembered by
-        return _roles.__wrapped__(problem)
+    return dict(_roles(problem))
 
 
-@lru_cache(maxsize=64)
+@once_a_problem
 def _roles(problem: Problem) -> dict[str, Role]:
     names = {letter for tree in trees(problem) for letter in letters(tree)}
     for _, step in problem.steps():
