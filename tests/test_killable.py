@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import time
@@ -117,3 +118,15 @@ def test_the_rehearsal_is_a_question_that_is_solved_and_explained(monkeypatch):
     assert reply.answered
     assert not (reply.errors or reply.fault)
     assert "Newton's experimental law" in reply.content
+
+
+def test_a_process_that_works_seldom_looks_for_garbage() -> None:
+    from restitution.export.job import prepare
+
+    before = gc.get_threshold()
+    try:
+        gc.set_threshold(700, 10, 10)
+        prepare()
+        assert gc.get_threshold()[0] > 10_000 and gc.isenabled()
+    finally:
+        gc.set_threshold(*before)

@@ -9,7 +9,6 @@ not understood; 130 after Ctrl-C.
 
 from __future__ import annotations
 
-import gc
 import io
 import os
 import sys
@@ -17,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 from restitution.cli.statuses import CLOSED, INTERRUPTED, REPORT, UNANSWERED
 from restitution.cli.worker import new_worker
+from restitution.garbage import collect_seldom
 
 if TYPE_CHECKING:
     from restitution.killable import Worker
@@ -24,9 +24,7 @@ if TYPE_CHECKING:
 
 def main() -> None:
     """Run the command that the arguments of this process name, and exit with its status."""
-    # Loading makes many objects and no garbage: looking for it at every turn takes a tenth of the
-    # time until the first answer.
-    gc.set_threshold(50_000, 20, 20)
+    collect_seldom()
     worker: Worker | None = None
     _open_what_is_closed()
     _watch_output()

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError
 from restitution.expression.tree import Binary, Name, Number, Quantity
+from restitution.garbage import collect_seldom
 from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
 from restitution.work import confirm, limited
 
@@ -170,6 +171,7 @@ def prepare() -> None:
     # What was loaded stays: no need to look through it again for garbage.
     gc.freeze()
     gc.enable()
+    collect_seldom()
 
 
 _TENSORS = "sympy.tensor.tensor"

@@ -9,6 +9,7 @@ import gc
 
 from restitution import examples
 from restitution.export.working import shown
+from restitution.garbage import collect_seldom
 from restitution.language import parse
 from restitution.oracle.decision import limit_memory
 from restitution.solving import solve
@@ -23,3 +24,4 @@ for _name in ("corner", "two-spheres-with-vectors", "wall-in-letters"):
 # What was made so far stays: no need to look through it again for garbage.
 gc.collect()
 gc.freeze()
+collect_seldom()
