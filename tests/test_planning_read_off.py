@@ -168,3 +168,13 @@ def test_an_impulse_after_a_velocity_is_a_change_of_momentum() -> None:
     solution, _ = planned(text)
     words = to_text(explain(solution), 200)
     assert "impulse on P = 2((⅗𝐢 + (29/5)𝐣) − (7𝐢 + 𝐣))" in words
+
+
+def test_an_impulse_along_an_axis_rests_on_both_components() -> None:
+    text = (
+        "sphere A: mass 2, velocity 3i + 2j\nsphere B: mass m, velocity -i + 3j\n"
+        "A hits B: along i, e = 1/2\ngiven velocity(A) parallel to j\n"
+        "find m, velocity(B), impulse(A)"
+    )
+    solution, _ = planned(text)
+    assert "impulse on A = 2(2𝐣 − (3𝐢 + 2𝐣))" in to_text(explain(solution), 200)

@@ -29,8 +29,14 @@ def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
 
 
 def impulse_along_the_line(step: Step, event: Event | None) -> Iterator[Link]:
-    """The impulse on a body as a vector along the line of centres: m times the change there."""
+    """The impulse on a body as a vector along a line that slants: m times the change there.
+
+    Along **i** or **j** it is the difference of two velocities, of which both components are cited.
+    """
     if event is None or event.kind != "impact":
+        return
+    direction = step.world.direction(axis_of(event))
+    if direction is None or direction.x.vanishes or direction.y.vanishes:
         return
     for body in step.move.bodies:
         late, early = (
