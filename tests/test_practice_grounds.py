@@ -125,6 +125,26 @@ def test_a_part_of_the_range_is_not_the_range(typed: str, verdict: str) -> None:
     assert verdicts(marked(TURNED, typed)) == [verdict]
 
 
+@pytest.mark.parametrize(
+    ("typed", "verdict"),
+    [
+        ("sin²α > 0.6cos²α", "true"),
+        ("sin²α > 0.68cos²α", "false"),
+        ("sin²α > 0.5cos²α", "true"),
+        ("tanα > 0.775", "true"),
+        ("tanα > 0.825", "false"),
+    ],
+)
+def test_what_leaves_out_a_part_of_the_range_in_another_form_is_false(
+    typed: str, verdict: str
+) -> None:
+    statement = (
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+        "A hits B: along i, e = 3/5\ngiven speed(A) > speed(B)\nfind range of alpha\n"
+    )
+    assert verdicts(marked(statement, typed)) == [verdict]
+
+
 def test_two_inequalities_with_a_comma_are_no_vector() -> None:
     found = marked(RANGE, "3v = 0.5u - 4eu\nv<0 so 0.5 - 4e < 0, e > 1/8")
     assert verdicts(found) == ["true", "true"]

@@ -75,7 +75,9 @@ class Bounds:
         if claim.sign not in _COMPARISONS or not (letters(claim.left) or letters(claim.right)):
             return True
         usual = _usual(claim)
-        if not isinstance(usual.left, Letter) or usual.left.name not in self.ranges:
+        if not isinstance(usual.left, Letter):
+            return self._holds_throughout(claim)
+        if usual.left.name not in self.ranges:
             return True
         low, high = self.ranges[usual.left.name]
         try:
@@ -86,6 +88,20 @@ class Bounds:
         if usual.sign in ("<", "<="):
             return end >= high - room - _NEAR * (1 + abs(high))
         return end <= low + room + _NEAR * (1 + abs(low))
+
+    def _holds_throughout(self, claim: Claim) -> bool:
+        """Whether a comparison in one letter, ``sin² α > 0.6 cos² α``, holds all over its range.
+
+        What lies near the ends may be left out by rounding.
+        """
+        names = letters(claim.left) | letters(claim.right)
+        (name,) = names if len(names) == 1 else ("",)
+        low, high = self.ranges.get(name, (0.0, np.inf))
+        if not np.isfinite(high - low) or high <= low:
+            return True
+        inside = np.linspace(low, high, _POINTS + 2)[1:-1]
+        region = _region(claim, {name: inside[_FEW // 10 : -_FEW // 10]})
+        return region is None or bool(region.all())
 
 
 def _moved(tree: Expression, end: float, decimal: Decimal) -> float:
@@ -276,7 +292,9 @@ def _region(claim: Claim, put: Mapping[str, Array]) -> Array | None:
             left, right = _worth(claim.left, put), _worth(claim.right, put)
     except _OpenError:
         return None
-    return np.broadcast_to(_COMPARISONS[claim.sign](left, right), (_POINTS,))
+    points = max(np.size(left), np.size(right), 1)
+    points = _POINTS if points == 1 else points
+    return np.broadcast_to(_COMPARISONS[claim.sign](left, right), (points,))
 
 
 def _value_of(name: str, claim: Claim, put: Mapping[str, Array]) -> Array | None:
