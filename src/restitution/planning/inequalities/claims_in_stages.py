@@ -156,6 +156,8 @@ class InStages(ClaimLines):
                 line = self._bounded(lines[0], link)
             else:
                 line = self.monotone(lines[0], own)
+            if line is None and isinstance(self.scene.desk.last_link(lines[0]).left, Apply):
+                line = self._by_quotient(lines[0], own)  # of a tangent the plainest way
             if line is None:
                 line = write_difference(self, lines[0], own)
             if line is None:
