@@ -80,7 +80,7 @@ Q hits W: e = 1
 given velocity(Q) parallel to i
 find phi in terms of theta
 """,
-        ("tan φ = (cos θ + √(cos²θ + sin²θ))/sin θ", "(1 + cos θ)/sin θ"),
+        ("sin(θ + 2φ) = 0", "φ = 90° − θ/2"),
     ),
     "an angle that is made of two by the statement": (
         """

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from restitution.explaining.lines.derivation import Relation
+from restitution.planning.writing.forms import alike
 from restitution.planning.writing.scene import Scene
 
 
@@ -24,7 +25,8 @@ def put_in_order_last(scene: Scene, standing: int, last: int) -> None:
     if len(kept.options) != 1 or kept.options[0] not in desk.relation(standing).options:
         return
     index = desk.relation(standing).options.index(kept.options[0])
-    if first.options[index] == kept.options[0]:
+    (before,), (after,) = first.options[index], kept.options[0]
+    if alike(before.right, after.right):
         return
     plain = Relation((first.options[index],))
     premises = tuple(standing - 1 if ref == standing else ref for ref in rest.premises)
