@@ -50,7 +50,7 @@ def complaints(solution: Solution, derivation: Derivation) -> list[str]:
 
 def answers(solution: Solution, derivation: Derivation) -> list[str]:
     """Items without an end, and ends that are not what the solver answers."""
-    noted = {each.place for each in derivation.notes if each.kind != "standing"}
+    noted = {each.place for each in derivation.notes if each.kind not in ("standing", "agreeing")}
     items = [each for n, each in enumerate(solution.items()) if n not in noted]
     names = list(dict.fromkeys(each.item for each in derivation.items))
     if len(names) != len(items):

@@ -164,7 +164,7 @@ def test_a_square_stands_alone_where_a_given_sign_lets_it() -> None:
         "sphere A: mass m, velocity u i + v j\nsphere B: mass m, velocity -u i + v j\n"
         "A hits B: along i\ngiven energy_lost = 1/4 energy(0), u > 0\nfind e\nfind range of v/u"
     )
-    assert "e² = (3u² − v²)/(4u²), as u > 0 (4)" in text
+    assert "1 − e² = (u² + v²)/(4u²), as u > 0 e² = (3u² − v²)/(4u²) (4)" in text
     assert "(3u² − v²)/(4u²) ≥ 0, as e² ≥ 0" in text
 
 

@@ -41,7 +41,10 @@ SAYS = {
     "the greatest deflection of a sphere, over e": (
         REST.format(k="", e="").replace("mass m, velocity", "mass 3m, velocity")
         + "given tan(alpha) = 1/2\nfind maximum of deflection(A) over e",
-        ["as (1 + e)/(2(4 − e)) increases with e and e ≤ 1", "δ ≤ arctan(1/3), as 0° ≤ δ ≤ 180°"],
+        [
+            "as (1 + e)/(2(4 − e)) increases with e and e ≤ 1",
+            "so δ is acute (5) From (4) and (5): δ ≤ arctan(1/3)",
+        ],
     ),
     "a condition that always holds, with both components found": (
         (
@@ -56,7 +59,7 @@ SAYS = {
             "sphere A: mass 2m, velocity u at alpha\nsphere B: mass m, velocity u at 180°\n"
             "A hits B: along i, e = 1/2\ngiven speed(A) > 3/4 u\nfind range of cos(alpha)"
         ),
-        ["As sin² + cos² = 1:", "12 cos²α + 8 cos α − 11 < 0"],
+        ["As sin²α + cos²α = 1:", "12 cos²α + 8 cos α − 11 < 0"],
     ),
     "an obtuse deflection": (
         REST.format(k="4", e=", e = 1/2") + "given deflection(A) > 90°\nfind range of tan(alpha)",
@@ -165,7 +168,7 @@ SAYS = {
             "sphere P: at (a, a), velocity -k u i - u j\nP hits OX: e = 1/4\nP hits OY\n"
             "find range of k"
         ),
-        ["0 < (1 − k)a/(4k) < 3a 0 < 1 − k < 12k 1/13 < k < 1"],
+        ["0 < (1 − k)a/(4k) < 3a 0 < 1 − k < 12k, as k > 0 1/13 < k < 1"],
     ),
     "a range under the range of another letter": (
         WALL.format(e="") + "given 3/4 <= speed(P)/u <= 7/8, alpha = 60°\n"

@@ -400,6 +400,6 @@ def test_what_a_square_is_divided_by_stands_beside_it_before_it_is_shown() -> No
     derivation = plan(solve(problem))
     assert not follow(derivation, Oracle(roles(problem)))
     assert said(derivation)[-2:] == [
-        "3(1 - e^2) sin^2(theta) = 1",
+        "(1 - e^2) sin^2(theta) = 1/3",
         "sin^2(theta) = 1/(3(1 - e^2))",
     ]

@@ -517,6 +517,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}. {body} was at rest, so it moves along the line of centres:"
     ),
     "given.fact": "It is given that {fact}:",
+    "given.fact-without-mass": "It is given that {fact}. Half the mass cancels:",
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",
     "given.and": "It is given that {fact}.",
@@ -1056,6 +1057,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
     "fraction-lost.title": "Fraction of the kinetic energy that is lost, in which the mass cancels",
+    "fraction-lost.why": (
+        "The kinetic energy of one body is half its mass times the square of its speed. Where one "
+        "body loses energy, half its mass stands above and below in the fraction that is lost, and "
+        "squares of speeds are left."
+    ),
     "change-of-energy.title": "Change of kinetic energy, by the component that changes",
     "loss-wall.title": "Kinetic energy lost, by the component that changes",
     "flight.title": "Distance = speed × time",

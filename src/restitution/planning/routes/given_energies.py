@@ -7,7 +7,8 @@ from restitution.expression.tree import Binary, Expression, Name, Quantity, lett
 from restitution.planning.formulas.fractions_lost import fraction_lost
 from restitution.planning.formulas.velocity_formulas import squares
 from restitution.planning.writing.desk import chain, together
-from restitution.planning.writing.forms import ONE, product, product_without, swept
+from restitution.planning.writing.forms import ONE, product, product_without, swept, tree_of
+from restitution.planning.writing.polynomials import factored
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
@@ -50,7 +51,18 @@ def _of_a_loss(scene: Scene, each: GivenEquation, lost: Quantity) -> int | None:
     refs = scene.judge.enough(
         own.move, together(each.refs, own.refs), relation, background(scene, letters(right))
     )
-    return None if refs is None else scene.desk.write(own.move, refs, relation)
+    if refs is None:
+        return None
+    line = scene.desk.write(own.move, refs, relation)
+    fraction = factored(own.value)
+    if not fraction.is_Mul or sum(each.is_Add for each in fraction.args) != 1:
+        return line
+    # What is common to the squares is taken out before anything is divided by it.
+    share = chain(tree_of(fraction), (pair[1], None))
+    return (
+        scene.judge.write((Move("rearrange"),), (line, *background(scene, letters(right))), share)
+        or line
+    )
 
 
 def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:

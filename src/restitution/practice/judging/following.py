@@ -303,7 +303,9 @@ class Following(OwnValues):
         again = {_family(use.altered) for use in uses if use.altered}
         for number, mistake in self._explained.items():
             if again & {_family(each.id) for each in mistake.variants}:
-                if self._is_repeated(mistake, uses):
+                repeated = self._repeated(mistake, uses)
+                if repeated:
+                    self._confirmed.setdefault(number, set()).update(repeated)
                     return JudgedLink("follows", link.readings[0], "exact", (number,))
                 continue
             for variant in mistake.variants[:ALTERED]:
@@ -327,15 +329,16 @@ class Following(OwnValues):
         uses = self.uses_of_entry(entry) if self._names else ()
         return not uses or any(use.altered or use.principle != "unchanged" for use in uses)
 
-    def _is_repeated(self, mistake: Explained, uses: Sequence[Use]) -> bool:
-        """Whether a line has the mistake of an earlier one once more, at the same event.
+    def _repeated(self, mistake: Explained, uses: Sequence[Use]) -> frozenset[str]:
+        """The mistakes of an earlier line that a line has once more, at the same event.
 
         Whoever exchanges sine and cosine in one component does so in the other.
         """
-        return any(
-            each.id == use.altered and each.event.number == use.event
+        return frozenset(
+            each.id
             for each in mistake.variants
             for use in uses
+            if each.id == use.altered and each.event.number == use.event
         )
 
     def _impossible(self, claim: Claim) -> str | None:

@@ -175,6 +175,8 @@ class GivenLeads(Leads):
             line.move.bodies[0], line.move.event or 0, line
         ):
             return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
+        if line.move.record in ("energy-ratio", "fraction-lost"):
+            return (say("given.fact-without-mass", fact=sentence),)
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 
