@@ -55,7 +55,8 @@ def _of_a_loss(scene: Scene, each: GivenEquation, lost: Quantity) -> int | None:
         return None
     line = scene.desk.write(own.move, refs, relation)
     fraction = factored(own.value)
-    if not fraction.is_Mul or sum(each.is_Add for each in fraction.args) != 1:
+    sums = {frozenset(each.free_symbols) for each in fraction.args if each.is_Add}
+    if not fraction.is_Mul or len(sums) != 1:
         return line
     # What is common to the squares is taken out before anything is divided by it.
     share = chain(tree_of(fraction), (pair[1], None))
