@@ -81,6 +81,9 @@ class Degrees(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
+RIGHT_ANGLE, STRAIGHT_ANGLE = Degrees(Fraction(90)), Degrees(Fraction(180))
+
+
 @_keeps_hash
 @dataclass(frozen=True, slots=True)
 class Pi(Node):

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from fractions import Fraction
 
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
-from restitution.expression.tree import Degrees, Letter
+from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
+    Letter,
+)
 from restitution.oracle.roles import ACUTE
 from restitution.problem import Compare, Given, Problem
 from restitution.render.layout import display
@@ -50,7 +52,7 @@ def with_hints(solution: Solution, solved: Callable[[Problem], Solution]) -> Sol
 
 
 def _up_to_180(problem: Problem, name: str) -> Problem:
-    bound = Given((Compare((Letter(name), Degrees(Fraction(180))), ("<",)),))
+    bound = Given((Compare((Letter(name), STRAIGHT_ANGLE), ("<",)),))
     first, *others = problem.parts
     return replace(problem, parts=(replace(first, steps=(bound, *first.steps)), *others))
 

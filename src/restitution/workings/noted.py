@@ -155,8 +155,10 @@ class Notes:
                 own = [fact for e in bounds if (fact := self._derivation.fact(str(e))) is not None]
                 if label is not None and any(each.part == note.part for each in own):
                     reasons = tuple(self._known(bounds).values())
-                    found = self._naming.relation(relation)
-                    return say("note.beyond-there", label=label, found=found, reasons=reasons)
+                    own_value = self._naming.relation(relation)
+                    return say(
+                        "note.beyond-there", label=label, relation=own_value, reasons=reasons
+                    )
                 if label is None:
                     return say("note.impossible-above")
                 return say("note.impossible-there", label=label)

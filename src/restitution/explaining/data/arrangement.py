@@ -14,6 +14,7 @@ from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.derivation import Event
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Binary,
     Degrees,
     Expression,
@@ -249,10 +250,9 @@ class Arrangement:
         """A direction that is told by its angle, turned by +90°."""
         if not world_of(self.problem).is_angle(along):
             return None
-        right = Degrees(Fraction(90))
         if isinstance(along, Degrees):
-            return Degrees(along.value + right.value)
-        return Binary("+", along, right)
+            return Degrees(along.value + RIGHT_ANGLE.value)
+        return Binary("+", along, RIGHT_ANGLE)
 
     def _leads_away(self, body: str, number: int, normal: Expression, along: Expression) -> bool:
         """Whether a velocity before an event, where it is plain, is against a direction.
@@ -372,7 +372,7 @@ def opposite(tree: Expression) -> Expression:
     """A direction turned round."""
     if isinstance(tree, Degrees):
         return Degrees((tree.value + 180) % 360)
-    if isinstance(tree, Binary) and tree.right == Degrees(Fraction(90)):
+    if isinstance(tree, Binary) and tree.right == RIGHT_ANGLE:
         return Binary("-" if tree.op == "+" else "+", tree.left, tree.right)
     if isinstance(tree, Binary) and tree.op == "-":
         return Binary("-", tree.right, tree.left)

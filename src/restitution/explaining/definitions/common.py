@@ -7,12 +7,15 @@ from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Event, Link, Relation, whole_of
 from restitution.explaining.steps.step import Step
-from restitution.expression.tree import Binary, Degrees, Expression, Number, Quantity, Unit
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Number,
+    Quantity,
+    Unit,
+)
 
 ZERO = Number(Fraction(0))
-
-
-RIGHT_ANGLE = Degrees(Fraction(90))
 
 
 def axis_of(event: Event) -> Expression:

@@ -9,7 +9,6 @@ from itertools import pairwise, product
 from typing import Any
 
 from restitution.explaining.definitions.common import (
-    RIGHT_ANGLE,
     axis_of,
     squared,
     total_of,
@@ -21,6 +20,7 @@ from restitution.explaining.lines.quotients import Plane
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Apply,
     AtTime,
     Binary,

@@ -8,7 +8,6 @@ from fractions import Fraction
 
 from restitution.explaining.data.offset_angles import named_angles
 from restitution.explaining.definitions.common import (
-    RIGHT_ANGLE,
     ZERO,
     axis_of,
     unit_vector,
@@ -19,6 +18,8 @@ from restitution.explaining.lines.quotients import Quotient
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -34,7 +35,7 @@ from restitution.expression.tree import (
 _TIES: Mapping[Expression, Sign] = {
     RIGHT_ANGLE: "perpendicular to",
     Degrees(Fraction(0)): "parallel to",
-    Degrees(Fraction(180)): "parallel to",
+    STRAIGHT_ANGLE: "parallel to",
 }
 """How directions stand to each other that make an angle of so much."""
 
@@ -122,7 +123,7 @@ def past_a_right_angle(link: Link) -> tuple[Expression, Expression, Sign] | None
     match link:
         case Link(
             Quantity("direction", (Name() as body,), int(stage)), ">" | ">=" as sign, right
-        ) if right == Degrees(Fraction(90)):
+        ) if right == RIGHT_ANGLE:
             return Quantity("velocity", (body,), stage), Unit("i"), FLIPPED[sign]
     turned = FLIPPED.get(link.sign)
     tie = None if turned is None else tie_of(replace(link, sign="="))

@@ -29,6 +29,7 @@ from restitution.explaining.lines.trees import trees_of
 from restitution.explaining.moves import follows, is_certain
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Degrees,
     Expression,
     Letter,
@@ -279,7 +280,7 @@ def _known(ref: str, setting: Setting) -> Known | None:
     head, colon, text = ref.partition(":")
     if colon and head.strip() == "acute":
         angle = read_tree(text, setting.names)
-        zero, right = Degrees(Fraction(0)), Degrees(Fraction(90))
+        zero, right = Degrees(Fraction(0)), RIGHT_ANGLE
         relation = Relation(((Link(angle, ">", zero), Link(angle, "<", right)),))
         names = letters(angle)
     else:

@@ -765,7 +765,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "note.impossible": "What is described cannot happen, as {reason}.",
     "note.out-of-range": "But {reasons:and}. So what is described cannot happen.",
     "note.beyond-there": (
-        "From part ({label}), {found}. But {reasons:and}. So what is described cannot happen."
+        "From part ({label}), {relation}. But {reasons:and}. So what is described cannot happen."
     ),
     "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",
     "note.unreached": "So {reason}: what is described cannot happen.",

@@ -13,6 +13,7 @@ from restitution.explaining.moves.angles import in_radians
 from restitution.explaining.moves.laws import stands
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
     Binary,
     Degrees,
     Expression,
@@ -24,8 +25,6 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle
 from restitution.oracle import Relation as Claim
-
-_STRAIGHT = Degrees(Fraction(180))
 
 
 def is_angle_of_lines(step: Step, line: Link) -> bool:
@@ -65,7 +64,7 @@ def _turns(step: Step, tree: Expression) -> Iterator[tuple[Expression, bool]]:
                 if link.left == Quantity("direction", (tree,)):
                     for turn in _angles(link.right):
                         yield turn, True
-                        yield Binary("+", turn, _STRAIGHT), True
+                        yield Binary("+", turn, STRAIGHT_ANGLE), True
         case Quantity("velocity", (Name() as body,), int(stage)):
             direction = Quantity("direction", (body,), stage)
             for link in step.links:

@@ -16,6 +16,8 @@ from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.angles import Identity
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation, whole_of
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Binary,
     Degrees,
     Expression,
@@ -215,7 +217,7 @@ class Premises:
                         continue
                     axis = Quantity("line_of_centres", (), event.number)
                     if axis not in self.opaque:
-                        yield axis, Binary("-", value, Degrees(Fraction(90)))
+                        yield axis, Binary("-", value, RIGHT_ANGLE)
                     wall = Quantity("direction", (Name(name),))
                     if wall not in self.opaque:
                         yield wall, value
@@ -231,7 +233,7 @@ class Premises:
             yield quantity, value
             match quantity:
                 case Quantity("angle", (velocity, Name(wall))):
-                    rest = Binary("-", Degrees(Fraction(90)), value)
+                    rest = Binary("-", RIGHT_ANGLE, value)
                     for event in self.setting.events:
                         if event.wall and event.bodies[1] == wall:
                             normal = Quantity("line_of_centres", (), event.number)
@@ -306,16 +308,19 @@ class Premises:
             unit = given.operand if isinstance(given, Negate) else given
             if not isinstance(unit, Unit):
                 return None
-            right = Degrees(Fraction(90))
-            turned = Binary("-", line, right) if unit == Unit("j") else line
+            turned = Binary("-", line, RIGHT_ANGLE) if unit == Unit("j") else line
             angle = Binary("-", angle, turned)
         elif given not in (line, Negate(line)) and Negate(given) != line:
             units = [each.operand if isinstance(each, Negate) else each for each in (given, line)]
             if not all(isinstance(each, Unit) for each in units):
                 return None
-            angle = Binary("-", Degrees(Fraction(90)), angle)
-        straight = Degrees(Fraction(180))
-        forms = (angle, Binary("-", straight, angle), Negate(angle), Binary("+", straight, angle))
+            angle = Binary("-", RIGHT_ANGLE, angle)
+        forms = (
+            angle,
+            Binary("-", STRAIGHT_ANGLE, angle),
+            Negate(angle),
+            Binary("+", STRAIGHT_ANGLE, angle),
+        )
         return next((form for form in forms if self._is_up_to(world, form, sp.pi / 2)), None)
 
     def _is_up_to(self, world: World, angle: Expression, most: sp.Expr) -> bool:

@@ -10,6 +10,8 @@ import sympy as sp
 from restitution.exact import tidy, tidy_angle
 from restitution.explaining.lines.derivation import Move, MoveId
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -70,7 +72,7 @@ def direction_ratio(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio 
         # On the other side of j the angle is measured from −i.
         sign = scene.model.sign(y.value)
         size = in_degrees_of(sp.atan(-value * sign), -value * sign)
-        straight = Degrees(Fraction(180))
+        straight = STRAIGHT_ANGLE
         if isinstance(size, Degrees):
             right = Degrees(straight.value - size.value)
             right = Negate(right) if sign < 0 else right
@@ -141,7 +143,7 @@ def _across_the_centres(
     if not sign:
         return None
     turn = sp.pi / 2 if sign > 0 else -sp.pi / 2
-    right = Binary("+" if sign > 0 else "-", angle, Degrees(Fraction(90)))
+    right = Binary("+" if sign > 0 else "-", angle, RIGHT_ANGLE)
     known = scene.desk.known(angle) if isinstance(angle, Letter) else None
     steps: list[tuple[Expression, MoveId | None]] = [(right, None)]
     if known is not None:
@@ -165,7 +167,7 @@ def along_an_axis(scene: Scene, asked: Quantity) -> int | None:
         angle = Degrees(Fraction(0 if scene.model.sign(x.value) > 0 else 180))
     elif x.value == 0 and scene.model.proved_sign(scene.model.in_data(y.value)):
         x, y = y, x
-        angle = Degrees(Fraction(90))
+        angle = RIGHT_ANGLE
         angle = angle if scene.model.sign(x.value) > 0 else Negate(angle)
     else:
         return None
@@ -186,7 +188,7 @@ def _along_j(scene: Scene, asked: Quantity, x: Source, y: Source) -> Ratio:
         together((meaning,), x.whole),
         chain(Apply("cos", Letter(letter)), (tree_of(zero), None)),
     )
-    right = Degrees(Fraction(90))
+    right = RIGHT_ANGLE
     up = scene.model.sign(y.value) > 0
     side = together(y.whole, nonzero(scene, y.value))
     extent = RANGES["direction"].format(letter)

@@ -12,6 +12,8 @@ from restitution import exact
 from restitution.exact import tidy, tidy_angle
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -331,15 +333,14 @@ def _angle_of(scene: Scene, own: Ratio) -> Expression:
     """The angle of a ratio, of up to 180°."""
     value = own.value
     if own.function == "tan" and (scene.model.proved_sign(value) or 0) < 0:
-        straight = Degrees(Fraction(180))
         size = in_degrees_of(sp.atan(-value), -value)
         if isinstance(size, Degrees):
-            return Degrees(straight.value - size.value)
-        return difference(straight, size)
+            return Degrees(STRAIGHT_ANGLE.value - size.value)
+        return difference(STRAIGHT_ANGLE, size)
     if own.function == "tan" and value.func is sp.tan and value.args[0].is_Symbol:
         return tree_of(value.args[0])
     if own.function == "tan" and (1 / value).func is sp.tan and (1 / value).args[0].is_Symbol:
-        return difference(Degrees(Fraction(90)), tree_of((1 / value).args[0]))
+        return difference(RIGHT_ANGLE, tree_of((1 / value).args[0]))
     return in_degrees_of({"tan": sp.atan, "cos": sp.acos}[own.function](value), value)
 
 

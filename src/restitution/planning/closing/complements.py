@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from restitution.explaining.lines.derivation import Move
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, walk
+from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    walk,
+)
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import ONE
 from restitution.planning.writing.scene import Scene
-
-_RIGHT_ANGLE = Degrees(Fraction(90))
 
 
 def without_complements(scene: Scene, number: int) -> int:
@@ -42,4 +45,4 @@ def _of_the_angle(node: Expression) -> Expression | None:
             own = Binary("/", ONE, Apply("tan", angle))
         case _:
             return None
-    return own if right_angle == _RIGHT_ANGLE else None
+    return own if right_angle == RIGHT_ANGLE else None

@@ -175,8 +175,8 @@ class Claims(Eliminated):
             for inequality in self.conditions.inequalities()
             if inequality.id not in under and inequality.kind in ("given", "range")
         ]
-        said = [own.relation for e in under if (own := self.scene.facts.get(str(e))) is not None]
-        rest = [each for each in rest if each.relation not in said]
+        cited = [own.relation for e in under if (own := self.scene.facts.get(str(e))) is not None]
+        rest = [each for each in rest if each.relation not in cited]
         if line.move.id != "compare" or not rest:
             return number
         again = number != len(desk.lines)

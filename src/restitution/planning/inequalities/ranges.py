@@ -135,9 +135,9 @@ def _further_conditions(claims: Claims, line: int) -> Iterator[Fact]:
     """The inequalities that are given and do not lie under a line, nor others that say the same."""
     facts = claims.scene.facts
     under = claims.scene.desk.under(line)
-    said = [facts[ref].relation for ref in under if isinstance(ref, str) and ref in facts]
+    cited = [facts[ref].relation for ref in under if isinstance(ref, str) and ref in facts]
     for each in claims.conditions.inequalities():
-        if each.kind in ("given", "range") and each.relation not in said:
+        if each.kind in ("given", "range") and each.relation not in cited:
             yield each
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 import sympy as sp
 
@@ -17,9 +16,9 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
@@ -35,8 +34,6 @@ from restitution.planning.writing.place_trees import place_tree
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Arrival
-
-_RIGHT = Degrees(Fraction(90))
 
 
 @dataclass(frozen=True)
@@ -106,7 +103,7 @@ def write_round(scene: Scene, own: Round) -> int:
             premises.append(number)
             pool.append(f"acute: {other.name}")
     a, b, c = angles
-    total = chain(Binary("+", a, b), (Binary("-", _RIGHT, c), None))
+    total = chain(Binary("+", a, b), (Binary("-", RIGHT_ANGLE, c), None))
     move = move_of(own)
     closing = scene.desk.write(move, together(premises), total)
     if all(scene.coefficient(n).value == 1 for n in own.hits):

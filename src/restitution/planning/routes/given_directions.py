@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.definitions.common import RIGHT_ANGLE
 from restitution.explaining.lines.derivation import Link, Move
-from restitution.expression.tree import Expression, Letter, Name, Quantity
+from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+)
 from restitution.oracle.roles import REAL
 from restitution.planning.axes.open_lines import ray_of, tried, without_root, write_ray
 from restitution.planning.closing.pairs import close_two

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from restitution.components.frames import Frame as Resolved
@@ -27,6 +26,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
     Binary,
     Degrees,
     Expression,
@@ -134,7 +134,7 @@ def _by_the_impulse(scene: Scene, number: int, given: _Given) -> int:
     sides: list[tuple[Expression, MoveId | None]] = [(given.angle, None)]
     if given.body == scene.bodies(number)[0]:
         # The line is from the first sphere to the second, as the impulse on that.
-        rest = Binary("-", Degrees(Fraction(180)), given.angle)
+        rest = Binary("-", STRAIGHT_ANGLE, given.angle)
         sides = [(rest, None), (tree_of(scene.value(rest), angle=True), "rearrange")]
     move = Move("law", "across-the-impulse", number, (given.body,))
     return scene.desk.write(move, (given.fact,), chain(_angle(number, None), *sides))
@@ -153,9 +153,7 @@ def angle_of_centres(scene: Scene, number: int) -> Expression | None:
     fact = scene.facts.get(f"axis {number}")
     if given is not None:
         if given.body is not None and given.body == scene.bodies(number)[0]:
-            return tree_of(
-                scene.value(Binary("-", Degrees(Fraction(180)), given.angle)), angle=True
-            )
+            return tree_of(scene.value(Binary("-", STRAIGHT_ANGLE, given.angle)), angle=True)
         angle = given.angle
     elif fact is not None:
         angle = fact.relation.only[0].right

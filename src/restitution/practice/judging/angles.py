@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from fractions import Fraction
 
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.tree import Binary, Degrees, Expression, Letter, Negate
+from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+)
 from restitution.practice.judging.entries import names_of
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.reading.phrases import UNNAMED_ANGLE, UNNAMED_DIRECTION
@@ -15,7 +21,6 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 
 _UNNAMED = frozenset({UNNAMED_ANGLE, UNNAMED_DIRECTION})
-_RIGHT, _STRAIGHT = Degrees(Fraction(90)), Degrees(Fraction(180))
 
 
 def unnamed_in(claim: Claim) -> frozenset[str]:
@@ -31,9 +36,9 @@ def with_angles(
     angles += [each.quantity for each in known if each.kind in ("angle", "deflection")]
     turned = UNNAMED_DIRECTION in unnamed_in(claim)
     for angle in angles:
-        forms: list[Expression] = [angle, Binary("-", _RIGHT, angle)]
+        forms: list[Expression] = [angle, Binary("-", RIGHT_ANGLE, angle)]
         if turned:
-            forms += [*map(Negate, forms), Binary("-", _STRAIGHT, angle)]
+            forms += [*map(Negate, forms), Binary("-", STRAIGHT_ANGLE, angle)]
         for each in forms:
             put: dict[Expression, Expression] = {Letter(name): each for name in _UNNAMED}
             left, right = (exchanged(side, put) for side in (claim.left, claim.right))

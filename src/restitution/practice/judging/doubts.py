@@ -196,11 +196,13 @@ class Doubts:
             if each.verdict == "true" and each.uses and each.uses[0].principle == "momentum"
         ]
         names = _names_in_doubt(line)
-        told = named and any(names <= each for each in momenta)
+        by_momentum = named and any(names <= each for each in momenta)
         doubtful: set[str] = set()
         for name, meaning in self.meanings.best.at(line.line.number).items():
             if name in names and meaning.by == "inferred" and not is_phrase(name):
-                support = sum(name in each for each in true) + _SURE * (name in worked or told)
+                support = sum(name in each for each in true) + _SURE * (
+                    name in worked or by_momentum
+                )
                 odd = is_odd(name, meaning.quantity)
                 if support < (2 if odd else 0 if named else 1) or (
                     (not support or (support < _SURE and kind_of(meaning.quantity) in ANGLES))

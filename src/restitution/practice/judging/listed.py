@@ -42,10 +42,10 @@ def as_components(line: ScriptLine, worlds: Sequence[World], meanings: Meanings)
         return line
     claims: tuple[Claim, ...] | None = None
     for world in worlds:
-        found = _claims(line.values, event, step.first, world, meanings)
-        if not found:
+        listed = _claims(line.values, event, step.first, world, meanings)
+        if not listed:
             return line
-        claims = claims or found
+        claims = claims or listed
     links = tuple(Link((claim,), 1, max(1, len(line.text)), ()) for claim in claims or ())
     return replace(line, kind="relations", links=links, values=())
 

@@ -15,6 +15,7 @@ from typing import Literal
 
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -245,7 +246,7 @@ def _radians(tree: Expression) -> Expression:
 def _plain(tree: Expression) -> Expression:
     """Degrees taken for radians."""
     if isinstance(tree, Number | Degrees):
-        return Binary("/", Binary("*", Number(tree.value), Degrees(Fraction(180))), Pi())
+        return Binary("/", Binary("*", Number(tree.value), STRAIGHT_ANGLE), Pi())
     return tree
 
 

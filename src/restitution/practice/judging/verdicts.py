@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import chain
 
 import numpy as np
@@ -18,9 +17,9 @@ from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, VariantAt
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
@@ -200,9 +199,8 @@ class Judge(Following):
     def _other_angles(self, tree: Expression) -> Iterator[Expression]:
         """The acute angle for an obtuse one, and angles in the other sense."""
         if self._is_obtuse(tree):
-            straight = Degrees(Fraction(180))
-            yield Binary("-", straight, tree)
-            yield Binary("-", tree, straight)
+            yield Binary("-", STRAIGHT_ANGLE, tree)
+            yield Binary("-", tree, STRAIGHT_ANGLE)
         yield Negate(tree)
 
     def _is_obtuse(self, tree: Expression) -> bool:

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import Literal
 
 from restitution.expression.quantities import Nature
 from restitution.expression.tree import (
     GREEK,
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
-    Degrees,
     Expression,
     Name,
     Negate,
@@ -46,7 +46,7 @@ Kind = Literal[
 AXES: tuple[Expression, ...] = (Unit("i"), Unit("j"))
 # What the sense against i, j or the first body's way to the second costs.
 _TURNED = 0.1
-_RIGHT_ANGLE, _TWO_RIGHT_ANGLES = Degrees(Fraction(90)), Degrees(Fraction(180))
+_RIGHT_ANGLE, _TWO_RIGHT_ANGLES = RIGHT_ANGLE, STRAIGHT_ANGLE
 
 
 @dataclass(frozen=True)

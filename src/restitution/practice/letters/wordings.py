@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -18,8 +18,6 @@ from restitution.expression.tree import (
 from restitution.expression.writing import write_expression
 from restitution.problem import Event, Impact, Problem, bodies_of
 
-_RIGHT, _STRAIGHT = Degrees(Fraction(90)), Degrees(Fraction(180))
-
 
 def words_of(tree: Expression, problem: Problem) -> str:
     """A quantity in words, without an article; any other expression as it is written."""
@@ -31,7 +29,7 @@ def words_of(tree: Expression, problem: Problem) -> str:
         case Quantity(kind, arguments):
             return _WORDS.get(kind, _plain)(tree, problem)
         case Binary("-", Degrees() as whole, Quantity("angle", (Quantity() as moving, side))):
-            if whole == _RIGHT:
+            if whole == RIGHT_ANGLE:
                 return _angle(moving, f"the perpendicular to {_line(side, problem)}", problem)
             return f"180° less the {words_of(tree.right, problem)}"
         case Binary("-", Quantity("energy", one, int(early)), Quantity("energy", two, int(late))):

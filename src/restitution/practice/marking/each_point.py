@@ -82,8 +82,8 @@ class EachPoint:
         if point.letter == "B" and point.item is None:
             return self._independent(point)
         value = self._value(point)
-        said = self._said(point) if point.shown and value.line is None else None
-        return value if said is None else self._earned(point, said, "said in words")
+        in_words = self._in_words(point) if point.shown and value.line is None else None
+        return value if in_words is None else self._earned(point, in_words, "said in words")
 
     def _method(self, point: MarkPoint) -> PointMark:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
@@ -437,7 +437,7 @@ class EachPoint:
                 pending += source.sources
         return [each for each in self.lines if each.line.number in seen and each.verdict == "false"]
 
-    def _said(self, point: MarkPoint) -> JudgedLine | None:
+    def _in_words(self, point: MarkPoint) -> JudgedLine | None:
         """A line below the equations that says in words what is printed of a direction."""
         words = self.values.words_of_direction(point)
         last = max((self.states[x].line or 0 for x in point.above if x in self.states), default=0)

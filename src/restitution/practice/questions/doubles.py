@@ -55,7 +55,7 @@ class Letters:
         return 0 if abs(x) < _TINY else (1 if x > 0 else -1)
 
 
-class _Told:
+class _Teller:
     """A part that is told again and again, with other values."""
 
     def __init__(self, problem: Problem, part: Part) -> None:
@@ -85,11 +85,11 @@ def fitted(
 
     By Broyden's method from the values given; the least change where facts leave room.
     """
-    current, told = dict(values), _Told(problem, part)
-    trial = _trial(told, current)
+    current, teller = dict(values), _Teller(problem, part)
+    trial = _trial(teller, current)
     if trial is None or _is_met(trial.errors, current):
         return None if trial is None else trial.story
-    slopes = _slopes(told, current, sought, trial.errors)
+    slopes = _slopes(teller, current, sought, trial.errors)
     for _ in range(_MOST_STEPS if slopes is not None else 0):
         assert slopes is not None
         change = np.linalg.lstsq(slopes, -trial.errors, rcond=None)[0]
@@ -97,7 +97,7 @@ def fitted(
             return None
         for name, by in zip(sought, change, strict=True):
             current[name] += float(by)
-        moved = _trial(told, current)
+        moved = _trial(teller, current)
         if moved is None or moved.errors.shape != trial.errors.shape:
             return None
         if _is_met(moved.errors, current):
@@ -120,11 +120,11 @@ class _Trial:
     errors: np.ndarray
 
 
-def _trial(told: _Told, values: Mapping[str, float]) -> _Trial | None:
+def _trial(teller: _Teller, values: Mapping[str, float]) -> _Trial | None:
     """The story and what should vanish, an array; None where something cannot be."""
     try:
-        story = told.story(values)
-        errors = np.array(told.residuals(story), dtype=float)
+        story = teller.story(values)
+        errors = np.array(teller.residuals(story), dtype=float)
     except REFUSALS:
         return None
     return _Trial(story, errors) if np.all(np.isfinite(errors)) else None
@@ -136,7 +136,7 @@ def _is_met(errors: np.ndarray, values: Mapping[str, float]) -> bool:
 
 
 def _slopes(
-    told: _Told,
+    teller: _Teller,
     values: Mapping[str, float],
     sought: Sequence[str],
     errors: np.ndarray,
@@ -145,7 +145,7 @@ def _slopes(
     columns = []
     for name in sought:
         step = 1e-6 * max(abs(values[name]), 0.1)
-        moved = _trial(told, {**values, name: values[name] + step})
+        moved = _trial(teller, {**values, name: values[name] + step})
         if moved is None or moved.errors.shape != errors.shape:
             return None
         columns.append((moved.errors - errors) / step)

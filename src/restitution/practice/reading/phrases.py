@@ -18,9 +18,10 @@ from typing import Literal
 from restitution.errors import StatementError
 from restitution.expression import read_expression
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
-    Degrees,
     Expression,
     Name,
     Negate,
@@ -544,21 +545,21 @@ class _Reader(Moments):
         if features.axis is not None and "centres" in (features.direction or ""):
             own = Quantity("angle", (line, features.axis))
             yield own
-            yield Binary("-", Degrees(Fraction(180)), own)
+            yield Binary("-", STRAIGHT_ANGLE, own)
         if not spheres:
             yield from self.angle_of_wall(event)
         for body in self.bodies(event):
             velocity = self.of("velocity", body, event)
             other = self.other_direction(event, line)
             value = Quantity("angle", (velocity, other))
-            square = Binary("-", Degrees(Fraction(90)), value)
+            square = Binary("-", RIGHT_ANGLE, value)
             normal = (features.direction or "").startswith("perpendicular")
             to_wall = features.wall or not set(features.names).isdisjoint(self.walls)
             yield square if normal else value
             if features.axis is None and (normal or not to_wall):
                 yield value if normal else square
             if features.axis is None:
-                yield Binary("-", Degrees(Fraction(180)), value)
+                yield Binary("-", STRAIGHT_ANGLE, value)
             to_line = to_wall or features.direction or features.axis is not None
             if not (features.timed or to_line):  # that of before or after is to a line
                 yield Quantity("deflection", (Name(body),), self.after(event))
@@ -567,7 +568,7 @@ class _Reader(Moments):
         if not spheres and features.axis is None and "centres" in (features.direction or ""):
             own = Quantity("angle", (line, Unit("i")))  # angle of the line of centres
             yield own
-            yield Binary("-", Degrees(Fraction(90)), own)
+            yield Binary("-", RIGHT_ANGLE, own)
 
     def angle_of_wall(self, event: int) -> Iterator[Expression]:
         """The angles of a wall to i or j, where the words name both: ``angle of W with i``."""
@@ -576,14 +577,14 @@ class _Reader(Moments):
         if named and wall is not None and isinstance(self.features.axis, Unit):
             own = Quantity("angle", (wall, self.features.axis))
             yield own
-            yield Binary("-", Degrees(Fraction(180)), own)
+            yield Binary("-", STRAIGHT_ANGLE, own)
 
     def inclinations(self, event: int) -> Iterator[Expression]:
         """The angles of velocities to the line of centres, measured either way."""
         for body in self.bodies(event):
             angle = Quantity("angle", (self.of("velocity", body, event), self.line(event)))
             yield angle
-            yield Binary("-", Degrees(Fraction(180)), angle)
+            yield Binary("-", STRAIGHT_ANGLE, angle)
 
     def angle_between(self, event: int) -> Expression:
         """The angle between the velocities of two spheres that meet."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from restitution.explaining.definitions.common import RIGHT_ANGLE
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import (
     Event,
@@ -16,6 +15,7 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Binary,
     Degrees,
     Expression,

@@ -24,6 +24,8 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -381,8 +383,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             assert isinstance(line.relation, Relation)
             angle = line.relation.only[0].right
             size = angle.operand if isinstance(angle, Negate) else angle
-            if size not in (Degrees(Fraction(0)), Degrees(Fraction(90)), Degrees(Fraction(180))):
-                square = isinstance(angle, Binary) and angle.right == Degrees(Fraction(90))
+            if size not in (Degrees(Fraction(0)), RIGHT_ANGLE, STRAIGHT_ANGLE):
+                square = isinstance(angle, Binary) and angle.right == RIGHT_ANGLE
                 which = "derived.across-centres" if square else self._along_centres(line, body)
                 across = self._across_of(line, body) if square else None
                 if across is not None:
@@ -390,8 +392,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 else:
                     yield say(which, body=body)
                 return
-            axis: Expression = Unit("j" if size == Degrees(Fraction(90)) else "i")
-            back = size != angle or size == Degrees(Fraction(180))
+            axis: Expression = Unit("j" if size == RIGHT_ANGLE else "i")
+            back = size != angle or size == STRAIGHT_ANGLE
             along = self._naming.layout(Negate(axis) if back else axis)
             yield say("derived.along-axis", body=body, axis=along)
             return
@@ -666,7 +668,7 @@ def _off_lines(line: Line) -> tuple[tuple[str, int], ...]:
         return ()
     match line.relation:
         case Relation(((Link(Quantity("angle", arguments), "=", right), *_),)):
-            straight = right in (Degrees(Fraction(0)), Degrees(Fraction(180)))
+            straight = right in (Degrees(Fraction(0)), STRAIGHT_ANGLE)
         case _:
             return ()
     moving = tuple(

@@ -15,6 +15,8 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -74,12 +76,11 @@ def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
         {node for tree in trees_of(each.relation) for node in walk(tree) if isinstance(node, Apply)}
         for each in (base, line)
     )
-    right = Degrees(Fraction(90))
     rests = {
         node.argument.right
         for node in before
         if isinstance(node.argument, Binary)
-        and (node.argument.op, node.argument.left) == ("-", right)
+        and (node.argument.op, node.argument.left) == ("-", RIGHT_ANGLE)
     }
     return (
         bool(rests)
@@ -230,7 +231,7 @@ class TurnLeads(LinesAround):
         if event.wall:
             name = "turned-wall.sum"
             if line.move.record == "difference":
-                straight = first.right == Degrees(Fraction(180))
+                straight = first.right == STRAIGHT_ANGLE
                 name = "turned-wall.straight" if straight else "turned-wall.along"
                 rebounds = self._given_to_rebound(event.number) if straight else None
                 if rebounds is not None:
@@ -409,7 +410,7 @@ def _kind_of(angle: Expression) -> str:
 
 def _form_of(angle: Expression) -> str:
     """The form in which an angle is written by others."""
-    straight, right = Degrees(Fraction(180)), Degrees(Fraction(90))
+    straight, right = STRAIGHT_ANGLE, RIGHT_ANGLE
     match angle:
         case Degrees():
             return "straight"

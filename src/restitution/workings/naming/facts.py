@@ -31,13 +31,13 @@ def meeting_of(naming: Naming, fact: Fact) -> Meets | None:
     """The meeting of which a given fact tells; None where it tells of something else."""
     for _, step in naming.problem.steps():
         if isinstance(step, Given) and step.place == fact.place:
-            told = [
+            facts = [
                 each
                 for each in naming.derivation.facts
                 if each.kind == "given" and each.place == fact.place
             ]
-            if fact in told and len(told) == len(step.relations):
-                relation = step.relations[told.index(fact)]
+            if fact in facts and len(facts) == len(step.relations):
+                relation = step.relations[facts.index(fact)]
                 return relation if isinstance(relation, Meets) else None
     return None
 

@@ -8,7 +8,15 @@ from fractions import Fraction
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
 from restitution.explaining.lines.notation import read_tree
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Binary, Degrees, Expression, Letter, letters, walk
+from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    letters,
+    walk,
+)
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import factors
 from restitution.planning.writing.inequalities import turned
@@ -70,7 +78,7 @@ class GrowthReasons:
                 angle = read_tree(ref.removeprefix("acute:"), self._naming.bodies)
                 ends += [
                     Link(angle, ">", Degrees(Fraction(0))),
-                    Link(angle, "<", Degrees(Fraction(90))),
+                    Link(angle, "<", RIGHT_ANGLE),
                 ]
         if len(above) != 1:
             return

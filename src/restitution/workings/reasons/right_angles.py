@@ -24,9 +24,9 @@ from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Number,
@@ -39,8 +39,6 @@ from restitution.oracle import Relation as Claim
 from restitution.planning.writing.forms import factors_above, tree_of
 from restitution.workings.naming.in_force import inequalities
 from restitution.workings.naming.quantities import Naming
-
-_RIGHT_ANGLE = Degrees(Fraction(90))
 
 
 @dataclass(frozen=True)
@@ -158,7 +156,7 @@ class RightAngles:
         if not pole.upright:
             apart = Relation(((replace(pole.at, sign="!="),),))
             return say("derived.tangent-for", condition=self._naming.relation(apart))
-        right = Relation(((Link(pole.angle, "=", _RIGHT_ANGLE),),))
+        right = Relation(((Link(pole.angle, "=", RIGHT_ANGLE),),))
         at = Relation(((pole.at,),))
         return say(
             "derived.right-angle", angle=self._naming.relation(right), at=self._naming.relation(at)
@@ -180,7 +178,7 @@ class RightAngles:
             return None
         angle, vertical = poles[0].angle, poles[0].at
         root = in_letters_alone(vertical.right)
-        there = rebuilt(whole, lambda each: _RIGHT_ANGLE if each == angle else each)
+        there = rebuilt(whole, lambda each: RIGHT_ANGLE if each == angle else each)
         at = in_letters_alone(there)
         if there == whole or at is None or root is None or not isinstance(vertical.left, Letter):
             return None
@@ -257,7 +255,7 @@ class RightAngles:
             return None
         (name,) = names
         role = self._roles.get(name)
-        trees = [rebuilt(side, lambda e: _RIGHT_ANGLE if e == right else e) for side in sides]
+        trees = [rebuilt(side, lambda e: RIGHT_ANGLE if e == right else e) for side in sides]
         worths = [in_letters_alone(tree) for tree in trees]
         if role is None or role.kind != "angle" or worths[0] is None or worths[1] is None:
             return None
