@@ -36,6 +36,16 @@ from restitution.workings import explain
         ),
         (
             """
+            wall W: along i
+            sphere P: mass m, velocity u at alpha to W
+            P hits W
+            given speed(P) = v
+            find range of v in terms of u, e
+            """,
+            ["v² − e²u² = u²(1 − e²) cos²α", "u² − v² = u²(1 − e²) sin²α", "only."],
+        ),
+        (
+            """
             sphere A: mass 2m, velocity u at alpha
             sphere B: mass m, velocity u at beta from -i
             A hits B: along i, e = e

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.explaining.data.setting import Cited
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation, Sign
+from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import (
     exchanged,
@@ -129,7 +129,7 @@ def is_comparison(step: Step, relation: Relation) -> bool:
         if isinstance(each.relation, Relation) and not str(each.ref).startswith("axis ")
     ]
     relations = [*(each.relation for each in lines), *(each.relation for each in step.known)]
-    if number_compared(step.move, relations) > MOST_COMPARED:
+    if number_compared(relations) > MOST_COMPARED:
         return False
     signs = {link.sign for links in relation.options for link in links}
     if "≈" in signs or ("=" in signs and any(_is_equation(each.relation) for each in lines)):
@@ -138,10 +138,8 @@ def is_comparison(step: Step, relation: Relation) -> bool:
     return is_certain(step, relation)
 
 
-def number_compared(move: Move, relations: Iterable[Relation | Meaning]) -> int:
-    """How many relations are compared: beside bounds both ends of the range of a letter are one."""
-    if move.id != "compare":
-        return sum(1 for _ in relations)
+def number_compared(relations: Iterable[Relation | Meaning]) -> int:
+    """How many relations are compared: both ends of the range of a letter are one."""
     ranges: set[Expression] = set()
     others = 0
     for relation in relations:

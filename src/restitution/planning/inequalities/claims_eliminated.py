@@ -11,7 +11,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, is_ze
 from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
-from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.planning.writing.forms import ZERO, square, tree_of
 from restitution.planning.writing.inequalities import (
     is_monic,
     same,
@@ -45,6 +45,12 @@ class Eliminated(InStages):
                 written = self.monotone(line, relation)
                 if written is not None:
                     return written
+            squared = {square(side) for link in relation.only for side in (link.left, link.right)}
+            for line in self.ties.lines():
+                if self.scene.desk.last_link(line).left in squared:
+                    written = self._by_each_end(line, relation)
+                    if written is not None:
+                        return written
             for line in self.ties.lines():
                 written = self._eliminated(line, base, relation, target)
                 if written is not None:
@@ -152,6 +158,17 @@ class Eliminated(InStages):
             return None
         return write_difference(self, line, Relation(((link,),)))
 
+    def _by_difference_of_squares_from(self, line: int, link: Link) -> int | None:
+        """A bound of a letter of which a line gives the square, by the difference of squares."""
+        other = tree_of(sp.expand(self.worths.value(link.right) ** 2))
+        squares = Relation(((Link(square(link.left), link.sign, other),),))
+        mark = self.worths.mark()
+        bound = write_difference(self, line, squares)
+        end = None if bound is None else self.compared([bound], Relation(((link,),)))
+        if end is None:
+            self.worths.back(mark)
+        return end
+
     def _is_twice_in(self, tree: Expression, symbol: sp.Symbol) -> bool:
         """Whether a letter stands above and below in a quotient: no bound is seen at once."""
         above, below = sp.fraction(one_fraction(self.worths.value(tree)))
@@ -186,13 +203,18 @@ class Eliminated(InStages):
         for link in relation.only:
             if not is_zero(link.left) and not is_zero(link.right):
                 line = write_in_one_tangent(self.scene, whole) or whole
-            own = turned(link) if isinstance(link.right, Letter) else link
+            sides = self.scene.desk.last_link(line)
+            stands = sides.left in (link.left, square(link.left))
+            own = turned(link) if isinstance(link.right, Letter) and not stands else link
             if self.judge.proves(self.judge.known(letters(own.left)), Relation(((own,),))):
                 continue
-            sides = self.scene.desk.last_link(line)
             names = letters(sides.left) | letters(sides.right)
             pool = [line, *self.judge.known(names & set(roles(self.scene.problem)))]
-            end = self._by_difference(line, own) if own.left == sides.left else None
+            end = None
+            if own.left == sides.left:
+                end = self._by_difference(line, own)
+            elif square(own.left) == sides.left:
+                end = self._by_difference_of_squares_from(line, own)
             if end is None:
                 end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
             if end is None:

@@ -135,7 +135,7 @@ class Judge:
             return None
         doubted = [ref for ref in reversed(refs) if ref not in certain]
         own = self._trial().needed(move, refs, relation, doubted, self._right)
-        if move.id in _BY_ORACLE and self._compared(move, own) > MOST_COMPARED:
+        if move.id in _BY_ORACLE and self._compared(own) > MOST_COMPARED:
             return None
         return own
 
@@ -171,11 +171,13 @@ class Judge:
         lines = (line for line in self.desk.lines if line.relation == relation)
         return next((line.number for line in lines if self.desk.holds(line.number)), None)
 
-    def _compared(self, move: Move, refs: Sequence[Ref]) -> int:
+    def _compared(self, refs: Sequence[Ref]) -> int:
         """How many relations are compared: letters and the direction of an axis are none."""
-        step = self._trial().step(move, [ref for ref in refs if not str(ref).startswith("axis ")])
+        step = self._trial().step(
+            Move("compare"), [ref for ref in refs if not str(ref).startswith("axis ")]
+        )
         relations = [*(e.relation for e in step.cited), *(e.relation for e in step.known)]
-        return number_compared(move, (each for each in relations if isinstance(each, Relation)))
+        return number_compared(each for each in relations if isinstance(each, Relation))
 
     def write(
         self,
