@@ -45,12 +45,10 @@ class Eliminated(InStages):
                 written = self.monotone(line, relation)
                 if written is not None:
                     return written
-            squared = {square(side) for link in relation.only for side in (link.left, link.right)}
             for line in self.ties.lines():
-                if self.scene.desk.last_link(line).left in squared:
-                    written = self._by_each_end(line, relation)
-                    if written is not None:
-                        return written
+                written = self._by_each_end(line, relation, by_squares=True)
+                if written is not None:
+                    return written
             for line in self.ties.lines():
                 written = self._eliminated(line, base, relation, target)
                 if written is not None:
@@ -195,8 +193,13 @@ class Eliminated(InStages):
             number = self.judge.write((Move("triangle"), Move("put")), refs, equation)
         return self.compared([*(refs if number is None else [number])], relation)
 
-    def _by_each_end(self, line: int, relation: Relation) -> int | None:
-        """One end after the other, by an equation and the range of a letter in it."""
+    def _by_each_end(
+        self, line: int, relation: Relation, *, by_squares: bool = False
+    ) -> int | None:
+        """One end after the other, by an equation and the range of a letter in it.
+
+        ``by_squares`` asks for differences of squares, of a letter that is not squared itself.
+        """
         mark = self.worths.mark()
         written: list[int] = []
         whole = line
@@ -205,6 +208,12 @@ class Eliminated(InStages):
                 line = write_in_one_tangent(self.scene, whole) or whole
             sides = self.scene.desk.last_link(line)
             stands = sides.left in (link.left, square(link.left))
+            if by_squares and (sides.left != square(link.left) or not letters(link.right)):
+                stands = sides.left == square(link.right) and bool(letters(link.left))
+                if not stands:
+                    self.worths.back(mark)
+                    return None
+                link = turned(link)
             own = turned(link) if isinstance(link.right, Letter) and not stands else link
             if self.judge.proves(self.judge.known(letters(own.left)), Relation(((own,),))):
                 continue
@@ -215,7 +224,7 @@ class Eliminated(InStages):
                 end = self._by_difference(line, own)
             elif square(own.left) == sides.left:
                 end = self._by_difference_of_squares_from(line, own)
-            if end is None:
+            if end is None and not by_squares:
                 end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
             if end is None:
                 self.worths.back(mark)

@@ -134,9 +134,11 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
             continue
         last = claims.compared([difference], relation)
         if last is None:
-            last = claims.judge.write(
-                (Move("sign"),), [difference, *_ranges(scene, form)], relation
-            )
+            pool = [difference, *_ranges(scene, form)]
+            last = claims.judge.write((Move("sign"),), pool, relation)
+        if last is None:
+            with claims.judge.ranges_as_one():
+                last = claims.compared([difference], relation)
         if last is not None:
             return last
     worths.back(mark)

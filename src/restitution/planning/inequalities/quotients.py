@@ -112,7 +112,8 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
         greatest = Relation(((Link(end.left, "<=", tree_of(most)),),))
         first = judge.write((Move("compare"),), [*base, *known], greatest)
         base = base if first is None else [first]
-    last = judge.write((Move("compare"),), [*base, *known], Relation(((end,),)))
+    with judge.ranges_as_one():
+        last = judge.write((Move("compare"),), [*base, *known], Relation(((end,),)))
     if last is None:
         return None
     plain = tree_of(tidy(sp.sqrt(a / b))) if b.is_number else Binary("/", *roots)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import contextlib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -40,6 +41,7 @@ class Judge:
     _last: tuple[Line | None, Trial] | None = None
     _known: dict[str, Known | None] = field(default_factory=dict)
     _names: tuple[tuple[Fact, ...], Mapping[str, str]] | None = None
+    _as_one: bool = False
 
     def __post_init__(self) -> None:
         self.facts = {fact.id: fact for fact in self.desk.facts}
@@ -171,13 +173,26 @@ class Judge:
         lines = (line for line in self.desk.lines if line.relation == relation)
         return next((line.number for line in lines if self.desk.holds(line.number)), None)
 
+    @contextlib.contextmanager
+    def ranges_as_one(self) -> Iterator[None]:
+        """Where both ends of the range of a letter count as one premise: 0 ≤ e < 1.
+
+        So a line that is a difference, or a bound of a quotient, may rest on one angle besides.
+        """
+        self._as_one = True
+        try:
+            yield
+        finally:
+            self._as_one = False
+
     def _compared(self, refs: Sequence[Ref]) -> int:
         """How many relations are compared: letters and the direction of an axis are none."""
         step = self._trial().step(
             Move("compare"), [ref for ref in refs if not str(ref).startswith("axis ")]
         )
         relations = [*(e.relation for e in step.cited), *(e.relation for e in step.known)]
-        return number_compared(each for each in relations if isinstance(each, Relation))
+        plain = [each for each in relations if isinstance(each, Relation)]
+        return number_compared(plain) if self._as_one else len(plain)
 
     def write(
         self,
