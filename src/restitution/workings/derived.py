@@ -530,14 +530,14 @@ class _Writer:
 
 def _without_its_condition(step: Step, condition: Sentence | None) -> Step:
     """A step without the reason that the sentence below it says as a condition."""
-    told = None if condition is None else dict(condition.slots).get("condition")
-    if told is None or not step.rows:
+    bound = None if condition is None else dict(condition.slots).get("condition")
+    if bound is None or not step.rows:
         return step
     last = step.rows[-1]
     kept = tuple(
         each
         for each in last.reasons
-        if each.id != "derived.as" or dict(each.slots).get("reasons") != (told,)
+        if each.id != "derived.as" or dict(each.slots).get("reasons") != (bound,)
     )
     return replace(step, rows=(*step.rows[:-1], replace(last, reasons=kept)))
 

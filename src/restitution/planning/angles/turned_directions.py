@@ -47,13 +47,13 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
     if fact is None or known is None or early is None or len(known.refs) != 1:
         return None
     (line,) = known.refs
-    told: tuple[Ref, ...] = ()
+    sources: tuple[Ref, ...] = ()
     mark = scene.desk.mark()
     if isinstance(early, Letter):
         own = _known_angle(scene, early)
         if own is None:
             return None
-        (told, early) = own
+        (sources, early) = own
     before, after = (sp.sympify(each, strict=True) for each in (scene.scalar(early), known.value))
     right = scene.desk.last_link(line).right if isinstance(line, int) else None
     if after.free_symbols or right is None or not (_is_plain(right) or sp.sin(2 * before) == 0):
@@ -76,7 +76,7 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
     ]
     relation = chain(Letter(letter), *steps)
     move = Move("define", "difference", event, (body,))
-    premises = scene.judge.needed(move, (fact.id, *told, line, meaning, *named), relation)
+    premises = scene.judge.needed(move, (fact.id, *sources, line, meaning, *named), relation)
     if premises is None:
         scene.desk.back(mark)
         return None
@@ -84,7 +84,7 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
 
 
 def _known_angle(scene: Scene, angle: Letter) -> tuple[tuple[Ref, ...], Expression] | None:
-    """The line of an angle of the data that has been found, or of which a ratio is given."""
+    """The line of an angle of the data that stands, or of which a ratio is given."""
     known = scene.desk.known(angle)
     if known is not None and not sp.sympify(known.value, strict=True).free_symbols:
         return known.refs, tree_of(known.value, angle=True, as_it_is=True)

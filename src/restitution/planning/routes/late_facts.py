@@ -39,9 +39,11 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
         return False
     standing = solver.mark()
     subject = link.left
-    told = write_given_share(scene, subject, early=True) if isinstance(subject, Quantity) else None
-    if told is not None:
-        scene.desk.end(name, told, chain(subject, (scene.desk.last_link(told).right, None)))
+    shared = (
+        write_given_share(scene, subject, early=True) if isinstance(subject, Quantity) else None
+    )
+    if shared is not None:
+        scene.desk.end(name, shared, chain(subject, (scene.desk.last_link(shared).right, None)))
         return True
     try:
         solver.determine([value])

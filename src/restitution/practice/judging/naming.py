@@ -48,10 +48,10 @@ from restitution.practice.judging.plain_mistakes import (
     is_deflection_as_angle,
     is_direct,
     is_energetic,
-    is_found_angle,
     is_law_of_speeds,
     is_momentum_of_speeds,
     is_of_energy,
+    is_sought_angle,
     is_speed_by_energies,
     is_whole_speed,
     is_worth,
@@ -179,7 +179,7 @@ class Names:
         law = is_law_of_speeds(entry, judge.base)
         unresolved = is_momentum_of_speeds(entry, judge.base)
         of_deflection = is_deflection_as_angle(entry, judge.base)
-        alone = whole or law or of_deflection or is_found_angle(entry, judge.base)
+        alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
         if unresolved:
             # Where the law with speeds explains it as well, it tells of the letters.

@@ -570,7 +570,7 @@ def _at_stage(tree: Expression, stage: int) -> Expression:
     return tree
 
 
-def is_found_angle(entry: Entry, world: World) -> bool:
+def is_sought_angle(entry: Entry, world: World) -> bool:
     """Whether a claim gives an angle that the part has to find, by itself: ``tan α = 1/3``."""
     left = entry.claim.left
     angle = left.argument if isinstance(left, Apply) else left

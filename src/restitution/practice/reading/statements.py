@@ -257,12 +257,12 @@ class _Reader(Chains):
 
     def _case_in(self, segment: Segment) -> tuple[Claim, ...]:
         """The relation of a segment, if it puts a number for a letter of the question."""
-        found = tuple(self._claims_of(segment))
-        single = len(found) == 1 and any(
+        claims = tuple(self._claims_of(segment))
+        single = len(claims) == 1 and any(
             isinstance(one, Letter) and one.name in self.usage.letters and is_numeric(other)
-            for one, other in permutations((found[0].left, found[0].right))
+            for one, other in permutations((claims[0].left, claims[0].right))
         )
-        return found if single else ()
+        return claims if single else ()
 
     def _is_under_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a relation holds in the case before it: ``least when e = 0, v = u cos α``."""

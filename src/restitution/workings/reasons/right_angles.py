@@ -132,11 +132,11 @@ class RightAngles:
         again = line.move.id == "rearrange" and any(
             self._pole(own) is not None for own in map(self._line, line.premises) if own is not None
         )
-        if pole is None or again or (pole.upright and self._is_said_below(line)):
+        if pole is None or again or (pole.upright and self._is_spoken_of_below(line)):
             return None
         return self._said(pole)
 
-    def _is_said_below(self, line: Line) -> bool:
+    def _is_spoken_of_below(self, line: Line) -> bool:
         """Whether a line that is made of a tangent says for which letters it holds all the same."""
         if any(end.line == line.number for end in self._derivation.items):
             return False
