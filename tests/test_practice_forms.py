@@ -3,24 +3,13 @@
 from __future__ import annotations
 
 import random
-from functools import cache
 
 import pytest
+from marked import solution_of, verdicts
 
 import restitution
-from restitution.solving.equations.solution import Solution
 
 WAYS = ((3, 4, 5), (4, 3, 5), (-3, 4, 5), (5, 12, 13), (4, -3, 5), (12, 5, 13))
-
-
-@cache
-def solution_of(statement: str) -> Solution:
-    return restitution.solve(restitution.parse(statement))
-
-
-def verdicts(statement: str, *lines: str) -> list[str]:
-    marking = restitution.mark(solution_of(statement), "\n".join(lines))
-    return [line["verdict"] for line in marking.json()["lines"]]
 
 
 def oblique(seed: int) -> tuple[str, dict[str, tuple[int, int]]]:

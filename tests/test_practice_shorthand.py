@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import pytest
+from marked import solution_of, verdicts
 
 import restitution
-from restitution.solving.equations.solution import Solution
 
 WALL = "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W: e = 1/2\nfind velocity(P)\n"
 CORNER = (
@@ -52,16 +50,6 @@ TWO = (
     "sphere A1: mass M, velocity v at phi\nsphere A2: mass 2M, at rest\n"
     "A1 hits A2: along i\nfind energy_lost/energy(0)\n"
 )
-
-
-@cache
-def solution_of(statement: str) -> Solution:
-    return restitution.solve(restitution.parse(statement))
-
-
-def verdicts(statement: str, *lines: str) -> list[str]:
-    marking = restitution.mark(solution_of(statement), "\n".join(lines))
-    return [line["verdict"] for line in marking.json()["lines"]]
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, is_ze
 from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
+from restitution.planning.routes.order import Standing
 from restitution.planning.writing.forms import ZERO, square, tree_of
 from restitution.planning.writing.inequalities import (
     is_monic,
@@ -46,7 +47,7 @@ class Eliminated(InStages):
                 if written is not None:
                     return written
             for line in self.ties.lines():
-                written = self._by_each_end(line, relation, by_squares=True)
+                written = self._by_squares_of_ends(line, relation)
                 if written is not None:
                     return written
             for line in self.ties.lines():
@@ -193,13 +194,8 @@ class Eliminated(InStages):
             number = self.judge.write((Move("triangle"), Move("put")), refs, equation)
         return self.compared([*(refs if number is None else [number])], relation)
 
-    def _by_each_end(
-        self, line: int, relation: Relation, *, by_squares: bool = False
-    ) -> int | None:
-        """One end after the other, by an equation and the range of a letter in it.
-
-        ``by_squares`` asks for differences of squares, of a letter that is not squared itself.
-        """
+    def _by_each_end(self, line: int, relation: Relation) -> int | None:
+        """One end after the other, by an equation and the range of a letter in it."""
         mark = self.worths.mark()
         written: list[int] = []
         whole = line
@@ -208,31 +204,45 @@ class Eliminated(InStages):
                 line = write_in_one_tangent(self.scene, whole) or whole
             sides = self.scene.desk.last_link(line)
             stands = sides.left in (link.left, square(link.left))
-            if by_squares and (sides.left != square(link.left) or not letters(link.right)):
-                stands = sides.left == square(link.right) and bool(letters(link.left))
-                if not stands:
-                    self.worths.back(mark)
-                    return None
-                link = turned(link)
             own = turned(link) if isinstance(link.right, Letter) and not stands else link
             if self.judge.proves(self.judge.known(letters(own.left)), Relation(((own,),))):
                 continue
             names = letters(sides.left) | letters(sides.right)
             pool = [line, *self.judge.known(names & set(roles(self.scene.problem)))]
-            end = None
-            if own.left == sides.left:
-                end = self._by_difference(line, own)
-            elif square(own.left) == sides.left:
+            end = self._by_difference(line, own) if own.left == sides.left else None
+            if end is None and square(own.left) == sides.left:
                 end = self._by_difference_of_squares_from(line, own)
-            if end is None and not by_squares:
+            if end is None:
                 end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
             if end is None:
                 self.worths.back(mark)
                 return None
             written.append(end)
-        last = self.compared(written, relation) if written else None
+        return self._joined(written, relation, mark)
+
+    def _by_squares_of_ends(self, line: int, relation: Relation) -> int | None:
+        """Both ends of a letter of which a line gives the square, each in letters."""
+        given = self.scene.desk.last_link(line).left
+        ends = [each if square(each.left) == given else turned(each) for each in relation.only]
+        if any(square(each.left) != given or not letters(each.right) for each in ends):
+            return None
+        mark = self.worths.mark()
+        written: list[int] = []
+        for own in ends:
+            if self.judge.proves(self.judge.known(letters(own.left)), Relation(((own,),))):
+                continue
+            end = self._by_difference_of_squares_from(line, own)
+            if end is None:
+                self.worths.back(mark)
+                return None
+            written.append(end)
+        return self._joined(written, relation, mark)
+
+    def _joined(self, ends: Sequence[int], relation: Relation, standing: Standing) -> int | None:
+        """The line of a relation by its ends; where there is none, what was written goes."""
+        last = self.compared(ends, relation) if ends else None
         if last is None:
-            self.worths.back(mark)
+            self.worths.back(standing)
         return last
 
 
