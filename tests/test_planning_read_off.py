@@ -143,10 +143,10 @@ def test_directions_at_two_angles_are_resolved_by_their_difference() -> None:
         "find velocity(P)"
     )
     _, derivation = planned(text)
-    told = said(derivation)
-    assert told[0].endswith("= u cos(alpha - theta)")
-    assert "sin(alpha) cos(theta)" not in told[-1]
-    assert len(told) == 4
+    lines = said(derivation)
+    assert lines[0].endswith("= u cos(alpha - theta)")
+    assert "sin(alpha) cos(theta)" not in lines[-1]
+    assert len(lines) == 4
 
 
 def test_an_impulse_along_a_line_that_slants_is_a_multiple_of_its_unit_vector() -> None:
