@@ -296,6 +296,38 @@ find alpha, time(2)
     assert "which no impact changes: t = 8/(4u/5)" in printed(text)
 
 
+def test_ways_on_which_a_component_is_the_same_are_taken_together() -> None:
+    """Also where no component is the same from the start on, and where a first time stands."""
+    text = """
+point S: (0, 7/4)
+wall W1: along i, through (0, 0)
+wall W2: along j, through (4, 0)
+wall W3: along i, through (0, 3)
+sphere P: at (0, 1), velocity 2i - 2j
+P hits W1: e = 1/2
+P hits W2: e = 1/2
+P hits W3: e = 1/2
+P reaches S
+find time(4)
+"""
+    own = said(text)
+    assert own[-2:] == [
+        "time(4) - time(2) = 4/1 = 4 [rearrange]",
+        "time(4) = 2 + 4 = 6 [rearrange]",
+    ]
+    assert "which no impact in between changes: t₄ − t₂ = 4/1 = 4 s" in printed(text)
+    corner = """
+point O: (0, 0)
+wall OX: from O to (3a, 0)
+wall OY: from O to (0, 2a)
+sphere P: at (2a, a), velocity -k u i - u j
+P hits OX: e = 1/2
+P hits OY: e = 1/2
+find range of k, time(2)
+"""
+    assert said(corner)[-1] == "time(2) = 2a/(k u)"
+
+
 def test_a_time_is_added_of_ways_of_which_one_is_asked() -> None:
     text = """
 point N: (8, 2)
@@ -733,6 +765,14 @@ def test_the_speed_given_of_what_was_at_rest_is_its_component_before_the_laws() 
     assert lines.count("w = u/2") == 1
     assert "e = 7/8" in lines
     assert "B was at rest, so it moves along the line of centres: w = u/2" in printed(OFF_FROM_REST)
+    both = """
+sphere A: mass M, velocity 6 at 30°
+sphere B: mass 2, at rest
+A hits B: along i
+given speed(A) = sqrt(12), speed(B) = 3 sqrt(3)
+find M, e
+"""
+    assert "B was at rest, so it moves along the line of centres: w = 3√3 m s⁻¹" in printed(both)
 
 
 def test_the_speed_given_of_what_was_moving_leaves_its_sense_open() -> None:

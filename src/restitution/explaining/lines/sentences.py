@@ -1080,6 +1080,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "distance.displacements": "Distance, by Pythagoras",
     "distance.coordinates": "Distance, from the coordinates",
+    "flight.several-ways": (
+        "Time = distance ÷ speed in that direction, which no impact in between changes"
+    ),
     "flight.whole-way": "Time = distance ÷ speed in that direction, which no impact changes",
     "flight.time": "Time = distance ÷ speed in that direction",
     "flight.time-of": "Time = distance ÷ speed in that direction, for {body}",

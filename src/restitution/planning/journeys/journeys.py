@@ -19,7 +19,7 @@ from restitution.planning.journeys.places import (
     place,
     time_of,
 )
-from restitution.planning.journeys.steady import time_at_one_pace
+from restitution.planning.journeys.steady import time_at_one_pace, write_steady_ways
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.one_fraction import added_up
@@ -72,7 +72,7 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
     """
     match asked:
         case Quantity("time", (), int(number)):
-            source = time_at_one_pace(scene, number) or time_of(scene, number)
+            source = time_at_one_pace(scene, number) or _time(scene, number)
         case Quantity("along", (Quantity("position", (Name(body),), int(stage)), Unit(axis))):
             source = coordinate(scene, body, stage, axis)
             if not any(isinstance(ref, int) for ref in source.refs):
@@ -98,6 +98,12 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
     return lines[0], source.value
 
 
+def _time(scene: Scene, number: int) -> Source:
+    """The time of an event, with the ways to it on which a component is the same taken together."""
+    write_steady_ways(scene, number)
+    return time_of(scene, number)
+
+
 def _check(scene: Scene, asked: Expression, value: Any) -> None:
     """The value has to be that of the story."""
     own, in_data = scene.value(asked), scene.model.in_data
@@ -108,7 +114,9 @@ def _check(scene: Scene, asked: Expression, value: Any) -> None:
 
 
 def _duration(scene: Scene, asked: Expression, late: int, early: int) -> Source:
-    """The time between two events: of one way, or of several, added up."""
+    """The time between two events: of one way, or of several, at one pace or added up."""
+    if early and (steady := time_at_one_pace(scene, late, early)) is not None:
+        return steady
     tree, value, refs = flight_time(scene, early, late)
     known = standing(scene, asked)
     if known is not None:

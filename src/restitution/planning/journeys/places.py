@@ -47,10 +47,15 @@ from restitution.planning.journeys.encounters import with_the_gap
 from restitution.planning.journeys.rims import Approach, time_of_touching, time_on_a_chord
 from restitution.planning.writing.circles import chord_from, chord_to_a_point, circle_of
 from restitution.planning.writing.degrees import angles_in, share_by_degrees
-from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
-from restitution.planning.writing.flights import added, divisor_refs, slope, time_quotient
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.flights import (
+    added,
+    divisor_refs,
+    slope,
+    time_quotient,
+    time_relation,
+)
 from restitution.planning.writing.forms import (
-    ONE,
     difference,
     product,
     swept,
@@ -470,7 +475,8 @@ def _legs(scene: Scene, number: int) -> dict[int, Source]:
     sources: dict[int, Source] = {}
     if number > first:
         # The ways are written in the order of the story.
-        since = last_move(scene, scene.bodies(number)[0], number)
+        known = _standing_leg(scene, number)
+        since = last_move(scene, scene.bodies(number)[0], number) if known is None else known[0]
         if since > first:
             _legs(scene, since)
     while number != first:
@@ -488,10 +494,8 @@ def leg(scene: Scene, number: int) -> tuple[int, Source]:
     first, refs = start(scene)
     if number == first:
         return first, Source(sp.Integer(0), refs)
-    for begin in range(number - 1, first, -1):
-        known = standing(scene, duration_tree(number, begin))
-        if known is not None:
-            return begin, known
+    if (stands := _standing_leg(scene, number)) is not None:
+        return stands
     known = standing(scene, time_tree(number))
     if known is not None:
         return first, known
@@ -514,6 +518,15 @@ def leg(scene: Scene, number: int) -> tuple[int, Source]:
     if axis is None:
         return _leg_to_slanted(scene, body, number)
     return leg_along(scene, body, number, axis)
+
+
+def _standing_leg(scene: Scene, number: int) -> tuple[int, Source] | None:
+    """The event at which a way to another begins whose time a line says; None without one."""
+    for begin in range(number - 1, start(scene)[0], -1):
+        known = standing(scene, duration_tree(number, begin))
+        if known is not None:
+            return begin, known
+    return None
 
 
 def leg_line(scene: Scene, number: int) -> tuple[Ref, ...]:
@@ -568,11 +581,7 @@ def _flight(
         divisor_refs(scene, tidy(last.value - first.value), pace.value),
     )
     quantity = _since(scene, number, since)
-    relation = chain(quantity, (swept(tree), None), (tree_of(value), "rearrange"))
-    if value.is_number and abs(pace.value) == 1 and form is None:
-        # What is divided by 1 is still seen to be divided.
-        tree = Binary("/", swept(tree), ONE)
-        relation = Relation(((link(quantity, tree), link(tree, tree_of(value), by="rearrange")),))
+    relation = time_relation(quantity, tree, value, pace.value, in_degrees=form is not None)
     line = scene.desk.write(Move("define", "straight-line", number, (body,)), refs, relation)
     return scene.desk.know(quantity, value, (line,))
 

@@ -1,11 +1,14 @@
-"""Times by a direction in which nothing changes how a body moves, from the start on."""
+"""Times by a direction in which nothing changes how a body moves, from one event to another."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
 
 from restitution.exact import tidy
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Move, Ref
-from restitution.expression.tree import Quantity, walk
+from restitution.expression.tree import Expression, Quantity, walk
 from restitution.planning.formulas.whereabouts import (
     last_move,
     standing,
@@ -16,80 +19,119 @@ from restitution.planning.formulas.whereabouts import (
 )
 from restitution.planning.journeys.places import coordinate, coordinate_given
 from restitution.planning.writing.circles import circle_of
-from restitution.planning.writing.desk import Source, chain, together
-from restitution.planning.writing.flights import divisor_refs, time_quotient
-from restitution.planning.writing.forms import swept, tree_of
-from restitution.planning.writing.place_trees import AXES, Axis, time_tree
+from restitution.planning.writing.desk import Source, together
+from restitution.planning.writing.flights import divisor_refs, time_quotient, time_relation
+from restitution.planning.writing.place_trees import AXES, Axis, duration_tree, time_tree
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Item, Show, Value
 
 
-def steady_axis(scene: Scene, body: str, number: int) -> Axis | None:
-    """The direction in which a component is the same from the start to an event; None without one.
+def steady_axis(scene: Scene, body: str, number: int, first: int = 0) -> Axis | None:
+    """The direction in which a component is the same from an event, or the start, to another.
 
-    None on a way without an impact: there both directions are alike.
+    None without one, and on a way without an impact: there both directions are alike.
     """
     since = last_move(scene, body, number)
-    if not since or "start" not in scene.facts or start(scene)[0]:
+    if since <= first or "start" not in scene.facts or start(scene)[0]:
         return None
     if scene.model.story.place(body, 0) is None:
         return None
     for axis in AXES:
         paces, stage = [], since
-        while stage:
+        while stage > first:
             paces.append(without_walls(scene, value_of_velocity(scene, body, stage, axis)))
             stage = last_move(scene, body, stage)
-        first = value_of_velocity(scene, body, 0, axis)
-        if first != 0 and all(pace == first for pace in paces):
+        early = value_of_velocity(scene, body, first, axis)
+        early = without_walls(scene, early) if first else early
+        if early != 0 and all(pace == early for pace in paces):
             return axis
     return None
 
 
-def time_at_one_pace(scene: Scene, number: int) -> Source | None:
-    """The time of an event, by the whole way in such a direction; None where there is none.
+def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None:
+    """The time from an event, or the start, by the whole way in such a direction; None without one.
 
-    None too where a time in between stands already, or is asked: then ways are added.
+    None too where a time in between is asked: then ways are added.
     """
-    if not number or standing(scene, time_tree(number)) is not None:
+    own = time_tree(number) if since == 0 else duration_tree(number, since)
+    if not number or standing(scene, own) is not None:
         return None
     body = scene.bodies(number)[0]
-    axis = steady_axis(scene, body, number)
-    if axis is None or any(circle_of(scene, n) for n in range(1, number + 1)):
+    axis = steady_axis(scene, body, number, since)
+    if axis is None or any(circle_of(scene, n) for n in range(since + 1, number + 1)):
         return None
-    between = _events_between(scene, body, number)
+    between = _events_between(scene, body, number, since)
     if not between or _times_wanted(scene) & set(between):
         return None
-    ends = [coordinate_given(scene, body, each, axis) for each in (0, number)]
-    if None in ends or any(scene.desk.known(time_tree(each)) is not None for each in between):
+    ends = [coordinate_given(scene, body, each, axis) for each in (since, number)]
+    if None in ends:
         return None
-    first, last = (coordinate(scene, body, each, axis) for each in (0, number))
-    paces = [velocity(scene, body, stage, axis) for stage in (0, *between)]
+    early = [known.value for each in between if (known := scene.desk.known(time_tree(each)))]
+    found = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
+    if early and (found or all(each.is_number for each in early)):
+        return None  # the sum is as short
+    first, last = (coordinate(scene, body, each, axis) for each in (since, number))
+    paces = [velocity(scene, body, stage, axis) for stage in (since, *between)]
     pace = paces[-1]
     distance = tidy(last.value - first.value)
     if scene.unknown(pace.value) or scene.unknown(distance) or distance == 0:
         return None
-    tree = swept(time_quotient(scene, last.value, first.value, pace.value))
+    tree = time_quotient(scene, last.value, first.value, pace.value)
     value = tidy(distance / pace.value)
     refs: tuple[Ref, ...] = together(
-        start(scene)[1],
+        () if since else start(scene)[1],
         first.refs,
         last.refs,
         *(each.refs for each in paces),
         divisor_refs(scene, distance, pace.value),
     )
-    relation = chain(time_tree(number), (tree, None), (tree_of(value), "rearrange"))
+    relation = time_relation(own, tree, value, pace.value)
     move = Move("define", "straight-line", number, (body,))
     needed = scene.judge.enough(move, refs, relation)
     if needed is None:
         return None
     line = scene.desk.write(move, needed, relation)
-    return scene.desk.know(time_tree(number), value, (line,))
+    return scene.desk.know(own, value, (line,))
 
 
-def _events_between(scene: Scene, body: str, number: int) -> list[int]:
-    """The events that change how a body moves before one, in order."""
+def write_steady_ways(scene: Scene, number: int) -> None:
+    """Writes the time of each way to an event over several impacts that leave a component alone.
+
+    Where a time on such a way stands already, or is asked, its ways are added.
+    """
+    if not number or standing(scene, time_tree(number)) is not None:
+        return
+    body = scene.bodies(number)[0]
+    stages = [0, *_events_between(scene, body, number), number]
+    chosen: list[tuple[int, int]] = []
+    end = len(stages) - 1
+    while end > 1:
+        begins = (n for n in range(end - 1) if _is_open_way(scene, body, stages[n : end + 1]))
+        begin = next(begins, end - 1)
+        if begin < end - 1:
+            chosen.append((stages[begin], stages[end]))
+        end = begin
+    for since, last in reversed(chosen):
+        time_at_one_pace(scene, last, since)
+
+
+def _is_open_way(scene: Scene, body: str, stages: Sequence[int]) -> bool:
+    """Whether a component is the same between events, and no line tells of a time between them."""
+    first, last = stages[0], stages[-1]
+    times: list[Expression] = [duration_tree(late, early) for early, late in pairwise(stages)]
+    times += map(time_tree, stages[1:-1])
+    if any(scene.desk.known(tree) is not None for tree in times):
+        return False
+    axis = steady_axis(scene, body, last, first)
+    return axis is not None and None not in [
+        coordinate_given(scene, body, each, axis) for each in (first, last)
+    ]
+
+
+def _events_between(scene: Scene, body: str, number: int, since: int = 0) -> list[int]:
+    """The events that change how a body moves before one, and after another, in order."""
     between, stage = [], last_move(scene, body, number)
-    while stage:
+    while stage > since:
         between.append(stage)
         stage = last_move(scene, body, stage)
     return between[::-1]
@@ -112,4 +154,4 @@ def _times_wanted(scene: Scene) -> set[int]:
     }
 
 
-__all__ = ["steady_axis", "time_at_one_pace"]
+__all__ = ["steady_axis", "time_at_one_pace", "write_steady_ways"]

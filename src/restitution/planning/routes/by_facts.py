@@ -313,13 +313,12 @@ class ByFacts(Course):
     def _is_off_from_rest(
         self, own: Candidate, symbol: sp.Symbol, left: Sequence[Candidate]
     ) -> bool:
-        """Whether a fact gives the speed of a sphere that was at rest, before any law is written.
+        """Whether a fact gives the speed of a sphere that was at rest, and no law tells it yet.
 
         That is its component, which has the sense from the first sphere to it.
         """
         number, _ = self._letters.get(symbol, (0, ""))
-        laws = {f"momentum {number}", f"restitution {number}"}
-        if symbol in self.waiting or not laws <= {each.id for each in left}:
+        if symbol in self.waiting or number not in self.scene.model.frames:
             return False
         unknown = self.scene.unknown(self.scene.coefficient(number).value)
         if any(

@@ -6,10 +6,18 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Ref
+from restitution.explaining.lines.derivation import Ref, Relation
 from restitution.expression.tree import Binary, Expression, Unit, has_quantity
-from restitution.planning.writing.desk import Source, together
-from restitution.planning.writing.forms import difference, negative, product, swept, total, tree_of
+from restitution.planning.writing.desk import Source, chain, link, together
+from restitution.planning.writing.forms import (
+    ONE,
+    difference,
+    negative,
+    product,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.place_trees import AXES
 from restitution.planning.writing.polynomials import factored
 from restitution.planning.writing.premises import nonzero, sign_known
@@ -53,6 +61,19 @@ def gradient(
         minus ^= back
         sizes.append(size)
     return swept(Binary("/", *sizes)), minus
+
+
+def time_relation(
+    quantity: Expression, tree: Expression, value: sp.Expr, pace: sp.Expr, in_degrees: bool = False
+) -> Relation:
+    """``t = d/v = …``: what is divided by 1 is still seen to be divided.
+
+    ``in_degrees`` tells that the tree has the speed by an angle of the data.
+    """
+    if value.is_number and abs(pace) == 1 and not in_degrees:
+        tree = Binary("/", swept(tree), ONE)
+        return Relation(((link(quantity, tree), link(tree, tree_of(value), by="rearrange")),))
+    return chain(quantity, (swept(tree), None), (tree_of(value), "rearrange"))
 
 
 def _sizes(

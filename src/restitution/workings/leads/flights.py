@@ -28,8 +28,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     one = naming.movers == 1
     if is_time(left) and is_zero(line.relation.options[0][-1].right):
         return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
-    if _is_of_the_whole_way(naming, line, left):
-        return say("flight.whole-way")
+    if (ways := _several_ways(derivation, naming, line, left)) is not None:
+        return ways
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
     if isinstance(left, Quantity) and left.kind == "position":
@@ -48,12 +48,23 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     return say("flight.same-time")
 
 
-def _is_of_the_whole_way(naming: Naming, line: Line, left: Expression) -> bool:
-    """Whether a time from the start is that of several ways at one component."""
-    if not (isinstance(left, Quantity) and left.kind == "time" and "start" in line.premises):
-        return False
-    body, number = line.move.bodies[0], line.move.event or 0
-    return any(body in each.bodies and each.number < number for each in naming.impacts)
+def _several_ways(
+    derivation: Derivation, naming: Naming, line: Line, left: Expression
+) -> Sentence | None:
+    """What stands over a time of several ways at one component; None over another one."""
+    match left:
+        case Quantity("time", (), int(late)) if "start" in line.premises:
+            early = 0
+        case Binary("-", Quantity("time", (), int(late)), Quantity("time", (), int(early))):
+            pass
+        case _:
+            return None
+    body = line.move.bodies[0]
+    if not any(body in each.bodies and early < each.number < late for each in naming.impacts):
+        return None
+    if early or late < derivation.events[-1].number:
+        return say("flight.several-ways")
+    return say("flight.whole-way")
 
 
 def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
