@@ -32,7 +32,13 @@ from restitution.explaining.lines.notation import (
     write_meaning,
     write_relation,
 )
-from restitution.explaining.lines.quotients import NotComparableError
+from restitution.explaining.lines.quotients import (
+    NotComparableError,
+    one,
+    product,
+    quotient_ring,
+    total,
+)
 from restitution.explaining.lines.sentences import SENTENCES
 from restitution.explaining.lines.storing import from_json, to_json
 from restitution.language.reading import parse
@@ -172,6 +178,18 @@ def test_equal_trees_are_the_same(left: str, right: str) -> None:
 def test_identities_hold_only_where_they_are_named(left: str, right: str, identity: str) -> None:
     assert not same(left, right)
     assert same(left, right, identity)
+
+
+def test_products_and_sums_of_polynomials_are_those_of_sympy():
+    x, y, z = quotient_ring().gens[:3]
+    numbers = [one() * 0, one(), one() * 2, one() * Fraction(-1, 3)]
+    own = [*numbers, x, x - y, x + y, x * y / 2 - z, (x + y) ** 3 - z]
+    for a in own:
+        for b in own:
+            assert product(a, b) == a * b, (a, b)
+            assert total(a, b) == a + b, (a, b)
+            assert all(product(a, b).values()) and all(total(a, b).values()), (a, b)
+    assert one() == quotient_ring().one  # as none of them wrote into it
 
 
 def test_what_cannot_be_compared_is_told_apart() -> None:

@@ -17,7 +17,10 @@ from restitution.explaining.lines.quotients import (
     Plane,
     Quotient,
     lean,
+    one,
+    product,
     quotient_ring,
+    total,
 )
 from restitution.expression.tree import Expression
 from restitution.oracle.roles import Role
@@ -52,14 +55,21 @@ class Generators:
     denominators: list[PolyElement] = field(default_factory=list)
     tangents: list[PolyElement] = field(default_factory=list)
     _keys: dict[Key, int] = field(default_factory=dict)
+    _below_roots: set[int] = field(default_factory=set)
 
     def generator(self, key: Key) -> Quotient:
         """The generator of a letter, a quantity, a root or a cosine."""
         if key not in self._keys:
             if len(self._keys) == MOST_GENERATORS:
                 raise NotComparableError("lines of too many letters")
+            if key[0] in ("root", "size"):
+                self._below_roots.update(self.keys(key[1]))
             self._keys[key] = len(self._keys)
-        return Quotient(quotient_ring().gens[self._keys[key]], quotient_ring().one)
+        return Quotient(quotient_ring().gens[self._keys[key]], one())
+
+    def stands_below_roots(self, number: int) -> bool:
+        """Whether a generator occurs in what another is the root, or the size, of."""
+        return number in self._below_roots
 
     def keys_by_number(self) -> dict[int, Key]:
         """All generators, by number."""
@@ -95,14 +105,13 @@ class Generators:
         for number in sorted(self.squares, reverse=True):
             square = self.squares[number]
             while any(powers[number] > 1 for powers in polynomial):
-                total = quotient_ring().zero
+                put_in = quotient_ring().zero
                 for powers, value in polynomial.items():
                     half, odd = divmod(powers[number], 2)
                     rest = (*powers[:number], odd, *powers[number + 1 :])
-                    total = total + quotient_ring().from_dict({rest: value}) * (
-                        square**half if half else quotient_ring().one
-                    )
-                polynomial = total
+                    term = polynomial.new({rest: value})
+                    put_in = total(put_in, product(term, square**half if half else one()))
+                polynomial = put_in
                 if len(polynomial) > MOST_TERMS:
                     raise NotComparableError("a line of too many terms")
         return polynomial

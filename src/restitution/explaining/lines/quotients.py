@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
 from math import isqrt
+from operator import add
+from typing import Any
 
 import sympy as sp
 from sympy.polys.domains import QQ
@@ -36,6 +38,54 @@ def quotient_ring() -> PolyRing:
     return PolyRing([f"g{n}" for n in range(MOST_GENERATORS)], QQ)
 
 
+@cache
+def one() -> PolyElement:
+    """The polynomial 1 in all generators, always the same: most quotients stand over it."""
+    return quotient_ring().one
+
+
+def _is_one(polynomial: PolyElement) -> bool:
+    if polynomial is one():
+        return True
+    return len(polynomial) == 1 and polynomial.get(quotient_ring().zero_monom) == 1
+
+
+def product(a: PolyElement, b: PolyElement) -> PolyElement:
+    """The product of two polynomials in all generators.
+
+    SymPy's own multiplies every term by 1, and adds every new one to 0: most polynomials that
+    stand below are 1, and most others have one term.
+    """
+    if not b or _is_one(a):
+        return b
+    if not a or _is_one(b):
+        return a
+    terms: dict[tuple[int, ...], Any] = {}
+    for powers, factor in a.items():
+        for others, value in b.items():
+            key = tuple(map(add, powers, others))
+            term = factor * value
+            known = terms.get(key)
+            terms[key] = term if known is None else known + term
+    return _polynomial(terms)
+
+
+def total(a: PolyElement, b: PolyElement) -> PolyElement:
+    """The sum of two polynomials in all generators."""
+    if not a or not b:
+        return a or b
+    terms = dict(a)
+    for powers, value in b.items():
+        known = terms.get(powers)
+        terms[powers] = value if known is None else known + value
+    return _polynomial(terms)
+
+
+def _polynomial(terms: dict[tuple[int, ...], Any]) -> PolyElement:
+    """A polynomial of terms of which some may be zero."""
+    return one().new({powers: value for powers, value in terms.items() if value})
+
+
 @dataclass(frozen=True)
 class Quotient:
     """A polynomial over another one, which is not zero."""
@@ -44,9 +94,10 @@ class Quotient:
     below: PolyElement
 
     def __add__(self, other: Quotient) -> Quotient:
-        if self.below == other.below:
-            return lean(self.above + other.above, self.below)
-        return lean(self.above * other.below + other.above * self.below, self.below * other.below)
+        if self.below is other.below or self.below == other.below:
+            return lean(total(self.above, other.above), self.below)
+        above = total(product(self.above, other.below), product(other.above, self.below))
+        return lean(above, product(self.below, other.below))
 
     def __neg__(self) -> Quotient:
         return Quotient(-self.above, self.below)
@@ -55,12 +106,12 @@ class Quotient:
         return self + -other
 
     def __mul__(self, other: Quotient) -> Quotient:
-        return lean(self.above * other.above, self.below * other.below)
+        return lean(product(self.above, other.above), product(self.below, other.below))
 
     def __truediv__(self, other: Quotient) -> Quotient:
         if not other.above:
             raise NotComparableError("a line divides by zero")
-        return lean(self.above * other.below, self.below * other.above)
+        return lean(product(self.above, other.below), product(self.below, other.above))
 
     def __pow__(self, power: int) -> Quotient:
         if abs(power) > MOST_POWER:
@@ -79,37 +130,34 @@ class Quotient:
         return not self.above
 
 
+@lru_cache(256)
 def CONSTANT(value: Fraction | int) -> Quotient:
     """A number as a quotient."""
     value = Fraction(value)
-    ring = quotient_ring()
-    return Quotient(ring.ground_new(QQ(int(value.numerator), int(value.denominator))), ring.one)
+    number = QQ(int(value.numerator), int(value.denominator))
+    return Quotient(quotient_ring().ground_new(number), one())
 
 
-def _bits(polynomial: PolyElement) -> int:
-    """The length of the longest number in the terms of a polynomial."""
-    return max(
-        (
-            max(int(x.numerator).bit_length(), int(x.denominator).bit_length())
-            for x in polynomial.values()
-        ),
-        default=0,
-    )
+def _has_long_numbers(polynomial: PolyElement) -> bool:
+    for value in polynomial.values():
+        if max(value.numerator.bit_length(), value.denominator.bit_length()) > _MOST_BITS:
+            return True
+    return False
 
 
 def lean(above: PolyElement, below: PolyElement) -> Quotient:
     """The quotient without common powers of single generators, and a number below."""
     if len(above) > MOST_TERMS or len(below) > MOST_TERMS:
         raise NotComparableError("a line of too many terms")
-    if _bits(above) > _MOST_BITS or _bits(below) > _MOST_BITS:
+    if _has_long_numbers(above) or (below is not one() and _has_long_numbers(below)):
         raise NotComparableError("a line of too long numbers")
     if not below:
         raise NotComparableError("a line divides by zero")
-    if not above:
-        return Quotient(above, quotient_ring().one)
+    if not above or below is one():
+        return Quotient(above, one())
     if below.is_ground:
         number = below.LC
-        return Quotient(above if number == 1 else above.quo_ground(number), quotient_ring().one)
+        return Quotient(above if number == 1 else above.quo_ground(number), one())
     common = tuple(map(min, zip(*above, *below, strict=True)))
     if any(common):
         above, below = (

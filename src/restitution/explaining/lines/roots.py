@@ -18,7 +18,9 @@ from restitution.explaining.lines.quotients import (
     Plane,
     Quotient,
     factors_of,
+    one,
     primes,
+    product,
     quotient_ring,
     square_part,
 )
@@ -42,7 +44,7 @@ class Roots(Generators):
         x = self.reduced(x)
         if x.vanishes:
             return x
-        return self._root(x.above * x.below) / self._size_of(x.below)
+        return self._root(product(x.above, x.below)) / self._size_of(x.below)
 
     def _size_of(self, polynomial: PolyElement) -> Quotient:
         """The size of a polynomial, by those of its factors."""
@@ -51,7 +53,7 @@ class Roots(Generators):
         total = CONSTANT(abs(ratio))
         for factor, times in factors:
             odd = self._positive(factor) if times % 2 else CONSTANT(1)
-            total = total * odd * Quotient(factor, quotient_ring().one) ** (times - times % 2)
+            total = total * odd * Quotient(factor, one()) ** (times - times % 2)
         return total
 
     def put_in_order(self, less: Value, greater: Value) -> None:
@@ -65,7 +67,7 @@ class Roots(Generators):
 
     def _root(self, inside: PolyElement) -> Quotient:
         number, factors = factors_of(inside)
-        outside, rest = CONSTANT(1), quotient_ring().one
+        outside, rest = CONSTANT(1), one()
         for factor, times in factors:
             if times // 2:
                 outside = outside * self._positive(factor) ** (times // 2)
@@ -116,8 +118,8 @@ class Roots(Generators):
         root = CONSTANT(0)
         for powers, value in ends:
             term = quotient_ring().from_dict({tuple(each // 2 for each in powers): QQ(1)})
-            root = root + self._root_of_number(value) * Quotient(term, quotient_ring().one)
-        difference = self.reduced(root * root - Quotient(inside, quotient_ring().one))
+            root = root + self._root_of_number(value) * Quotient(term, one())
+        difference = self.reduced(root * root - Quotient(inside, one()))
         return root if difference.vanishes else None
 
     def _surd(self, polynomial: PolyElement) -> tuple[Fraction, Fraction, Fraction] | None:
@@ -151,15 +153,15 @@ class Roots(Generators):
     def _positive(self, factor: PolyElement) -> Quotient:
         """The size of a factor: itself where it is made of positive generators."""
         if self._is_plainly_positive(factor):
-            return Quotient(factor, quotient_ring().one)
+            return Quotient(factor, one())
         for each in (factor, -factor):
             if each in self.ordered or self._is_positive_between_ends(each):
-                return Quotient(each, quotient_ring().one)
+                return Quotient(each, one())
         surd = self._surd(factor)
         if surd is not None:
             a, b, c = surd
             leading = a if a * a > b * b * c else b  # the larger of the two has the sign
-            return Quotient(factor if leading > 0 else -factor, quotient_ring().one)
+            return Quotient(factor if leading > 0 else -factor, one())
         own = self.generator(("size", factor))
         self.squares[self._keys["size", factor]] = factor**2
         return own
@@ -172,13 +174,12 @@ class Roots(Generators):
 
     def _is_positive_between_ends(self, factor: PolyElement) -> bool:
         """Whether a factor is linear in letters from 0 to 1, and not negative at their ends."""
-        one = quotient_ring().one
         bounded = [
             number
             for number, key in self.keys(factor).items()
             if key[0] == "letter"
             and key[1] in self.nonnegative
-            and one - self.generator(key).above in self.ordered
+            and one() - self.generator(key).above in self.ordered
         ]
         if not bounded or any(powers[n] > 1 for powers in factor for n in bounded):
             return False

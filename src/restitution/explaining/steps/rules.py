@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from sympy.polys.rings import PolyElement
 
 from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.generators import Key, Value
-from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
+from restitution.explaining.lines.quotients import (
+    CONSTANT,
+    NotComparableError,
+    Plane,
+    Quotient,
+    lean,
+    one,
+    product,
+    total,
+)
 from restitution.expression.tree import Expression, Quantity
 
 
@@ -149,6 +159,8 @@ class Rules:
 
     def _into_roots(self, value: Quotient, number: int, power: int, result: Quotient) -> Quotient:
         """The value with the generator put in below its roots."""
+        if not self.world.stands_below_roots(number):
+            return value
         for root, key in self.world.keys(value.above, value.below).items():
             if key[0] not in ("root", "size") or not any(m[number] for m in key[1]):
                 continue
@@ -179,19 +191,21 @@ def _without_power(monomial: tuple[int, ...], number: int) -> tuple[int, ...]:
 
 def _substituted(polynomial: PolyElement, number: int, power: int, result: Quotient) -> Quotient:
     """A polynomial with g^power put in, as often as it goes."""
-    ring = polynomial.ring
-    by_times: dict[int, PolyElement] = {}
+    by_times: dict[int, dict[tuple[int, ...], Any]] = {}
     for monomial, coefficient in polynomial.items():
         times, left = divmod(monomial[number], power)
         rest = (*monomial[:number], left, *monomial[number + 1 :])
-        by_times[times] = by_times.get(times, ring.zero) + ring.from_dict({rest: coefficient})
+        by_times.setdefault(times, {})[rest] = coefficient  # no two are alike
     most = max(by_times, default=0)
-    above = ring.zero
-    for times, rest in by_times.items():
-        above = above + rest * _power(result.above, times) * _power(result.below, most - times)
-    return Quotient(above, ring.one) / Quotient(_power(result.below, most), ring.one)
+    above = polynomial.ring.zero
+    for times, terms in by_times.items():
+        term = product(polynomial.new(terms), _power(result.above, times))
+        above = total(above, product(term, _power(result.below, most - times)))
+    return lean(above, _power(result.below, most))
 
 
 def _power(polynomial: PolyElement, times: int) -> PolyElement:
     """A power, of which SymPy knows none of zero to the power of zero."""
-    return polynomial**times if times else polynomial.ring.one
+    if times == 1:
+        return polynomial
+    return polynomial**times if times else one()
