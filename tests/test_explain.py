@@ -423,7 +423,7 @@ B hits A: along i, e = 2/3
         (LINE + "show speed(C) = u", "The speed of C is not u: it is 5u/12 ≈ 0.417u."),
         (
             WALL.replace("find impulse, energy_lost", "show 2 speed(P) = e u"),
-            "It is not true in general that ",
+            "It is not true that ",
         ),
         (LINE + "show velocity(B) in the direction of velocity(A)", "𝐯_B is not in the direction"),
     ],

@@ -46,11 +46,11 @@ CLAIMS = {
     ),
     "an inequality": (
         OBLIQUE + "show energy_lost > 1/2 energy(0)",
-        "It is not true in general that the kinetic energy lost in the collision is greater than",
+        "It is not true that the kinetic energy lost in the collision is greater than",
     ),
     "one side of a chain": (
         WALL + "show 1/3 v < speed(S) <= v",
-        "It is not true in general that",
+        "It is not true that",
     ),
     "a velocity at rest": (
         OBLIQUE + "show A at rest",

@@ -172,7 +172,7 @@ def test_claims_beside_a_range_agree_with_it(fact: str, claims: dict[str, bool])
     working = " ".join(str(explain(solution, marks="none")).split())
     for claim, holds in claims.items():
         shown = claim.replace(">=", "≥").replace("<=", "≤")
-        false = f"It is not true in general that {shown}:"
+        false = f"It is not true that {shown}:"
         reason = r"(,? as .+?)?"
         assert bool(re.search(rf"{shown}{reason} \(as required\)", working)) is holds
         assert (false in working) is not holds

@@ -284,6 +284,46 @@ show angle(velocity(P), W) <= alpha
         ),
         ["The speed of P is not u cos α: it is"],
     ),
+    # u²(cos²α + e² sin²α) − e²u² = u²(1 − e²) cos²α, which is positive for e < 1.
+    "what is never equal under a given bound is not denied in general only": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "given 0 < e < 1\nshow speed(P) = e u"
+        ),
+        ["The speed of P is not eu: it is"],
+    ),
+    "a speed of the statement has no components put in": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "show impulse = m speed(P, 0) - m speed(P)"
+        ),
+        ["Let V₁ be the speed of P before the impact.\n    V₁ = u\n"],
+    ),
+    # cot 0° and cot 180° have no value.
+    "a cotangent has a value between its ends alone": (
+        (
+            "sphere A: mass m, velocity u at 60°\nsphere B: mass k m, at rest\n"
+            "A hits B: along i, e = 1/2\ngiven 1 <= k <= 8\n"
+            "find range of angle(velocity(A), velocity(B))"
+        ),
+        ["as the cotangent decreases between 0° and 180° and 0° < β < 180°"],
+    ),
+    "a ball that comes back shows that e is not zero": (
+        (
+            "wall F: along i, through (0, 0)\nwall C: along i, through (0, h)\n"
+            "sphere Q: at (0, 0), velocity u at beta\nQ hits C\nQ hits F\n"
+            "find minimum of time(2) over beta"
+        ),
+        ["e > 0, since Q", "reaches F"],
+    ),
+    "a tangent in place of a cosine comes of their own identity": (
+        (
+            "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+            "A hits B: along i\ngiven deflection(A) = 30°, energy_lost = 1/3 energy(0)\n"
+            "find alpha, e"
+        ),
+        ["As 1/cos²α = 1 + tan²α:\n    (3 tan α + √3)²"],
+    ),
     # The first impact gives 3 m s⁻¹ to B; the wall sends it back with 1 m s⁻¹.
     "each sphere keeps its letter when they meet again": (
         (
@@ -352,7 +392,7 @@ show angle(velocity(P), W) <= alpha
             "let beta = angle(velocity(P), W)\n"
             "given alpha + beta = 60°\nfind tan(alpha)"
         ),
-        ["tan α = (−7 + √193)/(6√3) or tan α = (−7 − √193)/(6√3)", "tan α = (√579 − 7√3)/18"],
+        ["tan α = (−7 + √193)/(6√3) or tan α = (−7 − √193)/(6√3)", "= (√579 − 7√3)/18"],
     ),
     # 9d²(4a² − d²)/(4a² + 3d²)² ≥ 1/3, and (√33 ± 3)² = 6(7 ± √33).
     "an inequality of the fourth degree is solved by the square": (

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import groupby
 
-from restitution.explaining.lines.derivation import Derivation, Note, Ref, Relation
+from restitution.explaining.lines.derivation import Derivation, Link, Note, Ref, Relation
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Expression, Letter, walk
+from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, walk
 from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
 from restitution.solving.equations.coefficients import COEFFICIENTS
@@ -145,6 +145,9 @@ class Notes:
     def _impossible(self, note: Note, items: Sentence) -> Sentence:
         """The value of a coefficient, and the bound that it breaks; what any other letter is."""
         if note.claim is not None:
+            ahead = self._ahead(note.claim)
+            if ahead is not None:
+                return say("note.unreached-ahead", reason=note.reason, **ahead)
             return say("note.unreached", reason=note.reason)
         value, *bounds = note.premises
         relation = self._relation(value)
@@ -184,6 +187,31 @@ class Notes:
             return say(name, items=items, value=equation)
         name = "note.none-data-above-one" if over else "note.none-data-below-zero"
         return say(name, items=items, value=self._naming.layout(right))
+
+    def _ahead(self, claim: Relation) -> Mapping[str, str | lay.Layout] | None:
+        """Of two spheres that do not approach, which is ahead, as the other moves towards it.
+
+        None at a wall, and where an earlier impact of the two tells how they are placed.
+        """
+        match claim.only:
+            case (Link(Quantity(), "<" | ">" as sign, _) as link,):
+                assert isinstance(link.left, Quantity)
+                axis = link.left.arguments[-1]
+            case _:
+                return None
+        nodes = (node for side in (link.left, link.right) for node in walk(side))
+        velocities = [e for e in nodes if isinstance(e, Quantity) and e.kind == "velocity"]
+        pair = [each.arguments[0] for each in velocities]
+        names = tuple(each.name for each in pair if isinstance(each, Name))
+        if len(names) != 2 or any(self._naming.bodies.get(each) != "sphere" for each in names):
+            return None
+        stage = max((e.stage for e in velocities if isinstance(e.stage, int)), default=0)
+        before = (each for n, each in self._naming.events.items() if n <= stage)
+        if any(set(each.bodies) == set(names) for each in before):
+            return None
+        one, other = names
+        way = self._naming.layout(axis if sign == ">" else Negate(axis))
+        return {"one": one, "other": other, "way": way}
 
     @staticmethod
     def _is_out_of_range(note: Note) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
@@ -285,7 +285,8 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
         if isinstance(name, lay.Bold | lay.Letter)
         else ("refuted.value", "refuted.value-general")
     )
-    agree = _may_agree(link.right, own.right) and not _differ(link.right, own.right, naming)
+    facts = tuple(_bounds_of_letters(derivation, note.part))
+    agree = _may_agree(link.right, own.right) and not _differ(link.right, own.right, naming, facts)
     sentence = general if agree else plain
     return say(sentence, quantity=name, claimed=claimed, value=value)
 
@@ -328,8 +329,22 @@ def _scalar_product(note: Note) -> tuple[Link, ...] | None:
     return Link(whole, "=", tree_of(value)), Link(tree_of(value), "!=", ZERO)
 
 
-def _differ(claimed: Expression, value: Expression, naming: Naming) -> bool:
-    """Whether two values in letters differ for all that the letters may be.
+def _bounds_of_letters(derivation: Derivation, part: str | None) -> Iterator[Link]:
+    """What is given of letters alone in a part, as ``0 < e`` and ``e < 1``."""
+    for fact in derivation.facts:
+        if fact.kind not in ("given", "range") or fact.part not in (None, part):
+            continue
+        if len(fact.relation.options) > 1:
+            continue
+        for link in fact.relation.only:
+            if not has_quantity(link.left) and not has_quantity(link.right):
+                yield link
+
+
+def _differ(
+    claimed: Expression, value: Expression, naming: Naming, facts: tuple[Link, ...]
+) -> bool:
+    """Whether two values in letters differ for all that the letters may be under ``facts``.
 
     The squares of two numbers do, or the square of the difference of two vectors is positive.
     """
@@ -339,14 +354,19 @@ def _differ(claimed: Expression, value: Expression, naming: Naming) -> bool:
         return known.get(name, REAL).symbol(name)
 
     try:
+        bounds = tuple(
+            compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
+            for link in facts
+        )
         one, other = (evaluate(each, symbol) for each in (claimed, value))
         if isinstance(one, Vector) and isinstance(other, Vector):
             apart = Vector(one.x - other.x, one.y - other.y)
-            return Oracle(known).proves(compared(sp.factor(apart.dot(apart)), ">", sp.Integer(0)))
+            oracle = Oracle(known, bounds)
+            return oracle.proves(compared(sp.factor(apart.dot(apart)), ">", sp.Integer(0)))
         gap = sp.factor(sp.sympify(one, strict=True) ** 2 - sp.sympify(other, strict=True) ** 2)
     except (RestitutionError, TypeError, ValueError):
         return False
-    oracle = Oracle(known)
+    oracle = Oracle(known, bounds)
     return any(oracle.proves(compared(gap, sign, sp.Integer(0))) for sign in (">", "<"))
 
 

@@ -729,13 +729,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.vector": "{quantity} is not {claimed}: it is {value}.",
     "refuted.vector-general": "{quantity} is not {claimed} in general: it is {value}.",
     "refuted.claim": "It is not true that {claim}: {sides}.",
-    "refuted.general": (
-        "It is not true in general that {claim}: with {values:and}, for instance, {sides}."
-    ),
-    "refuted.possible": "It is not true in general that {claim}: {letter} may be {value}.",
+    "refuted.general": ("It is not true that {claim}: with {values:and}, for instance, {sides}."),
+    "refuted.possible": "It is not true that {claim}: {letter} may be {value}.",
     "refuted.possible-when": (
-        "It is not true in general that {claim}: {letter} is {value}, for instance, when "
-        "{values:and}."
+        "It is not true that {claim}: {letter} is {value}, for instance, when {values:and}."
     ),
     "refuted.sides": "{sides:and}",
     "refuted.but": "{one}, but {other}",
@@ -750,9 +747,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.so": "{sides:and}, so {claim}",
     "claim.gap-closes": "the gap between {one} and {other} closes",
     "claim.gap-does-not-close": "the gap between {one} and {other} does not close",
-    "refuted.instance": (
-        "It is not true in general that {claim}: it fails, for instance, with {values:and}."
-    ),
+    "refuted.instance": ("It is not true that {claim}: it fails, for instance, with {values:and}."),
     "undecided.claim": (
         "It is not decided whether {claim}. It fails at none of the values of the letters that "
         "were tried, but that proves nothing."
@@ -769,6 +764,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",
     "note.unreached": "So {reason}: what is described cannot happen.",
+    "note.unreached-ahead": (
+        "{one} moves in the direction of {way} and hits {other}, so {other} is ahead of it. So "
+        "{reason}: what is described cannot happen."
+    ),
     "note.no-solution": "This has no solution. So what is described cannot happen.",
     "no-root.square": "a square is not negative",
     "no-root.unit": "{square} is at most 1",
@@ -993,11 +992,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since-put-in": ("Since {facts:and}, substituting for {letters:and} in {equation}:"),
     "derived.since-in": "Since {facts:and}, from {equations:and}:",
     "derived.since-by": "Since {facts:and}, {how}:",
+    "derived.reached": "{bound}, since {body} reaches {wall}",
     "derived.not-yet": "and {body} has not reached {wall} by then, as {bound}",
     "derived.right-angle": "and {angle} if {at}",
     "derived.tangent-for": "for {condition}",
     "derived.upright-too": "also if {at}, where {angle}",
-    "derived.cotangent": "the cotangent decreases from 0° to 180°",
+    "derived.cotangent": "the cotangent decreases between 0° and 180°",
     "derived.as": "as {reasons:and}",
     "derived.as-because": "as {reasons:and}, because {causes:and}",
     "derived.no-root": "{value} does not satisfy {equation}",

@@ -108,6 +108,13 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             for node in walk(links[-1].right)
         )
 
+    @staticmethod
+    def _is_read_off(line: Line, speed: Expression) -> bool:
+        """Whether a speed is one of the statement, and no component is put in."""
+        return isinstance(speed, Letter | Number) and not any(
+            isinstance(ref, int) for ref in line.premises
+        )
+
     def _by_speeds(self, line: Line) -> bool:
         """Whether a line rests on speeds or kinetic energies that are given or stand above."""
         lines = map(self._derivation.line, (ref for ref in line.premises if isinstance(ref, int)))
@@ -194,6 +201,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return say("derived-speed.resolved", body=bodies[0])
             case "speed", _ if self._by_a_multiple(line):
                 return None
+            case "speed", Quantity() if self._is_read_off(line, first.right):
+                return None  # it is given
             case "speed", Quantity() | Letter() if ratio := _ratio_below(first.right):
                 return say(_BY_RATIO[ratio], body=bodies[0])
             case "size", _ if not any(map(_under, walk(first.right))):

@@ -1,4 +1,4 @@
-"""That a body comes to no wall before the time at which its place is asked."""
+"""To which walls a body comes: to none before a time that is asked, or from one to another."""
 
 from __future__ import annotations
 
@@ -52,6 +52,41 @@ def walls_ahead(
             yield body, wall.name, Relation(((Link(tree_of(last), sign, tree_of(at)),),))
 
 
+def wall_reached(derivation: Derivation, letter: Expression) -> tuple[str, str] | None:
+    """The body that leaves a wall by a coefficient, and the parallel wall opposite, which it hits.
+
+    Then that coefficient is not zero. None where no such wall comes next.
+    """
+    events = {each.number: each for each in derivation.events}
+    for number, event in events.items():
+        own = derivation.fact(" ".join(("e", str(number))))
+        if not event.wall or own is None or own.relation.only[-1].right != letter:
+            continue
+        body = event.bodies[0]
+        after = (each for n, each in sorted(events.items()) if n > number and body in each.bodies)
+        other = next(after, None)
+        if other is None or not other.wall:
+            continue
+        axes = [derivation.fact(" ".join(("axis", str(n)))) for n in (number, other.number)]
+        normals = [coordinates(each.relation.only[-1].right) for each in axes if each is not None]
+        if len(normals) == 2 and None not in normals and _are_opposite(*normals):
+            return body, other.bodies[1]
+    return None
+
+
+def _are_opposite(
+    one: tuple[Expression, Expression] | None, other: tuple[Expression, Expression] | None
+) -> bool:
+    """Whether two normals are each the other's opposite."""
+    if one is None or other is None:
+        return False
+    try:
+        sums = [in_letters(Binary("+", *pair)) for pair in zip(one, other, strict=True)]
+    except RestitutionError:
+        return False
+    return all(each == 0 for each in sums)
+
+
 def _place_at(line: Line) -> tuple[str, Vector] | None:
     """The body and its place, of a line that gives the coordinates at a time in numbers."""
     match line.relation:
@@ -90,4 +125,4 @@ def _way(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
     return None
 
 
-__all__ = ["walls_ahead"]
+__all__ = ["wall_reached", "walls_ahead"]

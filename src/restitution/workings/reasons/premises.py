@@ -19,6 +19,7 @@ from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
     Degrees,
@@ -38,7 +39,7 @@ from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
-from restitution.workings.reasons.before_walls import walls_ahead
+from restitution.workings.reasons.before_walls import wall_reached, walls_ahead
 from restitution.workings.reasons.equality import divisor_left_out, equal_tangents
 from restitution.workings.reasons.factors import factor_cancelled, factor_left, positive_factor_left
 from restitution.workings.reasons.grounds import (
@@ -337,6 +338,15 @@ class Reasons:
                 case Sentence() as sentence:
                     reasons.append(sentence)
         strict = [self._where_it_divides(line, each) for each in bounds]
+        for bound in [each for each in strict if each not in bounds]:
+            letter = bound.left
+            alone = sum(letter in (each.left, each.right) for each in strict) == 1
+            reached = wall_reached(self._derivation, letter) if alone else None
+            if reached is not None:
+                strict.remove(bound)
+                body, wall = reached
+                positive = self._laid(Relation(((bound,),)))
+                reasons.append(say("derived.reached", body=body, wall=wall, bound=positive))
         merged = (self._laid(each) for each in _merged(strict))
         if any(isinstance(each, Sentence) and each.id == _BY_TANGENT for each in reasons):
             # By the sign of that tangent the other angles have been used.
@@ -369,15 +379,22 @@ class Reasons:
     ) -> Sentence | Relation | None:
         """A range of an angle up to 90°, which is less where a line that is cited has its tangent.
 
-        A line that ends at 90° itself keeps the range as it is.
+        A line that ends at 90° itself keeps the range as it is. A cotangent has no value at either
+        end of a range from 0° to 180°.
         """
+        cited = (own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None)
+        nodes = {node for own in cited for tree in trees_of(own) for node in walk(tree)}
         match reason:
             case Relation(((low, Link(angle, "<=", Degrees(Fraction(numerator=90)) as end)),)):
                 tangent = Apply("tan", angle)
+            case Relation(((Link(low_, "<=", angle), Link(same, "<=", end)),)) if (
+                low_,
+                same,
+                end,
+            ) == (Degrees(Fraction(0)), angle, STRAIGHT_ANGLE) and Apply("cot", angle) in nodes:
+                return Relation(((Link(low_, "<", angle), Link(angle, "<", end)),))
             case _:
                 return reason
-        cited = (own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None)
-        nodes = (node for own in cited for tree in trees_of(own) for node in walk(tree))
         if tangent not in nodes or end in set(self._ends_of(line)):
             return reason
         return Relation(((low, Link(angle, "<", end)),))

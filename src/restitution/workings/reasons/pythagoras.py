@@ -1,26 +1,44 @@
-"""The identity sin² + cos² = 1, with the angle for which a line uses it."""
+"""The identity sin² + cos² = 1, or that of the tangent, with the angle for which a line uses it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
+from itertools import chain
 
 from restitution.explaining.lines.derivation import Derivation, Line, Relation, equation
 from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
-from restitution.expression.tree import Apply, Binary, Number
+from restitution.expression.tree import Apply, Binary, Expression, Number, walk
 from restitution.planning.writing.forms import square
 
 
 def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
     """The identity for the one angle of which a line or its premises have a sine and a cosine.
 
-    None where there are several such angles, or none.
+    Where a line has the tangent alone in place of the cosine, it is the identity of these two. None
+    where there are several such angles, or none.
     """
     cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
     relations = [own.relation for own in (line, *cited) if own is not None]
-    trees = (tree for each in relations if isinstance(each, Relation) for tree in trees_of(each))
-    angles = angles_with_both_ratios(trees)
+    trees = [tuple(trees_of(each)) if isinstance(each, Relation) else () for each in relations]
+    above, below = _ratios(chain.from_iterable(trees[1:])), _ratios(trees[0])
+    if len(below) == 1 and above - below:
+        (tangent,) = below
+        cosine = Apply("cos", tangent.argument)
+        if tangent.function == "tan" and above - below == {cosine}:
+            one = Number(Fraction(1))
+            over = Binary("/", one, square(cosine))
+            return equation(over, Binary("+", one, square(tangent)))
+    angles = angles_with_both_ratios(chain.from_iterable(trees))
+    angles = angles or frozenset(each.argument for each in above | below)
     if len(angles) != 1:
         return None
     (angle,) = angles
     squares = Binary("+", square(Apply("sin", angle)), square(Apply("cos", angle)))
     return equation(squares, Number(Fraction(1)))
+
+
+def _ratios(trees: Iterable[Expression]) -> set[Apply]:
+    """The sines, cosines and tangents of some expressions."""
+    nodes = (node for tree in trees for node in walk(tree) if isinstance(node, Apply))
+    return {node for node in nodes if node.function in ("sin", "cos", "tan")}
