@@ -7,6 +7,8 @@ from functools import cache
 import pytest
 
 import restitution
+from restitution.expression.tree import Letter
+from restitution.practice.reading.working import read_working
 from restitution.solving.equations.solution import Solution
 
 TURNED = """sphere A: mass 1, velocity 5i + j
@@ -250,3 +252,70 @@ find speed(A), energy_lost/energy(0)"""
     assert (law, "lost", 1) in points(statement, *lines)
     after = "KE after = ½(3m)(u²/18) + ½(3m)(½u²) = ⅚mu²"
     assert (law, "earned", 1) in points(statement, after)
+
+
+PAIR = """sphere A: mass 2, velocity 6 at 60°
+sphere B: mass 3, velocity 4 at 120°
+A hits B: along i, e = 1/2
+find speed(A), speed(B)"""
+TO_THE_WALL = """sphere A: mass 2, velocity 5i, at (0, 0)
+sphere B: mass 3, at rest, at (0, 0)
+wall W: along j, through (12, 0)
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B)
+B hits W: e = 2/3
+find velocity(B), time(2) - time(1), distance(A, B, at time(2))"""
+
+
+def test_a_letter_that_is_solved_for_begins_a_relation() -> None:
+    lines = ["0 = 2a + 3b", "b - a = 2.5", "5a = -7.5 a = -1.5 b = 1", "5a = -7.5 a = 1.5 b = 1"]
+    assert verdicts(PAIR, *lines) == ["true", "true", "true", "false"]
+
+
+def test_a_name_behind_a_direction_begins_a_statement() -> None:
+    lines = ["a = -1.5, b = 1", "so A goes at 1.5 in opp direction and B 1 m/s"]
+    assert verdicts(PAIR, *lines) == ["true", "remark"]
+
+
+def test_a_label_before_prose_is_not_that_of_a_value_behind_it() -> None:
+    (link,) = (
+        read_working("B moves along the loc so angle between them = 88.0°", restitution.parse(PAIR))
+        .lines[0]
+        .links
+    )
+    assert link.readings[0].left == Letter("angle between")
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("after wall B = 2/3 × 3 = 2", "true"),
+        ("after wall B = 2/3 × 3 = 1", "false"),
+        ("B = 3", "true"),  # after the first impact
+        ("B = -2", "true"),
+        ("A has gone 0.5×4 = 2m so gap = 10m", "true"),
+        ("A has gone 0.5×4 = 2m so gap = 12m", "false"),
+        ("B is -2i", "true"),
+        ("B is 5i", "false"),
+    ],
+)
+def test_names_metres_and_copulas_are_read(line: str, verdict: str) -> None:
+    assert verdicts(TO_THE_WALL, "v = 0.5, w = 3", line)[1] == verdict
+
+
+def test_a_total_is_the_time_that_is_asked() -> None:
+    walls = """wall L: along j, through (0, 0)
+wall R: along j, through (d, 0)
+sphere P: velocity u i, at (0, 0)
+P hits R: e = 1/2
+P hits L: e = 1/2
+find time(2)"""
+    assert verdicts(walls, "t = d/u", "total = 3d/u") == ["true", "true"]
+    assert points(walls, "total = 3d/u")[-1][1] == "earned"
+
+
+def test_it_is_deflected_in_short() -> None:
+    bodies = "wall W: along i\nsphere S: velocity u at 45° to W\n"
+    wall = f"{bodies}S hits W: e = 1/2\nfind deflection(S)"
+    lines = ["it's deflected by 45 + 26.6 = 71.6°", "so it's deflected by 26.6°"]
+    assert verdicts(wall, *lines) == ["true", "false"]

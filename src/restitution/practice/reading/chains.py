@@ -153,6 +153,21 @@ def _vectors_of(body: str, problem: Problem) -> tuple[Side, ...]:
     return tuple(map(Side, trees))
 
 
+def _is_signed(tree: Expression) -> bool:
+    """Whether a value may be negative as it is typed: ``-2``, ``u(2 - 3e)``."""
+    return any(
+        isinstance(each, Negate) or (isinstance(each, Binary) and each.op == "-")
+        for each in walk(tree)
+    )
+
+
+def worths_of(body: str, value: Expression) -> tuple[Side, ...]:
+    """What a number behind the name of a sphere may be: its speed, or a component."""
+    phrases = [f"speed of {body}"]
+    phrases += [f"component of {body} along"] if _is_signed(value) else []
+    return tuple(Side(Letter(each)) for each in phrases)
+
+
 def places_of(body: str, problem: Problem) -> tuple[Expression, ...]:
     """Where a sphere is at each event, if its place is known."""
     if all(each.name != body or each.position is None for each in problem.spheres):
@@ -329,6 +344,8 @@ class Chains:
         of_body = name is not None and name.kind == "name" and self.body_of(name) is not None
         if name is not None and of_body and self._is_moving(read[1][0].tree):
             read[0] = _vectors_of(name.name, self.problem)  # A = 3i - j
+        elif name is not None and of_body and is_numeric(read[1][0].tree):
+            read[0] = (*worths_of(name.name, read[1][0].tree), *read[0])  # B = 2/3 × 3 = 2
         short = len(signs) > 1 and is_letter(read[0][0].tree) and is_function(read[1][0].tree)
         if short and self.declaration(segment, sides[:2], read[:2], signs[:1]):
             # y = tan δ = 5t/(1 + 6t²) says first what y is.

@@ -386,6 +386,9 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
     if token.kind == "name":
         behind = tokens[end + 1] if end + 1 < len(tokens) else None
         between = any(each.word == "between" for each in tokens[place:end])
+        named = any(each.kind == "name" for each in tokens[place:end])
+        if before == "and" and not (named or between) and behind and behind.kind == "number":
+            return False  # in the opposite direction and B 5 m/s
         return between or before != "and" or behind is None or behind.kind not in ("relation", "+")
     if token.kind in ("unit", "letter", "times") and token.text in ("i", "j", "x", "y"):
         return end == place or before in _BEFORE_AXIS or _has_axis_behind(tokens, end)
@@ -424,6 +427,14 @@ def _prose_name(merged: Sequence[Token], token: Token, behind: Sequence[Token]) 
     return replace(token, kind="word") if merged[-1].text in _NEAR_A_NAME else token
 
 
+def _is_vector_behind(tokens: Sequence[Token], place: int) -> bool:
+    """Whether a vector by its components begins behind a place: ``A is 3i + j``."""
+    behind = [each.kind for each in tokens[place + 1 : place + 4]]
+    behind = behind[1:] if behind[:1] == ["-"] else behind
+    factor = behind[:1] in (["number"], ["letter"])
+    return "unit" in behind[:1] or (factor and behind[1:2] == ["unit"])
+
+
 def _equality(tokens: Sequence[Token], place: int) -> Token:
     """``is`` between two values is a sign of equality, ``of`` behind a number a product."""
     token = tokens[place]
@@ -440,7 +451,9 @@ def _equality(tokens: Sequence[Token], place: int) -> Token:
     case = [each.kind for each in tokens[max(0, place - 3) : place]]
     if case == ["letter", "relation", "number"] and tokens[place - 4].word in _OF_CASES:
         return token  # least at e = 0 is u sin α
-    if token.text in EQUALS and before.kind in _CLOSING - {"name"} and opens:
+    if token.text in EQUALS and before.kind in _CLOSING and opens:
+        if before.kind == "name" and not _is_vector_behind(tokens, place):
+            return token  # A is 3 m from B
         return replace(token, kind="relation", name="=")
     if token.text == "of" and before.kind in ("number", "percent", ")") and opens:
         return replace(token, kind="times")

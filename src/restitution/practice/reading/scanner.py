@@ -278,7 +278,7 @@ class _Scanner:
         known = self.usage.letters
         if plain in ("m", "s"):
             return (
-                (gap > 0 or plain == "s")
+                (gap > 0 or plain == "s" or self._may_be_metres())
                 and self.token_list[-1].kind == "number"
                 and plain not in (known | self.usage.alone)
             )
@@ -289,6 +289,15 @@ class _Scanner:
         if plain.startswith(("m/s", "ms")):
             return "s" not in known and (self.token_list[-1].kind != "/")
         return True
+
+    def _may_be_metres(self) -> bool:
+        """Whether an m directly behind a number may be metres: its side is of numbers alone."""
+        side: list[str] = []
+        for token in reversed(self.token_list):
+            if token.kind in ("relation", "word", ",", ":"):
+                break
+            side.append(token.kind)
+        return self.usage.metres and "letter" not in side and side[1:2] != ["/"]
 
     # -- runs of letters --------------------------------------------------------------------
 

@@ -241,10 +241,11 @@ def split_at_spaces(
     places = [n for n, token in enumerate(tokens) if token.kind == "relation"]
     start, parting = 0, _CERTAIN
     for first, second in pairwise(places):
-        cut = _cut(tokens, first, second, vectors)
+        cut = _cut(tokens[start:], first - start, second - start, vectors)
         if cut is not None:
-            yield _without_number(Segment(tokens[start : cut[0]], segment.before)), parting
-            start, parting = cut
+            place = start + cut[0]
+            yield _without_number(Segment(tokens[start:place], segment.before)), parting
+            start, parting = place, cut[1]
     yield Segment(tokens[start:], segment.before), parting
 
 
@@ -270,6 +271,8 @@ def _cut(
     if wide:
         return max(wide, key=lambda place: tokens[place].gap), "certain"
     for place in gaps:
+        if _is_solved_for(tokens, first, place, second):
+            return place, "certain"
         if _begins_another(tokens, first, place, second):
             if tokens[place].name in vectors and _is_velocity_along(tokens, first, place, second):
                 return None
@@ -318,6 +321,21 @@ def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int
     if right[0].kind == "function":
         return not own & behind
     return tokens[start].kind == "function" or not own & (other | behind)
+
+
+def _is_solved_for(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
+    """Whether a relation for a letter begins behind one in which it has a factor.
+
+    It does in ``5a = -7.5 a = -1.5``: as a chain, 5a would be -7.5a.
+    """
+    start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
+    if second != place + 1 or tokens[place].kind != "letter" or first - start < 2:
+        return False
+    own = tokens[place].name
+    stop = next((n for n in range(second + 1, len(tokens)) if tokens[n].kind == "relation"), None)
+    others = (*tokens[first + 1 : place], *tokens[second + 1 : stop])
+    elsewhere = any(each.kind == "letter" and each.name == own for each in others)
+    return any(each.name == own for each in tokens[start:first]) and not elsewhere
 
 
 def _may_part(tokens: Sequence[Token], place: int) -> bool:

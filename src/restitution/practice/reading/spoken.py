@@ -6,9 +6,19 @@ import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
-from restitution.expression.tree import Binary, Expression, Letter, Negate, Number, Polar, Unit
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    Polar,
+    Quantity,
+    Unit,
+    walk,
+)
 from restitution.practice.reading.characters import Plain
-from restitution.problem import Problem
+from restitution.problem import Find, Problem, trees_of_step
 
 Put = Callable[[re.Match[str], Problem], str]
 
@@ -27,7 +37,7 @@ _BECOMES = re.compile(
     rf"\bthe\s+({_NUMBER})\s+(?:becomes|turns\s+into|changes\s+to|goes\s+to)\s+", re.IGNORECASE
 )
 _TURNED = re.compile(
-    r"\b(?:(?:it|they|(?:the\s+)?(?:ball|sphere|particle|puck|path))\s+|([A-Z])\s+)?"
+    r"\b(?:(?:it(?:'s|’s)?|they|(?:the\s+)?(?:ball|sphere|particle|puck|path))\s+|([A-Z])\s+)?"
     r"(?:(?:is|are|was|gets|has|has\s+been)\s+)?(?:turned|turns|deflected)\s+(?:(?:through|by)\s+)?"
     r"(?:an?\s+(?:total\s+)?angle\s+(?:of\s+)?)?(?:[=:]\s*)?"
     r"(?=\d|\(|(?:arc)?(?:sin|cos|tan))",
@@ -69,6 +79,7 @@ _FIRST_AND_LAST = re.compile(
     re.IGNORECASE,
 )
 _BETWEEN_U_AND_V = re.compile(r"\b(angle\s+between)\s+u\s+and\s+v(?=\s*[=:])", re.IGNORECASE)
+_IN_ALL = re.compile(r"(?<!\w)(total|altogether)(?=\s*[=:])", re.IGNORECASE)
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
 
@@ -145,6 +156,20 @@ def _direction(match: re.Match[str], problem: Problem) -> str:
     return f"{match[1]}direction of {match[2]}" if match[2] in spheres else match[0]
 
 
+def _in_all(match: re.Match[str], problem: Problem) -> str:
+    """The whole time, where the question asks for a time and for no energy."""
+    finds = (step for _, step in problem.steps() if isinstance(step, Find))
+    asked = {
+        node.kind
+        for step in finds
+        for tree in trees_of_step(step)
+        for node in walk(tree)
+        if isinstance(node, Quantity)
+    }
+    timed = "time" in asked and not any("energy" in kind for kind in asked)
+    return f"{match[1]} time" if timed else match[0]
+
+
 def _at_the_end(match: re.Match[str], _: Problem) -> str:
     """The energy before, or the one after, of ``KE i`` and ``KE f``."""
     return f"{'initial' if match[2] == 'i' else 'final'} KE "
@@ -193,5 +218,6 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_COUNTED, lambda match, _: f"{match[1]} of the {_ORDINALS[int(match[2]) - 1]} impact"),
     (_FIRST_AND_LAST, lambda _, __: "initial and final "),
     (_BETWEEN_U_AND_V, _of_both),
+    (_IN_ALL, _in_all),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )

@@ -12,13 +12,11 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Quantity,
-    walk,
 )
 from restitution.practice.reading.angles import without_marks
-from restitution.practice.reading.chains import Chains, Past, Statements, places_of
+from restitution.practice.reading.chains import Chains, Past, Statements, places_of, worths_of
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.grammar import is_vector
@@ -168,7 +166,7 @@ class _Reader(Chains):
         if segment.is_phrase and self._is_label(segment, following):
             if "only" in following[0].before and not has_head(segment.tokens[0]):
                 return  # along only: ½(2)(16 - 4) = 12
-            self.label = segment.tokens[0]
+            self.label, self.before = segment.tokens[0], ()
             self.of_law = bool(words & _NAMES_OF_LAWS)
             return
         if _is_power_of_phrase(segment) and self._is_label(segment, following):
@@ -454,12 +452,8 @@ class _Reader(Chains):
             self.statements.values += (sides[0].tree,)
             return  # B: u/√2 before, (1 + k)u/√2 after
         own = [Side(self.label_tree(label, sides, tokens))]
-        signed = any(
-            isinstance(each, Negate) or (isinstance(each, Binary) and each.op == "-")
-            for each in walk(sides[0].tree)
-        )
         if label.name in self.usage.spheres and own[0].tree == Letter(f"speed of {label.name}"):
-            own += [Side(Letter(f"component of {label.name} along"))] if signed else []
+            own = list(worths_of(label.name, sides[0].tree))
         elif label.name in self.usage.spheres and is_vector(sides[0].tree, self.usage.vectors):
             own += [Side(each) for each in places_of(label.name, self.problem)]
         own += self.became.get(label.name, ())

@@ -36,7 +36,8 @@ class Usage:
     those that are vectors; ``alone`` the Latin letters that stand alone in the script. ``aliases``
     are the letters that stand for others (``a`` for ``alpha``), ``counted`` those that the script
     has with a 1 behind them. ``times`` is whether an x is a
-    sign, ``joules`` whether a J may be a letter; a 2 behind one of the ``squares`` is a power, and
+    sign, ``joules`` whether a J may be a letter, ``metres`` whether an m directly behind a number
+    is no mass; a 2 behind one of the ``squares`` is a power, and
     so is one behind ``sin`` where ``powers``.
     """
 
@@ -51,6 +52,7 @@ class Usage:
     counted: frozenset[str] = frozenset()
     times: bool = True
     joules: bool = False
+    metres: bool = False
     squares: frozenset[str] = frozenset()
     powers: bool = False
 

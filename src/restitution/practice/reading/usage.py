@@ -64,7 +64,8 @@ _LATIN_FOR = {
 
 # Between these a letter is a unit: time = 4 s, and 1 m from W.
 _BEFORE_A_UNIT = re.compile(r"\d\s+$")
-_BEFORE_SECONDS = re.compile(r"\d\s*$")
+_BEFORE_METRES = re.compile(r"(?:^|[=:,]|[a-z]{2} )[\s\d.+*×()-]*\d\s*$")
+_BEFORE_GLUED = re.compile(r"\d\s*$")
 _BEHIND_A_UNIT = re.compile(r"$|[,;=)]|\.(?:\s|$)|[A-Za-z]{2,}")
 
 
@@ -73,7 +74,8 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     of_question = _letters(problem)
     text = "\n".join(lines)
     runs = _RUN.findall(text)
-    alone = _alone(lines)
+    metres = all(each.mass and not letters(each.mass) for each in problem.spheres)
+    alone = _alone(lines, metres)
     trigonometric = set(_in_functions(text))
     greek = {GREEK_SIGNS[sign] for sign in text if sign in GREEK_SIGNS}
     greek |= {each for each in GREEK if any(each in run.lower() for run in runs if len(each) > 2)}
@@ -93,6 +95,7 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
         counted=frozenset(_COUNTED.findall(text)),
         times=not ("x" in of_question or _uses_x(lines)),
         joules=bool(_JOULES.search(text)),
+        metres=metres,
         squares=_squares(text, of_question | alone),
         powers=bool(re.search(r"(?:sin|cos)2.*\+.*(?:sin|cos)2", text)),
     )
@@ -157,7 +160,12 @@ def _angle_letters(node: Expression) -> set[str]:
     return set()
 
 
-def _alone(lines: Sequence[str]) -> set[str]:
+def _alone(lines: Sequence[str], metres: bool) -> set[str]:
+    """The Latin letters that stand alone in lines, and are no units.
+
+    ``metres`` tells that an m directly behind a number may be one.
+    """
+    glued = {"m": _BEFORE_METRES if metres else _BEFORE_A_UNIT, "s": _BEFORE_GLUED}
     alone: set[str] = set()
     for line in lines:
         for match in _ALONE.finditer(line):
@@ -165,7 +173,7 @@ def _alone(lines: Sequence[str]) -> set[str]:
             word = re.match(r"[A-Za-z]{3,}", behind)
             if match[1] in "aI" and word and word[0].lower() in PROSE | PHRASE_WORDS:
                 continue
-            before = {"m": _BEFORE_A_UNIT, "s": _BEFORE_SECONDS}.get(match[1])
+            before = glued.get(match[1])
             measures = before is not None and before.search(line[: match.start(1)])
             if measures and _BEHIND_A_UNIT.match(behind):
                 continue  # t = 4 s
