@@ -569,6 +569,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
     ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
     ("read-off", "speed-from-impulse", 5, "A1", "A1", "A1"),
+    ("another-changed", "changed-along", 11, "", "", ""),
     ("another-put-together", "product", 10, "A1", "A1", "A1"),
     ("put-together", "centres-slanted", 10, "DM1", "DM1", "DM1"),
     ("velocity-in-components", "deflection-decimal", 9, "A1", "A1", "A1"),

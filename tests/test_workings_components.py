@@ -18,7 +18,7 @@ BY_ANGLES = """
 sphere A: mass 2m, velocity 3u at 90°
 sphere B: mass m, velocity u i
 A hits B: along i - j, e = 1/2
-find velocity(A)
+find speed(A), velocity(A)
 """
 
 ALONG_A_LETTER = """

@@ -587,7 +587,7 @@ def _another_assembled(work: Work, line: Line) -> bool:
     if getattr(subject_of(line), "kind", None) != "velocity":
         return False
     return any(
-        each.move.record == "assemble"
+        each.move.record in ("assemble", "changed-velocity")
         and each.move.event == line.move.event
         and work.part(each) == work.part(line)
         and each.number not in work.ends

@@ -57,6 +57,7 @@ _VECTORS = (
     "impulse-vector",
     "across-the-impulse",
     "along-the-change",
+    "changed-velocity",
     "equal-across",
 )
 
@@ -98,6 +99,7 @@ RULES: tuple[Rule, ...] = (
     _rule("first-of-two", ("law",), "M A", PAIR, ("first-of-several",), caie="M"),
     _rule("second-of-two", ("law",), "M A", PAIR, ("second-of-several",)),
     _rule("impulse", ("law",), "M V", ("impulse",)),
+    _rule("another-changed", ("law",), "", ("changed-velocity",), ("another-assembled",)),
     _rule("principle-of-vectors", ("law",), "M V", _VECTORS),
     # Solving.
     _rule("solved-together", ("combine",), "M A", when=("of-laws", "first"), caie=""),

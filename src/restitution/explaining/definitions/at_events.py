@@ -12,6 +12,7 @@ from restitution.explaining.definitions.energies import (
     momentum_of_all,
     total,
     total_lost,
+    velocity_by_its_change,
 )
 from restitution.explaining.definitions.journeys import beside, chords, moving_off, rounds
 from restitution.explaining.definitions.ties import between_directions, tied
@@ -33,6 +34,7 @@ WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
     "total": total,
     "total-lost": total_lost,
     "impulse-vector": impulse_along_the_line,
+    "changed-velocity": velocity_by_its_change,
     "momentum-of": momentum_of_all,
     "momentum-vector": momentum_kept,
     "energy-lost": energy_lost,

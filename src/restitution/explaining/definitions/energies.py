@@ -33,6 +33,27 @@ def impulse_along_the_line(step: Step, event: Event | None) -> Iterator[Link]:
 
     Along **i** or **j** it is the difference of two velocities, of which both components are cited.
     """
+    for body, number, change, axis in _changes_along(step, event):
+        size = Binary("*", Quantity("mass", (Name(body),)), change)
+        vector = Polar(size, Degrees(Fraction(0)), axis)
+        yield Link(Quantity("impulse", (Name(body),), number), "=", vector)
+
+
+def velocity_by_its_change(step: Step, event: Event | None) -> Iterator[Link]:
+    """A velocity after an impact by that before it, and its change along a line that slants."""
+    for body, number, change, axis in _changes_along(step, event):
+        late, early = (Quantity("velocity", (Name(body),), n) for n in (number, number - 1))
+        vector = Polar(change, Degrees(Fraction(0)), axis)
+        yield Link(late, "=", Binary("+", early, vector))
+
+
+def _changes_along(
+    step: Step, event: Event | None
+) -> Iterator[tuple[str, int, Expression, Expression]]:
+    """The change of each body's component along a line of centres that slants, and that line.
+
+    With it the body, and the number of the impact.
+    """
     if event is None or event.kind != "impact":
         return
     direction = step.world.direction(axis_of(event))
@@ -42,9 +63,7 @@ def impulse_along_the_line(step: Step, event: Event | None) -> Iterator[Link]:
         late, early = (
             _component("along", body, stage, event) for stage in (event.number, event.number - 1)
         )
-        size = Binary("*", Quantity("mass", (Name(body),)), Binary("-", late, early))
-        vector = Polar(size, Degrees(Fraction(0)), axis_of(event))
-        yield Link(Quantity("impulse", (Name(body),), event.number), "=", vector)
+        yield body, event.number, Binary("-", late, early), axis_of(event)
 
 
 def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:

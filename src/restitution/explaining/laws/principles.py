@@ -207,6 +207,8 @@ PRINCIPLES = (
         "impact",
         ("line_of_centres",),
     ),
+    # The velocity before, and the change along the line of centres, or into the wall.
+    Record("changed-velocity", "principle", (), "impact", ("velocity",)),
     # Who was at rest goes along the line of centres: to where its next event is.
     Record("moves-off", "principle", (), "spheres", ("line_of_centres",)),
     Record(

@@ -300,6 +300,16 @@ SENTENCES: Mapping[SentenceId, str] = {
         "velocity; so the change of the velocity is perpendicular to the wall, and tells how "
         "the wall runs."
     ),
+    "changed-spheres.why": (
+        "The spheres are smooth, so the impulse is along the line of centres, and so is the change "
+        "of each velocity. What is added to the velocity before is the change of its component "
+        "along that line, times the unit vector of the line."
+    ),
+    "changed-wall.why": (
+        "A smooth wall pushes only perpendicular to itself, so the velocity changes in that "
+        "direction alone. What is added to the velocity before is the change of its component "
+        "in that direction, times the unit vector."
+    ),
     "moves-off.why": (
         "Whatever momentum a sphere at rest receives comes from the impulse, and the impulse "
         "acts along the line of centres. So that is the way in which it moves off."
@@ -1034,6 +1044,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.greatest-named": "greatest {quantity}",
     "derived.least-named": "least {quantity}",
     "momentum.vectors": "Conservation of momentum",
+    "changed-spheres.title": "The velocity changes along the line of centres only",
+    "changed-wall.title": "The velocity changes perpendicular to {wall} only",
     "impulse-line.title": (
         "The impulse, and so the change of velocity, is along the line of centres"
     ),

@@ -19,6 +19,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "impulse": ("impulse-wall.title", "impulse-spheres.title"),
     "across-the-impulse": ("impulse-normal.title", "impulse-line.title"),
     "along-the-change": ("impulse-normal.title", "impulse-line.title"),
+    "changed-velocity": ("changed-wall.title", "changed-spheres.title"),
     "component": ("resolved-wall.before", "resolved-spheres.before"),
     "sum": ("turned-wall.title", "turned.title"),
     "difference": ("turned-wall.title", "turned.title"),

@@ -127,6 +127,8 @@ _OF_TOPICS: Mapping[str, tuple[str, ...]] = {
     "derived-between": ("size-left-out", "acute-for-obtuse"),
     "derived-place": ("moved-for-place",),
     "derived-assembled": ("energy-component-missing", "sign-of-reversed"),
+    "changed-spheres": ("vector-not-unit", "sign-of-reversed"),
+    "changed-wall": ("vector-not-unit", "sign-of-reversed"),
     "derived-opposite": ("same-sign", "unequal-impulses"),
 }
 

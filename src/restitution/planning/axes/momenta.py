@@ -137,9 +137,10 @@ def _as_vector(scene: Scene, body: str, stage: int) -> Source | None:
     last = scene.last_event(body, stage)
     if not last:
         (link,) = scene.facts[f"velocity {body}"].relation.only
-        if any(isinstance(node, Polar) for node in walk(link.right)):
+        source = scene.initial(body)
+        if any(isinstance(node, Polar) for node in walk(link.right)) and all(source.value):
             return None
-        return scene.initial(body)
+        return source
     known = scene.desk.known(Quantity("velocity", (Name(body),), last))
     if known is not None:
         return known

@@ -41,7 +41,7 @@ class Formula:
     """A definition with values put in: ``left`` is the quantity, a power or a ratio of it.
 
     ``value`` is what the right side is worth; ``of`` makes the left side of any tree that stands
-    for the quantity.
+    for the quantity. ``between`` is a form of a vector on the way from one to the other.
     """
 
     move: Move
@@ -50,6 +50,7 @@ class Formula:
     right: Expression
     value: Any
     refs: tuple[Ref, ...]
+    between: Expression | None = None
 
     @property
     def left(self) -> Expression:
@@ -87,7 +88,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
-            parted = _by_coordinates(scene, right)
+            parted = own.between or _by_coordinates(scene, right)
             steps: list[tuple[Expression, MoveId | None]] = [(final, None)]
             if parted is not None:
                 steps = [(parted, None), (final, "rearrange")]

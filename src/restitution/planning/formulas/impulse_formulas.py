@@ -28,7 +28,7 @@ from restitution.planning.writing.forms import (
 )
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
-from restitution.planning.writing.unit_vectors import unit_tree
+from restitution.planning.writing.unit_vectors import unit_tree, whole_direction
 from restitution.vector import Vector
 
 
@@ -138,14 +138,28 @@ def _write_vector_before(scene: Scene, event: int) -> None:
 
 
 def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
-    """The size of an impulse of which a line tells both components."""
+    """The size of an impulse of which a line tells both components.
+
+    None where it is a multiple of a slanting unit vector: that multiple is its size.
+    """
     for body in scene.spheres(event):
+        if scene.frame(event).is_slanted and _has_components(scene, body, event):
+            return None
         known = scene.desk.known(Quantity("impulse", (Name(body),), event))
         if known is None or not isinstance(known.value, Vector):
             continue
         if _is_in_a_plain_direction(known.value):
             return _size(Move("define", "size", event, (body,)), quantity, known)
     return None
+
+
+def _has_components(scene: Scene, body: str, event: int) -> bool:
+    """Whether lines tell the component of a body along a slanting line, before and after."""
+    stages = (scene.last_event(body, event - 1), event)
+    along = scene.frame(event).along
+    velocities = [Quantity("velocity", (Name(body),), stage) for stage in stages]
+    known = [scene.desk.known(Quantity("along", (each, along))) for each in velocities]
+    return all(each is not None and not scene.unknown(scene.put(each.value)[0]) for each in known)
 
 
 def _is_in_a_plain_direction(vector: Vector) -> bool:
@@ -199,15 +213,16 @@ def _along_the_line(scene: Scene, quantity: Quantity, body: str, event: int) -> 
     """The impulse on a body by the change of its component along a line that slants.
 
     None where no component has been worked out, or where the velocity after the impact stands as
-    a vector.
+    a vector, and the size of the impulse is not asked too.
     """
     velocity = Quantity("velocity", (Name(body),), event)
     component = Quantity("along", (velocity, Quantity("line_of_centres", (), event)))
-    if scene.desk.known(velocity) is not None or scene.desk.known(component) is None:
+    if scene.desk.known(component) is None or not scene.frame(event).is_slanted:
+        return None
+    sized = Quantity("impulse", (), event) in scene.asked_alone
+    if scene.desk.known(velocity) and not (sized and _has_components(scene, body, event)):
         return None
     frame = scene.frame(event)
-    if not frame.is_slanted:
-        return None
     mass = scene.mass(body)
     late, early = (in_direction(scene, "along", body, k, frame) for k in (event, event - 1))
     size = tidy(mass.value * (late.value - early.value))
@@ -217,4 +232,8 @@ def _along_the_line(scene: Scene, quantity: Quantity, body: str, event: int) -> 
     value = Vector(*(tidy(expanded(size * each)) for each in frame.n))
     pool = together(mass.refs, late.whole, early.whole, frame.refs)
     refs = scene.judge.needed(move, pool, chain(quantity, (tree, None)), mass.refs)
-    return None if refs is None else Formula(move, itself, quantity, tree, value, refs)
+    if refs is None:
+        return None
+    whole, length = whole_direction(frame.n)
+    between = product(tree_of(tidy(size / length)), tree_of(whole))
+    return Formula(move, itself, quantity, tree, value, refs, between)

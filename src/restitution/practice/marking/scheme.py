@@ -36,6 +36,7 @@ PRINCIPLES: Mapping[str, str] = {
     "opposite-impulses": "impulse",
     "across-the-impulse": "impulse",
     "along-the-change": "impulse",
+    "changed-velocity": "velocity",
     "wall-direction": "impulse",
     "equal-across": "unchanged",
     "moves-off": "direction",

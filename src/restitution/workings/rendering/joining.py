@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 from restitution.explaining.lines.saying import say
 from restitution.render import layout as lay
@@ -13,10 +14,12 @@ from restitution.workings.rendering.steps import Row, Step
 def joined(steps: Iterable[Step]) -> Iterator[Step]:
     """Steps with the rows that follow without a word among the rows above them.
 
-    What earns nothing stands with the rows above, whatever item it belongs to.
+    What earns nothing stands with the rows above, whatever item it belongs to, unless the next row
+    of its own item goes on from it.
     """
     last: Step | None = None
-    for step in steps:
+    for step, after in pairwise((*steps, None)):
+        assert step is not None
         if (
             last is not None
             and last.kind == step.kind == "setting"
@@ -26,7 +29,8 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
             last = replace(last, sentences=(*last.sentences, *step.sentences))
             continue
         wordless = step.rows and not step.title and not step.sentences
-        joins = last is not None and (step.item == last.item or not step.marks)
+        alone = not (step.marks or _goes_on(step, after))
+        joins = last is not None and (step.item == last.item or alone)
         if last is not None and last.rows and wordless and joins:
             *above, row = last.rows
             whole = _as_one(row, step.rows[0])
@@ -38,6 +42,13 @@ def joined(steps: Iterable[Step]) -> Iterator[Step]:
         last = step
     if last is not None:
         yield _counted(last)
+
+
+def _goes_on(step: Step, after: Step | None) -> bool:
+    """Whether the rows of the next step begin without a left side, and are of the same item."""
+    if after is None or not after.rows or after.item != step.item:
+        return False
+    return after.rows[0].operands[0] is None
 
 
 def _counted(step: Step) -> Step:
