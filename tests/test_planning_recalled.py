@@ -773,6 +773,16 @@ given speed(A) = sqrt(12), speed(B) = 3 sqrt(3)
 find M, e
 """
     assert "B was at rest, so it moves along the line of centres: w = 3√3 m s⁻¹" in printed(both)
+    offset = """
+sphere A, B: mass m, radius r
+sphere A: velocity u i
+sphere B: at rest
+A hits B: offset d, e = 1/2
+given speed(B) = 3/5 u
+find d, direction(A)
+"""
+    assert "w = 3/5 u" in said(offset) or "w = 3u/5" in said(offset)
+    assert printed(offset).count("w = 3u/5") == 1
 
 
 def test_the_speed_given_of_what_was_moving_leaves_its_sense_open() -> None:

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 
+from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Relation
 from restitution.language import parse
+from restitution.oracle import Oracle
+from restitution.planning.planner import plan
 from restitution.solving import solve
+from restitution.solving.story.letters import roles
 from restitution.workings import explain, to_text
 
 BY_ANOTHER_SPEED = """
@@ -70,3 +76,44 @@ def test_the_range_of_a_ratio_has_a_form_where_its_end_has_no_value() -> None:
         "tan α > 0, for e = 0",
         "0 < tan α < 1/(√3 e), for e > 0",
     ]
+
+
+OFF_FROM_REST = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, at rest
+A hits B: along i
+given energy(B) = 1/9 m u^2
+find e
+"""
+FROM_ACROSS = """
+sphere A: mass 2, velocity 5i + 3j
+sphere B: mass 1, velocity 2j
+A hits B: along i
+given speed(B) = 2 sqrt(5)
+find e
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (OFF_FROM_REST, "w = u/3, as B was at rest and is pushed away from A"),
+        (
+            FROM_ACROSS,
+            "w = 4 m s⁻¹, as B had no component along the line of centres and is pushed away from",
+        ),
+    ],
+)
+def test_who_had_no_component_is_pushed_away(text: str, reason: str) -> None:
+    assert reason in printed(text)
+    solution = solve(parse(text))
+    derivation, oracle = plan(solution), Oracle(roles(solution.problem))
+    assert follow(derivation, oracle) == ()
+    (rejection,) = (each for each in derivation.lines if each.move.id == "reject")
+    base = derivation.line(rejection.premises[0])  # type: ignore[arg-type]
+    assert base is not None
+    (other,) = (each for each in base.relation.options if each not in rejection.relation.options)  # type: ignore[union-attr]
+    turned = replace(rejection, relation=Relation((other,)))
+    lines = tuple(turned if each is rejection else each for each in derivation.lines)
+    complaints = follow(replace(derivation, lines=lines), oracle)
+    assert any(each.line == rejection.number for each in complaints)

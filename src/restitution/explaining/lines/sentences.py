@@ -993,6 +993,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.since": "Since {facts:and}:",
     "derived.anyway": "{fact} in any case.",
     "derived.anyway-as": "{fact} in any case, as {ground}.",
+    "derived.pushed-from-rest": "{body} was at rest and is pushed away from {other}",
+    "derived.pushed": (
+        "{body} had no component along the line of centres and is pushed away from {other}"
+    ),
     "derived.moving": "{body} moves in the direction of {way}",
     "derived.moves": "{body} moves in the direction of {way}, so {fact}:",
     "derived.moves-put": (

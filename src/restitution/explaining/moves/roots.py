@@ -134,6 +134,7 @@ def is_rejection(step: Step, relation: Relation) -> bool:
     if len(kept) != len(relation.options) or len(kept) == len(base.options):
         return False
     rest = step.under(cited=others_cited(step))
+    known = (*rest.facts, *rest.pushed())
     moving = [link for link in rest.links if is_of_vectors(link)]
     for n, option in enumerate(base.options):
         if n in kept:
@@ -143,7 +144,7 @@ def is_rejection(step: Step, relation: Relation) -> bool:
                 return False
             continue
         dropped = rest.formula(Relation((option,)))
-        oracle = Oracle(rest.roles, (*rest.facts, dropped))
+        oracle = Oracle(rest.roles, (*known, dropped))
         if oracle.possible.answer == "refuted":
             continue
         # Where two roots are one, what is dropped says what remains.

@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.data.setting import Cited, is_angle
-from restitution.explaining.lines.derivation import Event, Link, Meaning, Relation
+from restitution.explaining.lines.derivation import Event, Link, Meaning, Relation, Sign
 from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import settled
@@ -359,6 +359,30 @@ class Step(Premises):
             return []
         quantity = meaning.quantity if sense == 1 else Negate(meaning.quantity)
         return self._formulas(Link(Letter(meaning.letter), "=", quantity))
+
+    def pushed(self) -> tuple[Formula, ...]:
+        """The senses in which spheres without a component along their line of centres leave it.
+
+        Each is pushed away from the other one, and has a letter for its component that is cited.
+        """
+        formulas: list[Formula] = []
+        for let in self.lets:
+            match let.quantity:
+                case Quantity("along", (Quantity("velocity", (Name(body),), int(number)), axis)):
+                    event = self.setting.event(number)
+                case _:
+                    continue
+            if event is None or event.wall or axis != Quantity("line_of_centres", (), number):
+                continue
+            if body not in event.bodies or event.kind != "impact":
+                continue
+            velocity = self.setting.quantity(Quantity("velocity", (Name(body),), number - 1))
+            value = self._rules.put_into(self.world.value(Quantity("along", (velocity, axis))))
+            if isinstance(value, Quotient) and value.vanishes:
+                away = self._sense(let) * (1 if body == event.bodies[-1] else -1)
+                sign: Sign = ">=" if away == 1 else "<="
+                formulas += self._formulas(Link(Letter(let.letter), sign, Number(Fraction(0))))
+        return tuple(formulas)
 
     @cached_property
     def oracle(self) -> Oracle:

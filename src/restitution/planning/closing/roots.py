@@ -30,7 +30,13 @@ from restitution.planning.closing.square_roots import (
     linear_factors,
 )
 from restitution.planning.closing.squares_in_degrees import square_in_degrees
-from restitution.planning.formulas.impacts import momentum, residual, restitution, scene_value
+from restitution.planning.formulas.impacts import (
+    in_direction,
+    momentum,
+    residual,
+    restitution,
+    scene_value,
+)
 from restitution.planning.formulas.velocity_formulas import velocity_source
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
@@ -490,6 +496,10 @@ def rejected(
         refs = scene.judge.enough(move, (line,), relation, (*senses_, *own))
         if refs is not None:
             return scene.desk.write(move, refs, relation)
+    if (pushed := _pushed(scene, symbol)) and scene.judge.follows(move, (line, *pushed), relation):
+        refs = scene.judge.enough(move, (line,), relation, pushed)
+        if refs is not None:
+            return scene.desk.write(move, refs, relation)
     laws = _laws(scene, symbol) if component else ()
     names = {symbol.name}
     for each in kept:
@@ -636,6 +646,27 @@ def _laws(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
                     for record, write in (("momentum", momentum), ("restitution", restitution))
                 )
                 return second, first
+    return ()
+
+
+def _pushed(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
+    """What tells that a sphere had no component along the line of centres, and what its letter is.
+
+    It is pushed away from the other sphere. Empty where it had one, or is not known to have none.
+    """
+    for (number, body), component in scene.model.components.items():
+        own = scene.model.frames.get(number)
+        if component.symbol != symbol or own is None or own.wall is not None:
+            continue
+        early = in_direction(scene, "along", body, number - 1, scene.frame(number))
+        if early.value != 0:
+            return ()
+        lets = [
+            line.number
+            for line in scene.desk.lines
+            if isinstance(line.relation, Meaning) and line.relation.letter == symbol.name
+        ]
+        return together(early.whole, lets)
     return ()
 
 

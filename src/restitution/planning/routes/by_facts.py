@@ -148,14 +148,14 @@ class ByFacts(Course):
             given = self.equations.givens.get(own.id)
             if given is None:
                 continue
+            if self._is_off_from_rest(given):
+                return (own,)
             open_ = self._open(own)
             if len(open_) == 2 and tied(given.link) is not None:
                 open_ = self._vanishing(open_, own)
             if len(open_) != 1:
                 continue
             (symbol,) = open_
-            if self._is_off_from_rest(own, symbol, left):
-                return (own,)
             if self._is_of_either_sense(own, symbol, left) or self._waits(symbol, left):
                 continue
             if self._is_value(given) and self._take_value(given, symbol):
@@ -310,15 +310,19 @@ class ByFacts(Course):
         plain = all(_is_plain_square(each, symbol) for each in squared)
         return not plain or (bool(signs) and not parted)
 
-    def _is_off_from_rest(
-        self, own: Candidate, symbol: sp.Symbol, left: Sequence[Candidate]
-    ) -> bool:
+    def _is_off_from_rest(self, given: GivenEquation) -> bool:
         """Whether a fact gives the speed of a sphere that was at rest, and no law tells it yet.
 
-        That is its component, which has the sense from the first sphere to it.
+        That is its component, which has the sense from the first sphere to it. Its line is written.
         """
-        number, _ = self._letters.get(symbol, (0, ""))
-        if symbol in self.waiting or number not in self.scene.model.frames:
+        match given.link.left:
+            case Quantity("speed", (Name(body),), int(number)):
+                component = self.scene.model.components.get((number, body))
+            case _:
+                return False
+        if component is None or component.symbol in self.waiting:
+            return False
+        if component.symbol not in self.scene.unknown(component.symbol):
             return False
         unknown = self.scene.unknown(self.scene.coefficient(number).value)
         if any(
@@ -327,8 +331,7 @@ class ByFacts(Course):
             if each < number
         ):
             return False  # by the laws it is a power of that
-        given = self.equations.givens[own.id]
-        return write_speed_from_rest(self.scene, given, symbol) is not None
+        return write_speed_from_rest(self.scene, given, component.symbol) is not None
 
     def _comes_by_the_coefficient(self, number: int, left: Sequence[Candidate]) -> bool:
         """Whether what comes to an impact has the coefficient of that in it, which is unknown.

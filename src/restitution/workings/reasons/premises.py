@@ -53,6 +53,7 @@ from restitution.workings.reasons.growth_reasons import GrowthReasons
 from restitution.workings.reasons.later_times import later_than
 from restitution.workings.reasons.multipliers import cleared_factors, multipliers_of
 from restitution.workings.reasons.plain_signs import are_squares, positive_letters
+from restitution.workings.reasons.pushed import pushed_away
 from restitution.workings.reasons.pythagoras import pythagoras
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
 from restitution.workings.reasons.rejected_roots import made_by_a_root
@@ -472,6 +473,8 @@ class Reasons:
                 if self._naming.bodies.get(wall) == "sphere":
                     return say("touch.towards", one=body, other=wall)
                 return say("circle.towards", body=body, wall=wall)
+            if line.move.id == "reject" and kind == "velocity":
+                return pushed_away(self._derivation, self._naming, line, fact)
             if line.move.id == "reject" and fact.kind == "given" and signs == {"="}:
                 return say("derived.given")
             if not ordered or fact.kind not in ("given", "range", "case"):
