@@ -13,7 +13,7 @@ from statements import EXAMPLES, QUESTIONS, explained, law, solved
 
 from restitution.export.sheet import Options, entry, to_pdf
 from restitution.render.text import width
-from restitution.wording import question
+from restitution.wording import Listing, question
 from restitution.workings import PartExplanation, to_html, to_latex, to_markdown, to_text
 from restitution.workings.rendering.principles import about
 
@@ -87,6 +87,30 @@ def _decimal(fraction: re.Match[str]) -> str:
         return str(unicodedata.numeric(text))
     value = Fraction(int(fraction[1]), int(fraction[2]))
     return str(float(value)) if 10**9 % value.denominator == 0 else text
+
+
+@law([*EXAMPLES, *QUESTIONS])
+def every_number_of_the_question_stands_before_its_answer(path: Path) -> None:
+    content = question(solved(path).problem)
+    numbers = {
+        part.label: {
+            f"({entry.number})"
+            for block in part.body
+            if isinstance(block, Listing)
+            for entry in block.entries
+            if entry.number
+        }
+        for part in content.parts
+    }
+    for part in explained(path).parts:
+        labels = [
+            label
+            for step in part.steps
+            for each in (step.label, *(row.label for row in step.rows))
+            for label in each.split(", ")
+            if label
+        ]
+        assert set(labels) == numbers.get(part.label, set())
 
 
 @law(EXAMPLES[::3])

@@ -367,13 +367,13 @@ def test_a_derivation_reads_as_a_teacher_writes() -> None:
     assert to_text(explanation_of(derivation, problem)).splitlines() == [
         "Let 𝐑 be the impulse on P.",
         "Impulse = change of momentum of P:",
-        "    𝐑 = 3((−4𝐢 − 𝐣) − (2𝐢 + 7𝐣))                                              M1",
-        "      = (−18𝐢 − 24𝐣) N s                                                      A1",
+        "(i)   𝐑 = 3((−4𝐢 − 𝐣) − (2𝐢 + 7𝐣))                                            M1",
+        "        = (−18𝐢 − 24𝐣) N s                                                    A1",
         "Magnitude, from the components:",
-        "    magnitude of the impulse = √(18² + 24²) = 30 N s                       M1 A1",
+        "(ii)  magnitude of the impulse = √(18² + 24²) = 30 N s                     M1 A1",
         "Newton's experimental law:",
-        "    (−4)(−18) + (−1)(−24) = −e(2(−18) + 7(−24))                            M1 A1",
-        "                        e = 8/17 ≈ 0.471                                      A1",
+        "      (−4)(−18) + (−1)(−24) = −e(2(−18) + 7(−24))                          M1 A1",
+        "(iii)                     e = 8/17 ≈ 0.471                                    A1",
     ]
 
 

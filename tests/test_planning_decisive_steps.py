@@ -32,10 +32,10 @@ def rows(text: str) -> list[str]:
     assert follow(derivation, Oracle(roles(solution.problem))) == ()
     assert [each for law in STEPS.values() for each in law(solution, derivation)] == []
     printed = to_text(explanation_of(derivation, solution.problem))
-    return [_END.sub("", " ".join(row.split())) for row in printed.splitlines()]
+    return [_AROUND.sub("", " ".join(row.split())) for row in printed.splitlines()]
 
 
-_END = re.compile(r"( \(\d+\))?( D?[MAB]\d(ft|\*)?)*$")
+_AROUND = re.compile(r"^(\([ivx]+\) )+|( \(\d+\))?( D?[MAB]\d(ft|\*)?)*$")
 
 
 def before(text: str, row: str) -> str:

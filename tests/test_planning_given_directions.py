@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from restitution.explaining.following.follower import follow
@@ -48,9 +50,9 @@ def text_of(statement: str) -> str:
 def test_both_laws_of_the_resolved_velocity_are_divided() -> None:
     text = text_of(UNKNOWN_ANGLE)
     for line in (
-        "It is given that 𝐯_P is in the direction of 𝐣:\n    𝐯_P = V𝐣",
+        "It is given that 𝐯_P is in the direction of 𝐣:\n      𝐯_P = V𝐣",
         "V sin θ = 6 cos θ",
-        "Dividing (2) by (3):\n    tan θ = 4/tan θ",
+        "Dividing (2) by (3):\n      tan θ = 4/tan θ",
     ):
         assert line in text
 
@@ -67,8 +69,8 @@ def test_a_wall_that_is_known_tells_the_speed_by_what_stays() -> None:
     [(UNKNOWN_ANGLE, "½ × 2 × 6² − ½ × 2 × 3²"), (KNOWN_WALL, "½mu² − ½m(3u/4)²")],
 )
 def test_the_energy_is_of_the_speeds_that_are_read_off(statement: str, loss: str) -> None:
-    text = text_of(statement)
-    assert f"Kinetic energy:\n    kinetic energy lost = {loss}" in text
+    text = " ".join(text_of(statement).split())
+    assert re.search(rf"Kinetic energy: (\(iii?\) )?kinetic energy lost = {re.escape(loss)}", text)
 
 
 def test_a_slanting_direction_has_its_component_for_a_letter() -> None:

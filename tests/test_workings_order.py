@@ -216,7 +216,7 @@ P hits W: e = 1/2
 find velocity(P), velocity(P, before), impulse(P)
 """
     words = printed(text)
-    assert "From above: 𝐯₁ = (4𝐢 − 4𝐣) m s⁻¹ Impulse = change of momentum" in words
+    assert "From above: (iii) 𝐯₁ = (4𝐢 − 4𝐣) m s⁻¹ Impulse = change of momentum" in words
     # Below the line itself it is not said again.
     twice = "wall W: along i\nsphere P: mass 1, velocity 4i - 4j\nP hits W: e = 1/2\n"
     assert "From above" not in printed(twice + "find speed(P), speed(P)")

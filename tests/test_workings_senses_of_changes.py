@@ -73,7 +73,7 @@ find velocity(P), across(velocity(P, before), W), across(velocity(P), W), line_o
 
 def test_a_normal_that_is_asked_stands_before_the_unit_vector_along_it() -> None:
     text = text_of(SLANTING)
-    normal = "Since W is parallel to 3𝐢 + 4𝐣:\n    the normal to W is parallel to 4𝐢 − 3𝐣"
+    normal = "Since W is parallel to 3𝐢 + 4𝐣:\n      the normal to W is parallel to 4𝐢 − 3𝐣"
     assert text.index(normal) < text.index("Let 𝐧 be that unit vector perpendicular to W")
     assert text.count("the normal to W") == 1
 

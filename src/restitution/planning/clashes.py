@@ -162,9 +162,11 @@ def _refuted(
             continue
         whole = replace(note, premises=together(late, refs))
         if refs and scene.judge.excludes(whole):
-            return _by_a_bound(scene, solver, claim, note, late) or with_what_is_needed(
-                scene, whole
-            )
+            bounded = _by_a_bound(scene, solver, claim, note, late)
+            needed = bounded or with_what_is_needed(scene, whole)
+            # As an angle is acute, a component is not zero: of another value that says nothing.
+            if not (isinstance(relation, Compare) and _rests_on_an_angle(needed)):
+                return needed
         solver.back(standing)
     # A new scene, in which the fact is given again; what the letters are does not rest on it.
     if isinstance(relation, Meets | Aligned) or (
@@ -180,6 +182,11 @@ def _refuted(
         if other is not None:
             return other
     return None
+
+
+def _rests_on_an_angle(note: Note) -> bool:
+    """Whether facts contradict lines only as an angle is acute."""
+    return any(isinstance(ref, str) and ref.startswith("acute:") for ref in note.premises)
 
 
 def _by_a_bound(

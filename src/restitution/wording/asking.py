@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from restitution.expression.quantities import dimension_of_any
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
@@ -30,14 +31,21 @@ from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, words
 
 
-def groups(scene: Scene, find: Find) -> list[Words]:
-    """The items of a line, with those of one kind together: the speeds of A and B."""
+class Group(NamedTuple):
+    """Items that are told together, and how many they are: the speeds of A and B."""
+
+    words: Words
+    items: int = 1
+
+
+def groups(scene: Scene, find: Find) -> list[Group]:
+    """The items of a line, with those of one kind together."""
     plain = find.in_terms_of is not None
     nouns = [_item(scene, item, plain) for item in find.items]
-    out: list[Words] = []
+    out: list[Group] = []
     while nouns:
         taken = _alike(nouns)
-        out.append(_together(nouns[:taken]))
+        out.append(Group(_together(nouns[:taken]), taken))
         nouns = nouns[taken:]
     return out
 

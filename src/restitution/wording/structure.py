@@ -31,22 +31,35 @@ class Paragraph:
 
 
 @dataclass(frozen=True)
+class Entry:
+    """What is asked in one entry of a list: its number, its words, how many items it stands for.
+
+    The number is empty where only one thing is asked.
+    """
+
+    number: str
+    words: Words
+    items: int = 1
+
+
+@dataclass(frozen=True)
 class Listing:
     """What is asked at one place, each entry with its number: (i), (ii), …
 
-    A number is empty where only one thing is asked. ``lead`` are the words in front of all
-    entries (``Find``), or nothing where each is a sentence of its own.
+    ``lead`` are the words in front of all entries (``Find``), or nothing where each is a sentence
+    of its own.
     """
 
     lead: Words
-    entries: tuple[tuple[str, Words], ...]
+    entries: tuple[Entry, ...]
 
     def rows(self) -> tuple[tuple[str, Words], ...]:
         """The entries with the commas and the full stop that a lead asks for."""
-        if not self.lead:
-            return self.entries
-        *front, (number, last) = self.entries
-        return (*((head, (*phrase, ",")) for head, phrase in front), (number, (*last, ".")))
+        words = [each.words for each in self.entries]
+        if self.lead:
+            *front, last = words
+            words = [*((*phrase, ",") for phrase in front), (*last, ".")]
+        return tuple((each.number, own) for each, own in zip(self.entries, words, strict=True))
 
 
 Block: TypeAlias = Paragraph | Listing
@@ -68,9 +81,9 @@ class QuestionPart:
         for block in self.body:
             last = out[-1] if out else None
             if isinstance(block, Listing) and not block.lead and isinstance(last, Paragraph):
-                (number, words), *others = block.entries
-                if not number and not others:
-                    out[-1] = Paragraph((*last.sentences, words))
+                only, *others = block.entries
+                if not only.number and not others:
+                    out[-1] = Paragraph((*last.sentences, only.words))
                     continue
             out.append(block)
         return tuple(out)

@@ -29,7 +29,7 @@ from restitution.problem import (
 )
 from restitution.render import layout as lay
 from restitution.wording import facts, formulas
-from restitution.wording.asking import groups, in_terms, names_of, shown
+from restitution.wording.asking import Group, groups, in_terms, names_of, shown
 from restitution.wording.clauses import clause, clauses
 from restitution.wording.facts import letters_of
 from restitution.wording.letters import named_letters
@@ -38,6 +38,7 @@ from restitution.wording.setting import setting, spheres, start
 from restitution.wording.story import event_sentences
 from restitution.wording.structure import (
     Block,
+    Entry,
     Listing,
     Named,
     Paragraph,
@@ -113,6 +114,33 @@ def asked(problem: Problem) -> dict[str | None, tuple[Words, ...]]:
     return asked_
 
 
+@once_a_problem
+def numbers_of_items(problem: Problem) -> Mapping[str | None, tuple[str, ...]]:
+    """The number in the question of each item of a part: ``"i"``, ``"ii"``, …
+
+    Empty where the part asks one thing only. Items that are asked together have the same number.
+    """
+    number = _numbering(problem)
+    scene = scene_of(problem)
+    now = 0
+    numbers: dict[str | None, tuple[str, ...]] = {}
+    for part in problem.parts:
+        runs = _runs(part)
+        asks = [ask for run in runs for ask in run.asks]
+        alone = sum(len(ask.items) if isinstance(ask, Find) else 1 for ask in asks) < 2
+        sizes: list[int] = []
+        for run in runs:
+            now += run.event is not None
+            listing = None if alone else _asked(scene.at(now), run.asks)
+            sizes += [] if listing is None else [entry.items for entry in listing.entries]
+        sizes = [1] * len(asks) if alone else sizes
+        several = len(sizes) > 1
+        numbers[part.label] = tuple(
+            number(n) if several else "" for n, size in enumerate(sizes, 1) for _ in range(size)
+        )
+    return numbers
+
+
 def _exact(problem: Problem) -> None:
     """Raise StatementError for data that no statement could hold."""
     bodies: list[Sphere | Wall | Point] = [*problem.spheres, *problem.walls, *problem.points]
@@ -162,7 +190,7 @@ def _numbered(blocks: Sequence[Block], number: Callable[[int], str]) -> list[Blo
     for block in blocks:
         if isinstance(block, Listing):
             entries = tuple(
-                (number(count + n), entry) for n, (_, entry) in enumerate(block.entries, 1)
+                replace(entry, number=number(count + n)) for n, entry in enumerate(block.entries, 1)
             )
             count += len(entries)
             block = replace(block, entries=entries)
@@ -290,13 +318,13 @@ def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing |
         *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion)),
     ]
     lead = words("Given that ", listed(sentences_of_each), ", ")
-    longest = max(number_of_words(entry) for _, entry in asked.entries)
+    longest = max(number_of_words(entry.words) for entry in asked.entries)
     if number_of_words(lead) + longest > _MOST_TOGETHER:
         return None
     if asked.lead:
         return replace(asked, lead=words(lead, _lower(asked.lead)))
-    ((number, only),) = asked.entries
-    return replace(asked, entries=((number, words(lead, _lower(only))),))
+    (only,) = asked.entries
+    return replace(asked, entries=(replace(only, words=words(lead, _lower(only.words))),))
 
 
 def _lower(phrase: Words) -> Words:
@@ -328,32 +356,43 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
     if all(isinstance(ask, Find) and not ask.in_terms_of for ask in asks):
         items = [one for each in asks if isinstance(each, Find) for one in groups(scene, each)]
         if len(items) <= 2 and len(_sentences(items)) == 1:
-            return Listing((), (("", sentence("find ", listed(items))),))
-        return Listing(("Find",), tuple(("", item) for item in items))
+            return Listing((), (_entry(items),))
+        return _listed(("Find",), items)
     if len(asks) == 1:
         (only,) = asks
         if isinstance(only, Show):
-            return Listing((), (("", sentence(shown(scene, only))),))
+            return Listing((), (Entry("", sentence(shown(scene, only))),))
         items = groups(scene, only)
         if len(items) > 2 or len(_sentences(items)) > 1:
-            lead = words("Find, ", in_terms(only), ",")
-            return Listing(lead, tuple(("", item) for item in items))
-    entries: list[Sentence] = []
+            return _listed(words("Find, ", in_terms(only), ","), items)
+    entries: list[Entry] = []
     for ask in asks:
         if isinstance(ask, Show):
-            entries.append(sentence(shown(scene, ask)))
+            entries.append(Entry("", sentence(shown(scene, ask))))
         else:
             parts = _sentences(groups(scene, ask))
-            entries += [sentence(_find_clause(items, in_terms(ask))) for items in parts]
-    return Listing((), tuple(("", entry) for entry in entries))
+            entries += [_entry(items, in_terms(ask)) for items in parts]
+    return Listing((), tuple(entries))
 
 
-def _sentences(items: Sequence[Words]) -> list[list[Words]]:
+def _listed(lead: Words, items: Sequence[Group]) -> Listing:
+    """Each group of items as an entry of its own behind words in front of all."""
+    return Listing(lead, tuple(Entry("", each.words, each.items) for each in items))
+
+
+def _entry(items: Sequence[Group], terms: Words = ()) -> Entry:
+    """Groups of items asked in one sentence."""
+    clause_ = _find_clause([each.words for each in items], terms)
+    return Entry("", sentence(clause_), sum(each.items for each in items))
+
+
+def _sentences(items: Sequence[Group]) -> list[list[Group]]:
     """Items as they can stand together in a sentence; one with a clause of its own is alone."""
-    out: list[list[Words]] = []
+    out: list[list[Group]] = []
     room = 0
     for item in items:
-        size = _MOST_WORDS if len(items) > 1 and _has_clause(item) else number_of_words(item)
+        alone = len(items) > 1 and _has_clause(item.words)
+        size = _MOST_WORDS if alone else number_of_words(item.words)
         if not out or size > room:
             out.append([])
             room = _MOST_WORDS

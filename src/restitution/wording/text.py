@@ -64,7 +64,7 @@ def _block(block: Block, columns: int) -> Iterator[list[str]]:
         yield wrapped(" ".join(map(inline, block.sentences)), columns)
         return
     lines = wrapped(inline(block.lead), columns) if block.lead else []
-    heads = [f"({number}) " if number else "" for number, _ in block.entries]
+    heads = [f"({entry.number}) " if entry.number else "" for entry in block.entries]
     room = max(map(len, heads))
     for head, (_, words) in zip(heads, block.rows(), strict=True):
         for row, line in enumerate(wrapped(inline(words), columns - room)):

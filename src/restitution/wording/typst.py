@@ -73,6 +73,6 @@ def _block(block: Block) -> Iterator[str]:
         return
     if block.lead:
         yield inline(block.lead)
-    widest = max((number for number, _ in block.entries), key=len)
+    widest = max((entry.number for entry in block.entries), key=len)
     for number, words in block.rows():
         yield _row(number, inline(words), widest) if number else inline(words)

@@ -11,7 +11,7 @@ together, from the top of a part to its end.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -161,6 +161,7 @@ class _Writer:
         self.entered: set[int] = set()
         self.stay: list[Line] = []
         self.recalled: set[tuple[str | None, int]] = set()
+        self.said_again: set[str] = set()
 
     def part(self, label: str | None) -> tuple[Step, ...]:
         """The steps of a part."""
@@ -168,7 +169,7 @@ class _Writer:
         lines = list(self.angles.in_order(lines))
         self.naming.bold.part = label
         self.before = ()
-        return tuple(joined(self.steps(lines, label)))
+        return tuple(_labelled_once(joined(self.steps(lines, label))))
 
     def afresh(self) -> None:
         """What comes next goes on from nothing above it."""
@@ -184,6 +185,7 @@ class _Writer:
         shown = [each for each in lines if each.shown != "silent"]
         notes = self.notes.places(label, [each.item for each in shown])
         again = self.ends.again(label, shown)
+        self.said_again = {end.item for ends in again.values() for end in ends}
         due: list[Note] = []
         once_more: list[ItemEnd] = []
         roots: Step | None = None
@@ -263,7 +265,9 @@ class _Writer:
             yield _without_its_condition(step, self.conditions.get(line.number))
             for claim in self.ends.claims(line):
                 yield from self._introduced()
-                yield Step("note", sentences=(say("shown.claim", claim=claim),), item=step.item)
+                sentences = (say("shown.claim", claim=claim),)
+                label = self.ends.label(line)
+                yield Step("note", sentences=sentences, item=step.item, label=label)
             condition = self.conditions.get(line.number)
             if condition is not None and not any(is_same(condition, e) for e in conditions):
                 conditions.append(condition)
@@ -300,7 +304,8 @@ class _Writer:
             line = self.derivation.line(end.line)
             if line is not None and len(end.answer.options) == 1:
                 self.afresh()
-                row = replace(self._again(line), answer=True)
+                label = self.ends.label_of(end.item)
+                row = replace(self._again(line), answer=True, label=label)
                 item = self.ends.place_of(end.item)
                 yield Step("result", (row,), sentences=(say("carried.above"),), item=item)
 
@@ -350,16 +355,16 @@ class _Writer:
         for note, sentence in self.notes.sentences(notes):
             self.afresh()
             points = tuple(_because(mark) for mark in note.marks)
-            item = self.ends.place_of(note.item)
+            item, label = self.ends.place_of(note.item), self.ends.label_of(note.item)
             if note.kind in ("unwritten", "standing") and note.claim is not None:
                 line = Line(0, note.item, Move("answer"), (), note.claim)
                 *rows, last = self.rows.of(line, (), True)
                 shown = isinstance(self.ends.item(note.item), Show)
                 asides = (*last.asides, *REQUIRED) if shown else last.asides
-                last = replace(last, points=points, asides=asides, answer=not shown)
+                last = replace(last, points=points, asides=asides, answer=not shown, label=label)
                 step = Step("result", (*rows, last), sentences=(sentence,), item=item)
             else:
-                step = Step("note", sentences=(sentence,), points=points, item=item)
+                step = Step("note", sentences=(sentence,), points=points, item=item, label=label)
             # What the note names is introduced before it.
             yield from self._introduced()
             yield step
@@ -519,13 +524,30 @@ class _Writer:
         if decimals is not None:
             rows.append(decimals)
         end = self.ends.of(line)
-        rows[-1] = replace(rows[-1], answer=end is not None and not end.shown)
+        answer = end is not None and not end.shown
+        rows[-1] = replace(rows[-1], answer=answer, label=self.ends.label(line, self.said_again))
         item = self.ends.place(line)
         if resolved is not None:
             # Components under one heading belong together, whatever items need them.
             item = self.group if not sentences else item
             self.group = item
         return Step(kind, tuple(rows), None if named else title, sentences, item=item)
+
+
+def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
+    """Steps with labels where chains begin, and only where the label before is another one."""
+    last = ""
+    for step in steps:
+        label = "" if step.label == last else step.label
+        last = step.label or last
+        labels = [""] * len(step.rows)
+        start = 0
+        for index, row in enumerate(step.rows):
+            start = start if row.operands[0] is None else index
+            if row.label and row.label != last:
+                last = labels[start] = row.label
+        rows = (replace(row, label=own) for row, own in zip(step.rows, labels, strict=True))
+        yield replace(step, rows=tuple(rows), label=label)
 
 
 def _without_its_condition(step: Step, condition: Sentence | None) -> Step:

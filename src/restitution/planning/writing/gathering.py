@@ -163,11 +163,14 @@ class _Gathering:
         self._items = {each: n for n, each in enumerate(self._parts)}
         self._cases = {n: each.number for each in derivation.cases for n in each.lines}
         self._bodies = {event.number: event.bodies for event in derivation.events}
+        self._ended = {end.line for end in derivation.items}
         self._order: list[Line] = []
 
     def whole(self) -> Derivation:
         """The derivation with its lines in order."""
         self._order = self._in_order_of_the_story(self._derivation.lines)
+        for line in tuple(self._order):
+            self._raise_to_its_event(line)
         for kind in (self._letter, self._component, self._stays):
             for line in tuple(self._order):
                 if line.item in self._parts:
@@ -216,6 +219,22 @@ class _Gathering:
             for line in lines
         ]
         return keys == sorted(keys)
+
+    def _raise_to_its_event(self, line: Line) -> None:
+        """Puts a law that a later item needs below the others of its impact, before the next one.
+
+        So no item goes back to an impact that an item above has left.
+        """
+        if line.move.id != "law" or line.item not in self._parts or line.number in self._ended:
+            return
+        order, at, event = self._order, self._order.index(line), self._event(line)
+        near = [n for n in range(at) if self._place(order[n]) == self._place(line)]
+        own = [n for n in near if self._event(order[n]) == event]
+        if event is None or not own:
+            return
+        left = any((self._event(order[n]) or 0) > event for n in near if n > own[-1])
+        if left and self._may_stand(line, own[-1] + 1):
+            order.insert(own[-1] + 1, replace(order.pop(at), item=order[own[-1]].item))
 
     @staticmethod
     def _event(line: Line) -> int | None:

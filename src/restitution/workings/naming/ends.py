@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
 from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
@@ -24,6 +24,7 @@ from restitution.render import layout as lay
 from restitution.wording.asking import names_of
 from restitution.wording.scene import scene_of
 from restitution.wording.structure import Named, Words
+from restitution.wording.telling import numbers_of_items
 from restitution.workings.naming.quantities import Naming
 
 _ALIGNED = {
@@ -45,6 +46,7 @@ class Ends:
         for end in _ends(derivation):
             self._ends.setdefault(end.line, []).append(end)
         self._parts = derivation.asked
+        self._numbers = _numbers(derivation, problem)
         self._facts = derivation.facts
         self._places = {
             item: [e for e in self._parts if self._parts[e] == self._parts[item]].index(item)
@@ -66,6 +68,21 @@ class Ends:
     def place_of(self, item: str | None) -> int | None:
         """Which of its part an item is, counted from 0."""
         return self._places.get(item or "")
+
+    def label(self, line: Line, said_again: Collection[str] = ()) -> str:
+        """The numbers in the question of the items that end in a line: ``"(i)"``.
+
+        Those that are said again below have their numbers there.
+        """
+        return self._label([e.item for e in self._at(line) if e.item not in said_again])
+
+    def label_of(self, item: str | None) -> str:
+        """The number of an item in the question, in brackets; empty where it has none."""
+        return self._label([item or ""])
+
+    def _label(self, items: Sequence[str]) -> str:
+        numbers = dict.fromkeys(self._numbers.get(item, "") for item in items)
+        return ", ".join(f"({number})" for number in numbers if number)
 
     def of(self, line: Line) -> ItemEnd | None:
         """The end of an item in a line; None where none ends.
@@ -226,6 +243,14 @@ def _ends(derivation: Derivation) -> Iterator[ItemEnd]:
         if note.kind == "impossible" and line is not None and line.item == note.item:
             assert isinstance(line.relation, Relation)
             yield ItemEnd(note.item, line.number, line.relation, note.part)
+
+
+def _numbers(derivation: Derivation, problem: Problem) -> dict[str, str]:
+    """The numbers that the items have in the question."""
+    numbers = [n for own in numbers_of_items(problem).values() for n in own]
+    if len(numbers) != len(derivation.asked):
+        return {}
+    return dict(zip(derivation.asked, numbers, strict=True))
 
 
 def _asked(step: Any) -> Iterator[Item | Show]:

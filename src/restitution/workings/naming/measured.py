@@ -116,7 +116,7 @@ def _of_units(tree: Expression) -> bool:
 
 
 def _ends(value: Fraction) -> bool:
-    return bool(10**5 % value.denominator == 0)
+    return bool(10**6 % value.denominator == 0)
 
 
 def worth(tree: Expression) -> sp.Expr:

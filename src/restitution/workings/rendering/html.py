@@ -38,10 +38,12 @@ STYLE = """
 .restitution h3 { font-size: 1.02rem; margin: 1.2rem 0 .3rem; }
 .restitution p { margin: .5rem 0 .2rem; }
 .restitution .principle { font-style: italic; }
-.restitution table { border-collapse: collapse; margin: .1rem 0 .3rem 1.4rem;
-  width: calc(100% - 1.4rem); }
+.restitution table { border-collapse: collapse; margin: .1rem 0 .3rem 2rem;
+  width: calc(100% - 2rem); }
 .restitution td math { math-style: normal; }
 .restitution td { padding: .16rem .15rem; vertical-align: baseline; }
+.restitution td:first-child { position: relative; }
+.restitution td .item { position: absolute; left: -2rem; }
 .restitution td.l { text-align: right; white-space: nowrap; width: 1%; }
 .restitution td.l wbr { display: none; }
 .restitution td.l.w { white-space: normal; width: 50%; }
@@ -66,6 +68,7 @@ STYLE = """
   .restitution td { display: inline; padding: 0 .1rem; }
   .restitution td.l, .restitution td.l.w { white-space: normal; }
   .restitution td.l wbr { display: inline; }
+  .restitution td .item { position: static; padding-right: .5rem; }
   .restitution td.l:empty { padding-left: 1rem; }
   .restitution td.m { float: right; padding: .4rem 0 0 .6rem; }
   .restitution td.m:empty { display: none; }
@@ -143,8 +146,9 @@ def table_rows(row: Row) -> list[str]:
     note = f'<span class="note">{inline(row.note)}</span>' if row.note else ""
     note = note if goes_on(row.note) or not note else f" {note}"
     left = _cell(row.operands[0])
+    label = f'<span class="item">{escape(row.label)}</span>' if row.label else ""
     if not row.signs:
-        left = _underlined(left) if row.answer else left
+        left = f"{label}{_underlined(left) if row.answer else left}"
         return [f'<tr><td colspan="3">{left}{note}</td>{mark}</tr>']
     wide = row.operands[0] is not None and width(to_text(row.operands[0])) > _LEFT
     out: list[str] = []
@@ -158,7 +162,7 @@ def table_rows(row: Row) -> list[str]:
         )
         kind = "l w" if wide and index == 0 else "l"
         out.append(
-            f'<tr><td class="{kind}">{left if index == 0 else ""}</td>'
+            f'<tr><td class="{kind}">{label + left if index == 0 else ""}</td>'
             f'<td class="s"><math><mo>{escape(sign)}</mo></math></td>'
             f"<td>{right}{note if last else ''}</td>{mark if last else none}</tr>"
         )

@@ -75,12 +75,13 @@ def _as_one(row: Row, other: Row) -> Row | None:
             operands=(*row.operands, *other.operands[1:]),
             signs=(*row.signs, *other.signs),
             reasons=(*row.reasons, *other.reasons),
+            label=other.label or row.label,
         )
     if _says_the_end(row, other):
         number = row.number or other.number
         points, asides = (*row.points, *other.points), (*row.asides, *other.asides)
-        answer = row.answer or other.answer
-        return replace(row, points=points, asides=asides, number=number, answer=answer)
+        answer, label = row.answer or other.answer, row.label or other.label
+        return replace(row, points=points, asides=asides, number=number, answer=answer, label=label)
     again = (
         length > 1
         and other.operands[0] in (None, row.operands[0])
@@ -92,7 +93,8 @@ def _as_one(row: Row, other: Row) -> Row | None:
         return None
     operands = (row.operands[0], *other.operands[1:])
     number = row.number or other.number
-    return replace(other, operands=operands, points=(*row.points, *other.points), number=number)
+    points, label = (*row.points, *other.points), other.label or row.label
+    return replace(other, operands=operands, points=points, number=number, label=label)
 
 
 def _goes_on_rounded(row: Row, other: Row) -> bool:

@@ -196,7 +196,8 @@ def _lines(row: Row, mark: str) -> list[str]:
     """A chain in one line, or with each sign on its own if it is long; ``mark`` ends it."""
     gap = "" if goes_on(row.note) else r"\quad"
     note = rf"{gap}\text{{{_note(row.note)}}}" if row.note else ""
-    left = _operand(row.operands[0])
+    label = rf"\text{{{_text(row.label)}}}\quad " if row.label else ""
+    left = label + _operand(row.operands[0])
     if not row.signs:
         return [f"&{left}{note}{mark}"]
     parts = list(zip(row.signs, row.operands[1:], strict=True))

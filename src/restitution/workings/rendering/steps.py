@@ -32,7 +32,8 @@ class Row:
     ``operands[0]`` None goes on from the line above. ``points`` are what an examiner would give;
     ``reasons`` go on from the line as words (*as α is acute*), ``asides`` stand behind it in
     brackets, as does its ``number`` last, by which others name it; a line with ``alternatives``
-    offers several values, and one that is an ``answer`` gives what was asked.
+    offers several values, and one that is an ``answer`` gives what was asked. In front of a line
+    that ends an item stands its ``label``, the number of the item in the question.
     """
 
     operands: tuple[Layout | None, ...]
@@ -43,6 +44,7 @@ class Row:
     reasons: tuple[Sentence, ...] = ()
     number: str = ""
     answer: bool = field(default=False, compare=False, repr=False)
+    label: str = field(default="", compare=False, repr=False)
 
     @property
     def mark(self) -> str:
@@ -70,7 +72,8 @@ class Step:
     """One step of the working.
 
     ``title`` names the law used, ``sentences`` stand before the equations; ``item`` counts the
-    items of the part from 0. The ``event`` is that of a heading or of a picture.
+    items of the part from 0. The ``event`` is that of a heading or of a picture. In front of
+    sentences that end an item stands its ``label``, the number of the item in the question.
     """
 
     kind: StepKind
@@ -81,6 +84,7 @@ class Step:
     item: int | None = field(default=None, compare=False, repr=False)
     event: int | None = field(default=None, compare=False, repr=False)
     picture: Scene | None = None
+    label: str = field(default="", compare=False, repr=False)
 
     @property
     def principle(self) -> str | None:
@@ -90,7 +94,8 @@ class Step:
     @property
     def words(self) -> Words:
         """What stands before the equations."""
-        return words_of(self.sentences)
+        words = words_of(self.sentences)
+        return (f"{self.label} ", *words) if self.label else words
 
     @property
     def marks(self) -> int:

@@ -15,6 +15,7 @@ from restitution.render.text import to_text as one_line
 from restitution.render.text import width as columns
 from restitution.workings.rendering.steps import PartExplanation, Row, Step, Words, Working
 
+# Where lines of mathematics begin; the numbers of items stand in front of them.
 _INDENT = 4
 # Where the right sides stand below a left side that is too long.
 _BELOW = 6
@@ -54,8 +55,10 @@ def to_text(explanation: Working, width: int = 80, styled: bool = False) -> str:
     lines: list[_Line] = []
     if explanation.title:
         lines += [*_strong(wrapped(explanation.title, width)), _Line()]
+    labels = [row.label for row in explanation.rows()]
+    margin = max(0, max(map(columns, labels), default=0) + 1 - _INDENT)
     for part in explanation.parts:
-        lines += _part(part, width)
+        lines += _part(part, width, margin)
     for warning in explanation.left_over:
         lines += _plain(wrapped(note(warning), width))
     while lines and lines[-1] == _Line():
@@ -87,12 +90,12 @@ def _with_bold(text: str) -> str:
     return "".join(f"{_BOLD}{_LETTERS[c]}{_NORMAL}" if c in _LETTERS else c for c in text)
 
 
-def _part(part: PartExplanation, width: int) -> list[_Line]:
+def _part(part: PartExplanation, width: int, margin: int) -> list[_Line]:
     lines: list[_Line] = []
     if part.label:
         lines += [_Line(f"({part.label})", strong=True), _Line()]
     for step in part.steps:
-        printed = _step(step, width)
+        printed = _step(step, width, margin)
         idle = printed and printed[0] == _Line() and not (lines and lines[-1] != _Line())
         lines += printed[1:] if idle else printed
     if lines and lines[-1] != _Line():
@@ -100,7 +103,8 @@ def _part(part: PartExplanation, width: int) -> list[_Line]:
     return lines
 
 
-def _step(step: Step, width: int) -> list[_Line]:
+def _step(step: Step, width: int, margin: int) -> list[_Line]:
+    """The lines of a step; its mathematics has so many columns more in front, for labels."""
     lines: list[_Line] = []
     if step.picture is not None:
         return []
@@ -112,8 +116,17 @@ def _step(step: Step, width: int) -> list[_Line]:
     if intro:
         lines += _plain(wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0)))
         lines[-1] = replace(lines[-1], mark=step.mark)
-    lines += _rows(step.rows, width)
+    lines += _rows(step.rows, width, margin)
     return lines
+
+
+def _labelled(lines: Sequence[_Line], label: str, margin: int) -> Iterator[_Line]:
+    """Lines of mathematics moved to the right, with the number of an item in front of the first."""
+    for number, line in enumerate(lines):
+        text = " " * margin + line.text if line.text else line.text
+        if label and number == 0:
+            text = label + text[columns(label) :]
+        yield replace(line, text=text)
 
 
 def inline(words: Words) -> str:
@@ -142,7 +155,8 @@ def _unbroken(layout: Layout) -> str:
     return one_line(layout).replace(" ", NO_BREAK)
 
 
-def _rows(rows: Sequence[Row], width: int) -> list[_Line]:
+def _rows(rows: Sequence[Row], width: int, margin: int) -> list[_Line]:
+    width -= margin
     lefts = [_operand(row.operands[0]) for row in rows]
     fitting = [
         columns(left)
@@ -160,7 +174,8 @@ def _rows(rows: Sequence[Row], width: int) -> list[_Line]:
             own = max(room, columns(left))
             if _is_wide(row, own, width):
                 own = _BELOW
-        lines += _row(row, left, own if row.signs else columns(left), width)
+        own_lines = _row(row, left, own if row.signs else columns(left), width)
+        lines += _labelled(own_lines, row.label, margin)
     return lines
 
 

@@ -76,7 +76,8 @@ def _step(step: Step) -> list[str]:
 
 def _row(row: Row) -> list[str]:
     """Arrays of the left side, the sign, the right side and the mark."""
-    left = _operand(row.operands[0])
+    label = f"{words(row.label)} #h(0.4em) " if row.label else ""
+    left = label + _operand(row.operands[0])
     note = f"#text(size: 0.9em)[{_inline(row.note)}]" if row.note else ""
     note = note if goes_on(row.note) or not note else f" {note}"
     mark = literal(row.mark)
