@@ -13,7 +13,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, MoveId, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt, statement_of
 from restitution.expression.tree import (
     Apply,
@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    has_quantity,
     letters,
     walk,
 )
@@ -178,7 +179,19 @@ def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> in
     left, right = (_settled(swept(_replaced(e, values))) for e in (link.left, link.right))
     own = scene.desk.line(number)
     start: tuple[Ref, ...] = own.premises if own.move.id == "fact" else (number,)
-    return scene.desk.write(Move("put"), (*start, *together(refs)), chain(left, (right, None)))
+    relation = chain(left, (right, None), *_worked_out(scene, left, right))
+    return scene.desk.write(Move("put"), (*start, *together(refs)), relation)
+
+
+def _worked_out(
+    scene: Scene, left: Expression, right: Expression
+) -> list[tuple[Expression, MoveId]]:
+    """The number that a ratio of an angle, or its square, is by a sum of numbers."""
+    base = left.left if isinstance(left, Binary) and left.op == "^" else left
+    if not isinstance(base, Apply) or letters(right) or has_quantity(right):
+        return []
+    value = tree_of(tidy(scene_value(scene, right)))
+    return [] if value == right else [(value, "rearrange")]
 
 
 def _settled(tree: Expression) -> Expression:

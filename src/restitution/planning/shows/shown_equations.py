@@ -12,6 +12,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Meaning, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -401,6 +402,8 @@ class Equation:
             return line
         # Letters that have values were put in on the way; others are tied by what is given.
         names = letters(self.link.left) | letters(self.link.right)
+        for fact in (self.scene.facts[ref] for ref in pool if ref in self.scene.facts):
+            names |= {name for tree in trees_of(fact.relation) for name in letters(tree)}
         trees: list[Expression] = [Letter(name) for name in sorted(names)]
         ratios = [Apply(each, own) for own in trees for each in ("sin", "cos", "tan")]
         known = (self.scene.desk.known(each) for each in (*trees, *ratios))
