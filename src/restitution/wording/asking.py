@@ -25,7 +25,8 @@ from restitution.wording import values
 from restitution.wording.clauses import bounds, clause, to_figures
 from restitution.wording.formulas import noun_phrase
 from restitution.wording.formulas import plain as sayable
-from restitution.wording.nouns import Noun, kinds_of, line, of_bodies, phrase, share
+from restitution.wording.noun_phrases import Noun, kinds_of, of_bodies
+from restitution.wording.nouns import line, phrase, share
 from restitution.wording.scene import Scene, name_of
 from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, words

@@ -24,16 +24,15 @@ from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.formulas import cost, formula, noun_phrase, plain
+from restitution.wording.moments import same_event
+from restitution.wording.noun_phrases import Noun, of_bodies
 from restitution.wording.nouns import (
-    Noun,
     ends,
     line,
     lost_where,
     moment,
     noun,
-    of_bodies,
     place,
-    same_event,
     sensed_line,
     somewhere,
     whole_energy,

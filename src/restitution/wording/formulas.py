@@ -27,16 +27,8 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.wording import values
-from restitution.wording.nouns import (
-    Noun,
-    alike,
-    ends,
-    noun,
-    of_bodies,
-    terms,
-    times_until,
-    until,
-)
+from restitution.wording.noun_phrases import Noun, of_bodies
+from restitution.wording.nouns import alike, ends, noun, terms, times_until, until
 from restitution.wording.scene import Scene
 from restitution.wording.structure import Words
 from restitution.wording.words import listed, words

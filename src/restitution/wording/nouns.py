@@ -8,7 +8,6 @@ front of what they apply to (the sum of, the square of), so that no brackets are
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from restitution.expression.dimensions import TIME
@@ -30,6 +29,16 @@ from restitution.problem import Arrival, Impact, Kick, bodies_of
 from restitution.render import layout as lay
 from restitution.shapes import Line, Segment
 from restitution.wording import values
+from restitution.wording.moments import during, event_number, in_event, same_event
+from restitution.wording.noun_phrases import (
+    INITIAL,
+    Noun,
+    at_moment,
+    led,
+    of_bodies,
+    of_its_body,
+    pair,
+)
 from restitution.wording.scene import (
     INITIALLY,
     Scene,
@@ -43,41 +52,6 @@ from restitution.wording.scene import (
 from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, names, words
 
-
-@dataclass(frozen=True)
-class Noun:
-    """A noun phrase: ``head`` (the speed of P) and ``when`` (immediately after the impact).
-
-    ``kind`` and ``body`` are there where it can be told together with others of its kind: the
-    speeds of A and B. ``tail`` is what follows the body: in the direction of **i**. ``where``
-    tells what the letters of a formula denote: where *v* is the speed of A.
-    """
-
-    head: Words
-    when: Words = ()
-    kind: str = ""
-    body: str = ""
-    tail: Words = ()
-    where: Words = ()
-
-    def words(self) -> Words:
-        """The whole phrase."""
-        phrase = words(self.head, " ", self.when) if self.when else self.head
-        return words(phrase, ", ", self.where) if self.where else phrase
-
-
-# What is said of one body, in the singular and of several.
-_OF_BODY = {
-    "velocity": ("velocity", "velocities"),
-    "speed": ("speed", "speeds"),
-    "direction": ("direction of motion", "directions of motion"),
-    "deflection": ("angle of deflection", "angles of deflection"),
-    "energy": ("kinetic energy", "kinetic energies"),
-    "momentum": ("momentum", "momenta"),
-    "mass": ("mass", "masses"),
-    "position": ("position", "positions"),
-}
-_INITIAL = "initial "
 _LINE = "line_of_centres"
 # What an event changes.
 _CHANGING = frozenset(("velocity", "speed", "energy", "momentum"))
@@ -113,15 +87,15 @@ def noun(scene: Scene, tree: Expression) -> Noun:
         case Negate(Binary("*" | "/" as op, factor, rest)) if not has_quantity(factor):
             return noun(scene, Binary(op, Negate(factor), rest))
         case Negate(operand):
-            return _led("the negative of ", noun(scene, operand))
+            return led("the negative of ", noun(scene, operand))
         case Apply("abs", argument) if (between := ends(scene, argument)) is not None:
             return _distance(scene, Quantity("distance", between))
         case Apply(name, argument):
-            return _led(_FUNCTIONS[name], noun(scene, argument))
+            return led(_FUNCTIONS[name], noun(scene, argument))
         case Binary():
             return _binary(scene, tree)
         case Pair(x, y):
-            return _pair("the vector with components ", noun(scene, x), " and ", noun(scene, y))
+            return pair("the vector with components ", noun(scene, x), " and ", noun(scene, y))
         case Polar(size, angle, origin, wall):
             if wall is not None:
                 return _polar(scene, size, angle, "clockwise", wall)
@@ -138,17 +112,6 @@ def _polar(
     return Noun(words("a vector whose magnitude is ", phrase(scene, size), ", at ", turned))
 
 
-def _led(words_before: str | Words, inner: Noun) -> Noun:
-    return Noun(words(words_before, inner.head), inner.when)
-
-
-def _pair(lead: str, left: Noun, link: str, right: Noun) -> Noun:
-    """Two phrases in one; a moment that both share is told once."""
-    if left.when == right.when or not left.when:
-        return Noun(words(lead, left.head, link, right.head), right.when)
-    return Noun(words(lead, left.words(), link, right.words()))
-
-
 # --- arithmetic -----------------------------------------------------------------------------------
 
 
@@ -160,16 +123,16 @@ def _binary(scene: Scene, tree: Binary) -> Noun:
         case "-":
             return _difference(scene, left, right)
         case "*" if not has_quantity(left):
-            return _led(values.times(left), noun(scene, right))
+            return led(values.times(left), noun(scene, right))
         case "*" if not has_quantity(right):
-            return _led(values.times(right), noun(scene, left))
+            return led(values.times(right), noun(scene, left))
         case "*":
-            return _pair("the product of ", noun(scene, left), " and ", noun(scene, right))
+            return pair("the product of ", noun(scene, left), " and ", noun(scene, right))
         case "/":
             return _ratio(scene, left, right)
     if right == Number(Fraction(2)):
-        return _led("the square of ", noun(scene, left))
-    return _pair("", noun(scene, left), " to the power ", noun(scene, right))
+        return led("the square of ", noun(scene, left))
+    return pair("", noun(scene, left), " to the power ", noun(scene, right))
 
 
 def terms(tree: Expression) -> list[Expression]:
@@ -211,9 +174,9 @@ def _sum(scene: Scene, added: Sequence[Expression]) -> Noun:
     if times is not None:
         start, last = times
         return Noun(words("the sum of the times from ", start, " ", until(last)))
-    total = _pair("the sum of ", each[0], " and ", each[1])
+    total = pair("the sum of ", each[0], " and ", each[1])
     for one in each[2:]:
-        total = _pair("the sum of ", total, " and ", one)
+        total = pair("the sum of ", total, " and ", one)
     return total
 
 
@@ -237,7 +200,7 @@ def _difference(scene: Scene, left: Expression, right: Expression) -> Noun:
         return change
     one, other = noun(scene, left), noun(scene, right)
     if values.is_vector(left) or values.is_vector(right):
-        return _pair("", one, " minus ", other)
+        return pair("", one, " minus ", other)
     return Noun(words("the amount by which ", one.words(), " exceeds ", other.words()))
 
 
@@ -277,10 +240,10 @@ def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
             whole, lost = whole_energy(scene, left, right), lost_where(scene, left)
             return Noun(words("the fraction of ", whole, " that is lost", lost))
     if isinstance(right, Number) and right.value:
-        return _led(values.times(rational(1 / right.value)), noun(scene, left))
+        return led(values.times(rational(1 / right.value)), noun(scene, left))
     if not has_quantity(right):
         return _divided(noun(scene, left), right)
-    return _pair("the ratio of ", noun(scene, left), " to ", noun(scene, right))
+    return pair("the ratio of ", noun(scene, left), " to ", noun(scene, right))
 
 
 def _divided(above: Noun, below: Expression) -> Noun:
@@ -293,7 +256,7 @@ def share(scene: Scene, tree: Expression) -> Noun | None:
         case Binary("/", left, right) if has_quantity(left) and has_quantity(right):
             lost = isinstance(left, Quantity) and left.kind.endswith("energy_lost")
             if not (lost and isinstance(right, Quantity) and right.kind == "energy"):
-                return _pair("", noun(scene, left), " as a percentage of ", noun(scene, right))
+                return pair("", noun(scene, left), " as a percentage of ", noun(scene, right))
     return None
 
 
@@ -355,7 +318,7 @@ def somewhere(scene: Scene, tree: Expression) -> Words:
 
 def whole_energy(scene: Scene, lost: Quantity, whole: Quantity) -> Words:
     """The energy of which a part is lost; that just before needs no moment."""
-    number = _event(scene, lost)
+    number = event_number(scene, lost)
     start = 0 if lost.kind == "total_energy_lost" else number - 1
     phrase = noun(scene, whole)
     if not whole.arguments and len(scene.events) == 1 and scene.stage(whole.stage, None) == start:
@@ -367,22 +330,11 @@ def lost_where(scene: Scene, lost: Quantity) -> Words:
     """Where energy is lost, with a blank in front."""
     if lost.kind == "total_energy_lost":
         return (" altogether",) if len(scene.events) > 1 else ()
-    where = during(scene, _event(scene, lost))
+    where = during(scene, event_number(scene, lost))
     return words(" ", where) if where else ()
 
 
 # --- quantities -----------------------------------------------------------------------------------
-
-
-def _event(scene: Scene, tree: Quantity, body: str | None = None) -> int:
-    """The number of the event that a quantity of an event belongs to."""
-    if isinstance(tree.stage, int):
-        return tree.stage
-    if body is not None:
-        for number in range(scene.now, 0, -1):
-            if body in bodies_of(scene.events[number - 1]):
-                return number
-    return scene.now
 
 
 def moment(scene: Scene, tree: Quantity, body: str | None) -> Words:
@@ -421,70 +373,30 @@ def at_time(scene: Scene, stage: AtTime) -> Words:
 
 def _of_body(scene: Scene, tree: Quantity) -> Noun:
     body = name_of(tree.arguments[0]) or ""
-    return _at_moment(tree.kind, body, () if tree.kind == "mass" else moment(scene, tree, body))
-
-
-def _at_moment(kind: str, body: str, when: Words) -> Noun:
-    if when == INITIALLY:
-        kind, when = f"{_INITIAL}{kind}", ()
-    return Noun(of_bodies(kind, (body,)), when, kind, body)
-
-
-def of_bodies(kind: str, bodies: Sequence[str], *, several: bool = False) -> Words:
-    """``the speed of A``, ``the speeds of A and B``; with ``several``, ``the speeds of A``."""
-    number = 2 if several else len(bodies)
-    return words(f"the {_called(kind, number)} of ", names(bodies))
-
-
-def kinds_of(kinds: Sequence[str], body: str) -> Words:
-    """``the speed and the direction of motion of A``."""
-    each = [f"the {_called(kind, 1)}" for kind in kinds]
-    return words(listed(each), " of ", Named(body))
-
-
-def _called(kind: str, number: int) -> str:
-    """``speed``, ``initial speeds``."""
-    one, several = _OF_BODY[kind.removeprefix(_INITIAL)]
-    initial = _INITIAL if kind.startswith(_INITIAL) else ""
-    return initial + (one if number == 1 else several)
+    return at_moment(tree.kind, body, () if tree.kind == "mass" else moment(scene, tree, body))
 
 
 def _direction(scene: Scene, tree: Quantity) -> Noun:
     name = name_of(tree.arguments[0]) or ""
     if scene.is_wall(name):
         return Noun(words("the direction of ", Named(name)))
-    moving = _at_moment("direction", name, moment(scene, tree, name))
-    return _led(("the angle anticlockwise from ", values.EAST, " to "), moving)
+    moving = at_moment("direction", name, moment(scene, tree, name))
+    return led(("the angle anticlockwise from ", values.EAST, " to "), moving)
 
 
 def _deflection(scene: Scene, tree: Quantity) -> Noun:
     body = name_of(tree.arguments[0]) or ""
     return Noun(
         of_bodies("deflection", (body,)),
-        _in_event(scene, _event(scene, tree, body)),
+        in_event(scene, event_number(scene, tree, body)),
         "deflection",
         body,
     )
 
 
-def _in_event(scene: Scene, number: int) -> Words:
-    """``in the impact``; nothing where the statement has only one event."""
-    if len(scene.events) <= 1:
-        return ()
-    return during(scene, number)
-
-
-def during(scene: Scene, number: int) -> Words:
-    """``in the impact``, ``due to the impulse``."""
-    if number == 0:
-        return ()
-    due = isinstance(scene.events[number - 1], Kick)
-    return words("due to " if due else "in ", event_name(scene, number))
-
-
 def _impulse(scene: Scene, tree: Quantity) -> Noun:
     body = name_of(tree.arguments[0]) if tree.arguments else None
-    number = _event(scene, tree, body)
+    number = event_number(scene, tree, body)
     event = scene.events[number - 1] if number else None
     if isinstance(event, Kick):
         size = "" if body else "the magnitude of "
@@ -501,7 +413,7 @@ def _energy(scene: Scene, tree: Quantity) -> Noun:
     if tree.arguments:
         return _of_body(scene, tree)
     when = moment(scene, tree, None)
-    initial, when = (_INITIAL, ()) if when == INITIALLY else ("", when)
+    initial, when = (INITIAL, ()) if when == INITIALLY else ("", when)
     return Noun(_energy_of_all(scene, initial), when)
 
 
@@ -513,7 +425,7 @@ def _energy_of_all(scene: Scene, initial: str) -> Words:
 
 
 def _energy_lost(scene: Scene, tree: Quantity) -> Noun:
-    number = _event(scene, tree)
+    number = event_number(scene, tree)
     return Noun(("the kinetic energy lost",), during(scene, number))
 
 
@@ -537,11 +449,11 @@ def _momentum(scene: Scene, tree: Quantity) -> Noun:
 
 def _line_of_centres(scene: Scene, tree: Quantity) -> Noun:
     """As something asked for: a unit vector with its sense."""
-    number = _event(scene, tree)
+    number = event_number(scene, tree)
     event = scene.events[number - 1] if number else None
     if not isinstance(event, Impact):
         return Noun(("the line of centres",))
-    where = _in_event(scene, number)
+    where = in_event(scene, number)
     if scene.is_wall(event.second):
         return Noun(
             words("the unit vector perpendicular to ", Named(event.second), " and directed into it")
@@ -556,17 +468,17 @@ def line(scene: Scene, tree: Expression) -> Noun:
         case Name(name):
             return Noun((Named(name),))
         case Quantity("line_of_centres"):
-            number = _event(scene, tree)
+            number = event_number(scene, tree)
             event = scene.events[number - 1] if number else None
             if isinstance(event, Impact) and scene.is_wall(event.second):
                 return Noun(words("the perpendicular to ", Named(event.second)))
-            return Noun(("the line of centres",), _in_event(scene, number))
+            return Noun(("the line of centres",), in_event(scene, number))
         case Quantity("velocity", (Name(name),)):
-            return _at_moment("direction", name, moment(scene, tree, name))
+            return at_moment("direction", name, moment(scene, tree, name))
         case Quantity("direction", (Name(name),)):
             if scene.is_wall(name):
                 return Noun((Named(name),))
-            return _at_moment("direction", name, moment(scene, tree, name))
+            return at_moment("direction", name, moment(scene, tree, name))
     between = displacement(scene, tree)
     if between is not None:
         return between
@@ -582,11 +494,11 @@ def _angle(scene: Scene, tree: Quantity) -> Noun:
             words("the angle between ", of_bodies(one.kind, (one.body, other.body))), one.when
         )
     if one.kind and other.kind:
-        return Noun(words("the angle between ", one.words(), " and ", _its(one, other)))
+        return Noun(words("the angle between ", one.words(), " and ", of_its_body(one, other)))
     if other.kind and not one.kind:
         one, other = other, one
     if not one.kind:
-        return _pair("the angle between ", one, " and ", other)
+        return pair("the angle between ", one, " and ", other)
     apart = one.when and other.when and not same_event(one.when, other.when)
     if apart or any(_is_between(argument) for argument in tree.arguments):
         return Noun(words("the angle between ", one.words(), " and ", other.words()))
@@ -599,27 +511,6 @@ def _is_between(tree: Expression) -> bool:
     """Whether a direction is told by more than a name, or by a place and its moment."""
     simple = isinstance(tree, Quantity) and tree.kind in ("velocity", "direction", _LINE)
     return has_quantity(tree) and not simple
-
-
-def _its(one: Noun, other: Noun) -> Words:
-    """A second noun, by the body of the first: ``its direction of motion when it hits W``."""
-    if one.body != other.body or not other.kind or other.tail:
-        return other.words()
-    return words(f"its {_called(other.kind, 1)}", " " if other.when else "", other.when)
-
-
-def same_event(one: Words, other: Words) -> bool:
-    """Whether two moments are of one event: ``immediately after …`` and ``in …`` it."""
-    return bool(one and other) and _event_of(one) == _event_of(other)
-
-
-def _event_of(when: Words) -> Words:
-    first = when[0]
-    if isinstance(first, str):
-        for lead in ("immediately after ", "immediately before ", "in ", "due to "):
-            if first.startswith(lead):
-                return (first.removeprefix(lead), *when[1:])
-    return when
 
 
 def _along(scene: Scene, tree: Quantity) -> Noun:
@@ -645,7 +536,7 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
     """The direction of a component, with its sense."""
     turn = "the direction at 90° anticlockwise from " if across else "the direction of "
     if isinstance(axis, Quantity) and axis.kind == _LINE:
-        return _led(turn, sensed_line(scene, axis))
+        return led(turn, sensed_line(scene, axis))
     if isinstance(axis, Name):
         wall = scene.wall(axis.name)
         match wall.shape if wall is not None else None:
@@ -657,10 +548,10 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
             case _:
                 return Noun(words(turn, Named(axis.name)))
     if isinstance(axis, Quantity) and axis.kind == "direction":
-        return _led(turn if across else "", line(scene, axis))
+        return led(turn if across else "", line(scene, axis))
     between = displacement(scene, axis)
     if between is not None or has_quantity(axis):
-        return _led(turn, between or noun(scene, axis))
+        return led(turn, between or noun(scene, axis))
     if across:
         left = values.to_the_left(scene.style, axis)
         return Noun(left if isinstance(left[0], str) else words("the direction of ", left))
@@ -672,7 +563,7 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
 def sensed_line(scene: Scene, tree: Quantity) -> Noun:
     """A line of centres with its sense: from the first body to the second, or into the wall."""
     plain = line(scene, tree)
-    number = _event(scene, tree)
+    number = event_number(scene, tree)
     event = scene.events[number - 1] if number else None
     if not isinstance(event, Impact):
         return plain
@@ -691,7 +582,7 @@ def _placed(scene: Scene, tree: Quantity, kind: str) -> Noun:
     """``the position of S when it hits W``, ``the initial position of S``."""
     at = place(scene, tree)
     if at.when == INITIALLY:
-        return Noun(words(f"the {_INITIAL}{kind} of ", at.head))
+        return Noun(words(f"the {INITIAL}{kind} of ", at.head))
     return Noun(words(f"the {kind} of ", at.head), at.when)
 
 
@@ -750,7 +641,7 @@ def _distance(scene: Scene, tree: Quantity) -> Noun:
     if len(bodies) == 2:
         centres = "the centres of " if _has_size(scene) else ""
         when = _place_when(scene, tree, None)
-        initial, when = (_INITIAL, ()) if when == INITIALLY else ("", when)
+        initial, when = (INITIAL, ()) if when == INITIALLY else ("", when)
         return Noun(words(f"the {initial}distance between ", centres, names(bodies)), when)
     left, right = _somewhere(scene, one), _somewhere(scene, other)
     match one, other:
@@ -770,7 +661,7 @@ def _distance(scene: Scene, tree: Quantity) -> Noun:
 
 def _dot(scene: Scene, tree: Quantity) -> Noun:
     one, other = (_vector(scene, argument) for argument in tree.arguments)
-    return _pair("the scalar product of ", one, " and ", other)
+    return pair("the scalar product of ", one, " and ", other)
 
 
 def _vector(scene: Scene, tree: Expression) -> Noun:

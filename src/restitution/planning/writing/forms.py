@@ -405,6 +405,9 @@ def _quotient(above: Expression, below: Expression) -> Expression:
         return Negate(_quotient(above.operand, below))
     if isinstance(below, Negate):
         return Negate(_quotient(above, below.operand))
+    match above, below:
+        case Binary("/", Number() as top, Number(middle)), Number(least):
+            return Binary("/", top, Number(middle * least))  # no fraction over a number
     return Binary("/", above, below)
 
 

@@ -1,0 +1,96 @@
+"""Lines in the order in which a teacher has them, with values where they are first put in."""
+
+from __future__ import annotations
+
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
+
+RIGHT_ANGLE = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 4m, at rest
+A hits B: along i
+given deflection(A) = 90°
+part a
+show tan(alpha)^2 = (4*e - 1)/5
+part b
+given e = 1/2
+find energy_lost/energy(0)
+"""
+
+CORNER = """
+wall W1: along i
+wall W2: along j
+sphere S: mass 2, velocity 3 at 30° to W1
+S hits W1: e = 0.8
+S hits W2: e = 0.8
+find energy_lost
+show velocity(S) opposite to velocity(S, 0)
+"""
+
+CORNER_BY_A_TANGENT = """
+wall W1: along i
+wall W2: along j
+sphere S: mass 0.16, velocity 3 at alpha to W1
+S hits W1: e = 0.8
+S hits W2: e = 0.8
+given tan(alpha) = 3/4
+find energy_lost
+show velocity(S) parallel to velocity(S, 0)
+"""
+
+BOTH_LOSSES = """
+wall W1: along i
+wall W2: along j
+sphere P: mass m, velocity u at theta to W1
+P hits W1: e = 1/2
+P hits W2: e = 1/3
+given energy_lost(1) + energy_lost(2) = 5/6 * 1/2 m u^2
+find theta
+"""
+
+NOT_ACUTE = """
+sphere A: mass 1, velocity (2i + 6j)
+sphere B: mass 2, velocity (8i + j)
+A hits B: along theta
+given velocity(A) = (5i + 5j)
+find e
+"""
+
+
+def text_of(statement: str) -> str:
+    return " ".join(to_text(explain(solve(parse(statement)), check=True)).split())
+
+
+def test_a_value_stands_before_the_lines_that_put_it_in() -> None:
+    text = text_of(RIGHT_ANGLE)
+    assert "Since e = ½, from (3): v = −⅕u cos α Substituting in (1): mu cos α = −m(⅕u" in text
+    assert text.count("v = −⅕u cos α") == 1
+
+
+def test_the_square_of_a_tangent_is_worked_out() -> None:
+    assert "tan²α = (4 × ½ − 1)/5 = ⅕" in text_of(RIGHT_ANGLE)
+
+
+def test_no_item_goes_back_to_an_impact_that_is_left() -> None:
+    text = text_of(CORNER)
+    assert text.count("First impact: S hits W1") == 1
+    assert text.index("component of 𝐯₁ along 𝐣 = 0.8 × 3 sin 30°") < text.index("Second impact")
+
+
+def test_velocities_are_parallel_by_the_ratios_of_a_given_tangent() -> None:
+    text = text_of(CORNER_BY_A_TANGENT)
+    assert "𝐯₂ = −0.8𝐮" in text
+    assert "not written out" not in text
+    assert "= 0.165888 ≈ 0.166 J" in text
+
+
+def test_no_fraction_stands_over_a_number() -> None:
+    assert "(4/9)mu² cos²θ = (5/12)mu²" in text_of(BOTH_LOSSES)
+
+
+def test_a_component_is_not_called_nonzero_where_it_may_vanish() -> None:
+    """2(3 cos θ − sin θ) vanishes for tan θ = 3."""
+    text = text_of(NOT_ACUTE)
+    assert "is not zero" not in text
+    assert "impossible" in text
