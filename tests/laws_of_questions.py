@@ -209,7 +209,7 @@ def html_and_markdown_say_the_same(path: Path) -> None:
 
 def told(block: Block) -> list[tuple]:
     if isinstance(block, Listing):
-        return [block.lead, *(entry for _, entry in block.entries)]
+        return [block.lead, *(entry.words for entry in block.entries)]
     return list(block.sentences)
 
 

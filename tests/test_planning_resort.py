@@ -321,7 +321,7 @@ def test_what_an_item_speaks_of_is_written_before_its_note() -> None:
     (number,) = note.lines
     assert said(derivation.lines[number - 1].relation).startswith("speed(P, 1) = ")
     flat = " ".join(to_text(explain(solved(PARTS))).split())
-    assert "The steps from here are not written out: 0 < speed of P ≤ u" in flat
+    assert "The steps from here are not written out: (ii) 0 < speed of P ≤ u" in flat
     assert "0 < speed of P ≤ u M1" not in flat
 
 

@@ -176,7 +176,7 @@ def test_parts_have_the_labels_of_the_statement():
     asked = question(parse(text))
     assert [part.label for part in asked.parts] == [None, "i"]
     (listing,) = asked.parts[1].body
-    assert [number for number, _ in listing.entries] == ["a", "b", "c"]
+    assert [entry.number for entry in listing.entries] == ["a", "b", "c"]
 
 
 def test_the_front_door():

@@ -228,7 +228,7 @@ def test_what_was_at_first_is_called_so(name: str) -> None:
             continue
         (listing,) = asked(name, f"find {each}").parts[0].body
         assert isinstance(listing, Listing)
-        text = plain(listing.entries[0][1])
+        text = plain(listing.entries[0].words)
         assert re.search("initial|immediately before", text), (each, text)
 
 

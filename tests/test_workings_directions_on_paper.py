@@ -45,7 +45,7 @@ find {asked}speed(C)
                 "asked": "speed(B, 1), direction(B, 1), ",
             },
             [
-                "B was at rest, so it moves along the line of centres: speed of B = ",
+                "B was at rest, so it moves along the line of centres: (i) speed of B = ",
                 "angle from 𝐢 to 𝐯_B = 60° Second impact",
                 "B moves at 60° − 30° = 30° to the line of centres.",
             ],

@@ -289,10 +289,9 @@ class Reasons:
         assert isinstance(line.relation, Relation)
         if line.move.id != "rearrange" or len(above) != 1 or len(line.relation.options) != 1:
             return False
-        match above[0].options[0][-1].left:
-            case Binary("^", base, Number(Fraction(numerator=2, denominator=1))):
-                return line.relation.only[0].left == base
-        return False
+        root = line.relation.only[0].left
+        squares = (link.left for link in above[0].options[0])
+        return any(each == Binary("^", root, Number(Fraction(2))) for each in squares)
 
     def _by_its_sense(self, line: Line) -> bool:
         """Whether a given speed is that of a component whose sense is given too."""
