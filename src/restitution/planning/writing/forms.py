@@ -378,7 +378,7 @@ def swept(tree: Expression) -> Expression:
             case Negate(operand):
                 return negative(operand)
             case Binary("*", left, right):
-                return product(left, right)
+                return product(_one_fraction(left), right)
             case Binary("+", left, right):
                 return total((left, right))
             case Binary("-", left, right):
@@ -394,6 +394,14 @@ def swept(tree: Expression) -> Expression:
     return rebuilt(tree, change)
 
 
+def _one_fraction(factor: Expression) -> Expression:
+    """A factor that is a fraction of numbers over a number, as one fraction: 5/12 for ⅚ ÷ 2."""
+    match factor:
+        case Binary("/", Binary("/", Number() as above, Number(middle)), Number(least)):
+            return Binary("/", above, Number(middle * least))
+    return factor
+
+
 def _quotient(above: Expression, below: Expression) -> Expression:
     if is_zero(above):
         return ZERO
@@ -405,9 +413,6 @@ def _quotient(above: Expression, below: Expression) -> Expression:
         return Negate(_quotient(above.operand, below))
     if isinstance(below, Negate):
         return Negate(_quotient(above, below.operand))
-    match above, below:
-        case Binary("/", Number() as top, Number(middle)), Number(least):
-            return Binary("/", top, Number(middle * least))  # no fraction over a number
     return Binary("/", above, below)
 
 
