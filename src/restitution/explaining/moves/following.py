@@ -211,12 +211,16 @@ def stands(step: Step, relation: Relation) -> bool:
     """The answer of an item: what the line before it says.
 
     That a value is the greatest or the least takes two lines: a bound, and where it is reached.
-    It may be reached at several places, a line each.
+    It may be reached at several places, a line each. One that is only approached may rest on the
+    line that says the range of the letter, too.
     """
     base = base_of(step)
     places = step.cited[1:]
     if base is None or bool(places) != bool(step.move.record):
         return False
+    if step.move.record == "approached" and len(places) == 2:
+        place, extent = (each.relation for each in places)
+        return relation == base and is_attained(step, relation, place, extent)
     if step.move.record:
         return relation == base and all(
             is_attained(step, relation, each.relation) for each in places

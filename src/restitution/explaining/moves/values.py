@@ -79,14 +79,22 @@ def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:
     return (-value if negative else value), Fraction(1, 10**places)
 
 
-def is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool:
-    """Whether a greatest or least value is reached, at a place that there is."""
+def is_attained(
+    step: Step,
+    bound: Relation,
+    where: Relation | Meaning,
+    extent: Relation | Meaning | None = None,
+) -> bool:
+    """Whether a greatest or least value is reached, at a place that there is.
+
+    Of one that is only approached, ``extent`` says the range of the letter, if facts narrow that.
+    """
     case = None if isinstance(where, Meaning) else condition(where)
     if case is None or len(bound.options) != 1 or len(bound.only) != 1:
         return False
     (place, value), (end,) = case, bound.only
     if step.move.record == "approached":
-        return end.sign in ("<", ">") and _is_approached(step, place, value, end)
+        return end.sign in ("<", ">") and _is_approached(step, place, value, end, extent)
     least = step.move.record == "least"
     if end.sign != (">=" if least else "<="):
         return False
@@ -97,10 +105,14 @@ def is_attained(step: Step, bound: Relation, where: Relation | Meaning) -> bool:
     return Oracle(step.setting.roles, (there,)).possible.answer == "proved"
 
 
-def _is_approached(step: Step, place: Link, value: Link, end: Link) -> bool:
+def _is_approached(
+    step: Step, place: Link, value: Link, end: Link, extent: Relation | Meaning | None
+) -> bool:
     """Whether a value belongs to an end of the range of a letter that is not in the range."""
     if value != Link(end.left, "=", end.right) and not is_ratio_of(step, value, end):
         return False
+    if extent is not None:
+        return isinstance(extent, Relation) and _is_left_out(place, extent)
     match place.left:
         case Binary("/", Number(1), Letter(name)) if place.right == ZERO:
             return step.setting.role(name).high is None  # as it grows without limit
@@ -111,3 +123,12 @@ def _is_approached(step: Step, place: Link, value: Link, end: Link) -> bool:
     there = in_radians(step, place.right)
     ends = ((role.low, role.closed[0]), (role.high, role.closed[1]))
     return any(own is not None and not closed and own == there for own, closed in ends)
+
+
+def _is_left_out(place: Link, extent: Relation) -> bool:
+    """Whether a range of a letter goes up to a place, and does not have it."""
+    sides = (place.left, place.right)
+    return len(extent.options) == 1 and any(
+        link.sign in ("<", ">") and sides in ((link.left, link.right), (link.right, link.left))
+        for link in extent.only
+    )

@@ -121,6 +121,7 @@ class _Extremum:
         self.support: tuple[Ref, ...] = ()
         self.lets: list[Ref] = []
         self.place: Link | None = None
+        self.extents: dict[Expression, int] = {}
         self.attained = reached
         sign: Sign = ">" if self.least else "<"
         if reached:
@@ -383,9 +384,14 @@ class _Extremum:
                 return None
             bound = named
         there = self._place(line, self.end.left, self.lets)
-        if there is None or not self.judge.follows(self.move, [bound, there], self._relation):
+        if there is None:
             return None
         others = self._other_places(line, there)
+        if not self.judge.follows(self.move, [bound, there], self._relation):
+            place = self.scene.desk.relation(there).options[0][0].right
+            others = [self.extents[place]] if place in self.extents else []
+            if not self.judge.follows(self.move, [bound, there, *others], self._relation):
+                return None
         return self.scene.desk.write(self.move, [bound, there, *others], self._relation)
 
     def _other_places(self, line: int, there: int) -> list[int]:
@@ -487,6 +493,15 @@ class _Extremum:
         if role.high is None:
             # As it grows without limit.
             yield Link(Binary("/", ONE, Letter(self.symbol.name)), "=", ZERO)
+        letter = Letter(self.symbol.name)
+        for line in ranges_of(self.claims, self.symbol.name):
+            # What is given of the motion may leave an end out.
+            for link in self.scene.desk.relation(line).only:
+                if link.sign in ("<", ">") and letter in (link.left, link.right):
+                    end_ = link.right if link.left == letter else link.left
+                    if self.symbol.name not in letters(end_):
+                        self.extents[end_] = line
+                        yield Link(letter, "=", end_)
 
     def _value(self, line: int) -> sp.Expr:
         return self.claims.worths.value(self.scene.desk.last_link(line).right)

@@ -70,7 +70,7 @@ def _bound(claims: Claims, link: Link, letter: str) -> tuple[Sign, sp.Expr] | No
         if each.sign not in ("<", "<=", ">", ">="):
             return None
         value = sp.sympify(claims.scene.scalar(each.right), strict=True)
-        if not value.is_number:
+        if letter in {symbol.name for symbol in value.free_symbols}:
             continue
         if each.left == Letter(letter):
             return each.sign, value

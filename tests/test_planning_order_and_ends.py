@@ -1,4 +1,4 @@
-"""Lines in the order in which a teacher has them, with values where they are first put in."""
+"""Lines in the order in which a teacher has them, values where they are put in, ends left out."""
 
 from __future__ import annotations
 
@@ -94,3 +94,16 @@ def test_a_component_is_not_called_nonzero_where_it_may_vanish() -> None:
     text = text_of(NOT_ACUTE)
     assert "is not zero" not in text
     assert "impossible" in text
+
+
+def test_an_end_that_a_fact_of_the_motion_leaves_out_is_approached() -> None:
+    text = text_of(
+        "sphere S: mass m, velocity 2u i + u j\nwall W: along j\nS hits W: e = e\n"
+        "given deflection(S) > 90°\nfind minimum of speed(S) over e"
+    )
+    assert "speed of S → √5 u/2 ≈ 1.12u, as e → ¼, so there is no least value" in text
+    lettered = text_of(
+        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i, e = e\n"
+        "given velocity(A) opposite to i\nfind minimum of speed(B) over e"
+    )
+    assert "speed of B → u/k, as e → 1/k, so there is no least value" in lettered
