@@ -722,3 +722,111 @@ def test_the_mistake_of_an_earlier_part_has_its_line(monkeypatch: pytest.MonkeyP
     assert judged == ["a", "b", "b"]
     (message,) = [each.text for each in markings[1].messages if each.line == 6]
     assert message == "Right, with your values. The mistake is in line 2."
+
+
+def states(statement: str, working: str, letters: dict[str, str] | None = None) -> list[str]:
+    marking = restitution.mark(restitution.parse(statement), working, letters=letters or {})
+    return [each["state"] for each in marking.json()["marks"]["points"]]
+
+
+REVERSED = """
+sphere A: mass m, velocity 4u i
+sphere B: mass k m, velocity -u i
+A hits B: along i, e = 1/5
+given along(velocity(A), i) < 0
+find range of k
+"""
+
+
+@pytest.mark.parametrize(("last", "state"), [("k < 2", "lost"), ("k > 2", "earned")])
+def test_a_range_that_another_one_replaces_is_withdrawn(last: str, state: str) -> None:
+    lines = "4u - ku = v + kw\nw - v = u\nv = 2u(2 - k)/(1 + k) < 0\n-k < -2\n" + last
+    assert states(REVERSED, lines)[-1] == state
+
+
+EXCHANGED = """
+sphere S: mass m, velocity u at theta
+sphere T: mass 2m, at rest
+S hits T: along i
+find along(velocity(S), i)
+"""
+
+
+@pytest.mark.parametrize(("momentum", "state"), [("cos", "lost"), ("sin", "earned")])
+def test_sine_for_cosine_in_restitution_alone_is_no_method(momentum: str, state: str) -> None:
+    letters = {"v": "along(velocity(S), i)", "w": "along(velocity(T), i)"}
+    lines = f"mu{momentum}θ = mv + 2mw\nw - v = eusinθ"
+    assert states(EXCHANGED, lines, letters)[2] == state
+
+
+TURNED = """
+wall W: along i
+sphere S: mass m, velocity u at alpha to W
+given tan(alpha) = 3/4
+S hits W: e = 2/3
+part a
+find tan(angle(velocity(S), W))
+part b
+find deflection(S)
+"""
+
+
+def test_the_angles_of_a_wrong_deflection_are_no_method_for_it() -> None:
+    for sign, points in (("-", "lost lost"), ("+", "earned earned")):
+        value = "10.3" if sign == "-" else "63.4"
+        lines = f"β = tan^-1(1/2) = 26.6\nα = 36.9\ndeflection = 36.9 {sign} 26.6 = {value}"
+        marking = restitution.mark(restitution.parse(TURNED), lines, part="b")
+        found = [each["state"] for each in marking.json()["marks"]["points"]]
+        assert found == points.split()
+
+
+def test_the_old_angle_at_a_second_wall_finds_none_for_it() -> None:
+    corner = """
+wall AB: along i
+wall BC: along 60°
+sphere P: velocity 12 at 45° to AB
+P hits AB: e = 1/2
+P hits BC: e = 2/3
+find speed(P, 1), angle(velocity(P, 1), AB), speed(P)
+"""
+    lines = """vcosθ = 12cos45
+vsinθ = ½(12sin45)
+v² = 72 + 18 = 90 so v = 9.49
+θ = 26.6
+wcosφ = 9.49cos26.6 = 8.49
+wsinφ = 2/3(9.49sin26.6) = 2.83
+w = 8.94"""
+    letters = {"v": "speed(P, 1)", "w": "speed(P)"}
+    letters |= {"θ": "angle(velocity(P, 1), AB)", "φ": "angle(velocity(P), BC)"}
+    *_, angle, _, _, _, speed, answer = states(corner, lines, letters)
+    assert (angle, speed, answer) == ("lost", "lost", "lost")
+
+
+def test_a_printed_comparison_is_one_of_the_values() -> None:
+    pair = """
+sphere A: mass 3m, velocity 4u i
+sphere B: mass m, at rest
+sphere C: mass 2m, at rest
+A hits B: along i, e = 1/3
+find velocity(A), velocity(B)
+B hits C: along i, e = 1/2
+part a
+find velocity(B)
+part b
+show along(velocity(A), i) > along(velocity(B), i)
+"""
+    for line, state in (("8u/3 > 0 so A is faster", "earned"), ("8u/3 > u so A is faster", "lost")):
+        marking = restitution.mark(restitution.parse(pair), line, part="b")
+        assert [each.state for each in marking.marks.points][-1] == state
+
+
+def test_the_square_of_a_component_after_a_wall_shows_newtons_law() -> None:
+    wall = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+show energy(P)/energy(0) = cos^2(alpha) + e^2 sin^2(alpha)
+"""
+    for square, state in (("(eu sinα)²", "earned"), ("(u sinα)²", "lost")):
+        lines = f"v² = (u cosα)² + {square}"
+        assert states(wall, lines)[1] == state

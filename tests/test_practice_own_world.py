@@ -152,3 +152,47 @@ def test_a_wrong_sine_is_at_most_one(bound: str, verdict: str) -> None:
     lines = "½mu²sin²α - ½meu²sin²α = ⅛mu²", "sin²α = 1/(4(1-e))", f"sin²α < 1 so {bound}"
     marking = restitution.mark(restitution.parse(QUARTER_LOST), "\n".join(lines))
     assert [line.verdict for line in marking.lines] == ["false", "follows", verdict]
+
+
+_ICE = """wall W: along i
+sphere P: mass 1/2, velocity 8 at 30° to W
+P hits W: e = 3/4
+find speed(P), impulse"""
+_UNKNOWN = """wall W: along j
+sphere P: mass 3, velocity 2a i + a j
+P hits W: e = 1/2
+given speed(P) = 4
+find a, impulse"""
+_RANGE = """sphere A: mass 2m, velocity 3u i
+sphere B: mass 5m, velocity u i
+A hits B: along i
+find velocity(B)
+unknown e
+find range of impulse"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines", "last"),
+    [
+        (_ICE, "vcosθ = 8sin30\nvsinθ = 0.75×8cos30\nI = 0.5(3√3 + 4√3)", "follows"),
+        (_ICE, "vcosθ = 8sin30\nvsinθ = 0.75×8cos30\nI = 0.5(3√3 - 4√3)", "false"),
+        (_UNKNOWN, "v = -2ai + ½aj\na = 1.94\nI = 3(2a + 2a)", "follows"),
+        (_UNKNOWN, "v = -2ai + ½aj\na = 1.94\nI = 3(2a + ½a)", "false"),
+        (_RANGE, "w = (11 + 4e)u/7\nI = 5m(w + u) = 5mu(18 + 4e)/7\ne = 0: I = 90mu/7", "follows"),
+        (_RANGE, "w = (11 + 4e)u/7\nI = 5m(w + u) = 5mu(18 + 4e)/7\ne = 0: I = 80mu/7", "false"),
+    ],
+)
+def test_impulses_and_cases_follow_from_the_components_of_the_student(
+    statement: str, lines: str, last: str
+) -> None:
+    letters = {"w": "along(velocity(B), i)"} if statement == _RANGE else {}
+    marking = restitution.mark(restitution.parse(statement), lines, letters=letters)
+    assert [line["verdict"] for line in marking.json()["lines"]][-1] == last
+
+
+def test_a_value_in_a_case_holds_in_that_case_alone() -> None:
+    lines = "w = (11 + 4e)u/7\nI = 5m(w - u)\ne = 0: I = 20mu/7\ne = 1: I = 40mu/7"
+    letters = {"w": "along(velocity(B), i)"}
+    for wrong, verdict in (("", "true"), ("\ne = 1: I = 20mu/7", "false")):
+        marking = restitution.mark(restitution.parse(_RANGE), lines + wrong, letters=letters)
+        assert marking.json()["lines"][-1]["verdict"] == verdict

@@ -233,3 +233,48 @@ find velocity(A)
 def test_masses_left_out_on_one_side_of_momentum(line: str) -> None:
     found = restitution.mark(restitution.parse(ONE_SIDE), line, letters=V)
     assert found.mistakes == ("mass-omitted",)
+
+
+SHARE_AT_A_WALL = """
+wall W: along i
+sphere P: mass m, velocity u at 60° to W
+P hits W
+given energy_lost = 3/8 energy(0)
+find e
+"""
+LOSS_OF_18 = """
+sphere P: mass 2, velocity 6i
+sphere Q: mass 4, at rest
+P hits Q: along i
+given energy_lost = 18
+find e, velocity(P), velocity(Q)
+"""
+IN_TURN = """
+sphere A: mass 3m, velocity 4u i
+sphere B: mass m, at rest
+sphere C: mass 2m, at rest
+A hits B: along i, e = 1/3
+B hits C: along i, e = 1/2
+find velocity(B), velocity(C)
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "working", "name"),
+    [
+        (SHARE_AT_A_WALL, "½m(usin60)²(1-e²) = 3/8 × ½m(usin60)²", "energy-fraction-of-line"),
+        (LOSS_OF_18, "w = 2 + 2e\nv = 2 - 4e\n72 - 2(2-4e)² - 4(2+2e)² = 18", "energy-no-half"),
+        (IN_TURN, "4u = p + 2q\nq - p = ⅓(4u)", "misread"),
+        (IN_TURN, "4u = p + 2q\n⅓ = (q - p)/4u", "misread"),
+        (IN_TURN, "4u = p + 2q\nq - p = 4u", "restitution-omitted"),
+    ],
+)
+def test_a_line_shows_which_of_two_mistakes_with_one_value_it_has(
+    statement: str, working: str, name: str
+) -> None:
+    letters = {"v": "along(velocity(P), i)", "w": "along(velocity(Q), i)"}
+    if statement == IN_TURN:
+        letters = {"p": "along(velocity(B), i)", "q": "along(velocity(C), i)"}
+    letters = {} if statement == SHARE_AT_A_WALL else letters
+    found = restitution.mark(restitution.parse(statement), working, letters=letters)
+    assert found.mistakes == (name,)

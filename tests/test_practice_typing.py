@@ -297,6 +297,9 @@ def test_a_label_before_prose_is_not_that_of_a_value_behind_it() -> None:
         ("A has gone 0.5×4 = 2m so gap = 12m", "false"),
         ("B is -2i", "true"),
         ("B is 5i", "false"),
+        ("B rebounds at ⅔×3 = 2", "true"),
+        ("B bounces off the wall with speed 5", "false"),
+        ("B rebounds at 30° to the wall", "remark"),
     ],
 )
 def test_names_metres_and_copulas_are_read(line: str, verdict: str) -> None:
@@ -319,3 +322,25 @@ def test_it_is_deflected_in_short() -> None:
     wall = f"{bodies}S hits W: e = 1/2\nfind deflection(S)"
     lines = ["it's deflected by 45 + 26.6 = 71.6°", "so it's deflected by 26.6°"]
     assert verdicts(wall, *lines) == ["true", "false"]
+
+
+def test_a_title_before_an_equation_of_squares_is_no_value_of_it() -> None:
+    closing = """sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 3, velocity -i - 2j
+A hits B: along j
+given abs(velocity(A) - velocity(B)) = 5
+find e"""
+    for last, verdict in (("3", "true"), ("4", "asks")):
+        assert verdicts(closing, f"rel vel: 4² + s² = 5² so s = {last}")[0] == verdict
+
+
+def test_a_printed_angle_rests_on_its_tangent_in_decimals() -> None:
+    balls = """sphere A, B: mass 0.18
+sphere A: velocity 4 at 35°
+sphere B: at rest
+A hits B: along i, e = 0.95
+show angle(velocity(A), velocity(B)) = 88.0° to 3 s.f."""
+    lines = ["4cos35 = v + w", "w - v = 0.95 x 4cos35", "v = 0.0819, w = 3.195"]
+    lines += ["tanθ = 4sin35/0.0819", "θ = 88.0°", "B moves along the loc so angle between = 88.0°"]
+    assert verdicts(balls, *lines) == ["true"] * 6
+    assert verdicts(balls, lines[-1]) == ["unsupported"]

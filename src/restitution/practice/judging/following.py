@@ -46,6 +46,7 @@ from restitution.practice.judging.judged_link import (
 from restitution.practice.judging.naming import Explained
 from restitution.practice.judging.other_forms import (
     after_later_events,
+    by_components,
     by_energies,
     same_left,
 )
@@ -110,7 +111,9 @@ class Following(OwnValues):
             or self._with_own_numbers(line, link)
             or self._with_own_fixed(line, link)
             or self._with_own_energies(line, link)
+            or self._with_own_components(line, link)
             or self._in_units(line, link, self.students(), "follows")
+            or self._under_own_condition(line, link)
             or self._of_own_speeds(line, link)
             or self._of_later_event(line, link)
             or self._adopted(line, link)
@@ -206,6 +209,40 @@ class Following(OwnValues):
                     if grade is not None:
                         numbers = tuple(dict.fromkeys(entry.number for entry in own.values()))
                         return JudgedLink("follows", claim, grade, numbers)
+        return None
+
+    def _with_own_components(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """An impulse by the component along the line that the student has, before and after.
+
+        Where his component across changes, it is no part of that impulse.
+        """
+        if not self._forgone():
+            return None
+        for claim in self._in_all_meanings(link, line):
+            for other in by_components(claim, self.meanings(line.number), self._base):
+                for world in self.students():
+                    grade = self.accuracy(other, world, line, link)
+                    if grade is not None:
+                        sources = sources_of(claim, self.entries)
+                        return JudgedLink("follows", claim, grade, sources)
+        return None
+
+    def _under_own_condition(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A relation that holds with his own lines where a letter has the value of its case."""
+        supposed = [each for each in link.supposed or line.supposed if each.sign == "="]
+        if not supposed or not self.wrong:
+            return None
+        case = [replace(self._entry_of(line, link, each), right=False) for each in supposed]
+        names = {name for each in supposed for name in letters(each.left) | letters(each.right)}
+        unknown = {*self.question.unknown, *names & self._base.letters.keys()}
+        world = student_world(
+            self._base, [*self.entries, *case], unknown, broken=self._broken(self.entries)
+        )
+        for claim in link.readings:
+            grade = None if world is None else self.accuracy(claim, world, line, link)
+            if grade is not None:
+                sources = sources_of(claim, self.entries)
+                return JudgedLink("follows", claim, grade, sources)
         return None
 
     def _of_own_speeds(self, line: ScriptLine, link: Link) -> JudgedLink | None:

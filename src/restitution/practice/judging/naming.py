@@ -7,7 +7,7 @@ mistake has no name.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -24,7 +24,6 @@ from restitution.explaining.mistakes.misconceptions import (
     VariantAt,
     variants_at,
 )
-from restitution.expression.evaluate import Angle
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -39,9 +38,11 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
 from restitution.practice.judging.other_forms import is_turn, kind_of
 from restitution.practice.judging.plain_mistakes import (
+    are_energies,
     has_coefficient,
     holds_in,
     is_coefficient,
@@ -60,7 +61,8 @@ from restitution.practice.judging.plain_mistakes import (
     plainly,
     sign_of_a_component,
 )
-from restitution.practice.judging.slips import Correction, corrections
+from restitution.practice.judging.sizes import numbers_in, varying_size
+from restitution.practice.judging.slips import Correction, corrections, in_datum
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.reading.phrases import is_phrase, is_relative
@@ -70,7 +72,6 @@ from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.student import altered_world
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Problem
-from restitution.vector import Vector
 
 # A sign that is turned undoes these, and so is no slip beside them.
 _OF_SIGNS = frozenset(
@@ -192,7 +193,12 @@ class Names:
         # One figure for another may make any equation true.
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
-        plain = None if variants else plainly(entry, judge.base, judge.entries, mended)
+        plain = plainly(entry, judge.base, judge.entries, mended)
+        families = {each.mistake for each in variants}
+        if len(families) > 1 and plain in families:
+            # What the line shows by itself decides between laws that give one value.
+            variants = tuple(each for each in variants if each.mistake == plain)
+        plain = None if variants else plain
         if of_deflection:
             plain = "deflection-is-after"
         if plainer:
@@ -212,6 +218,11 @@ class Names:
                 plain = "restitution-sign"
             if is_sum_of_angles(entry) and _is_deflection(entry):
                 plain = "deflection-difference"
+        if not (plain or plainer) and not any(use.principle in _LAWS for use in uses):
+            corrected = with_its_coefficient(entry, judge.base, judge.uses_of_entry)
+            if corrected is not None:
+                # The number of a datum is another: of what happens nothing is taken wrongly.
+                return Explained(slip="misread", near=corrected[1], mended=corrected)
         direct = all(is_direct(each.event.number, judge.base) for each in variants)
         blow = plain == "mass-omitted" and not is_of_energy(entry)
         impulse = blow or _is_impulse(entry.claim.left, entry)
@@ -375,7 +386,8 @@ class Names:
         """By altered worlds: the claim holds where one law is altered, and all else is right."""
         energetic = is_energetic(entry)
         angular, impulsive = is_sum_of_angles(entry), self._is_of_impulse(entry)
-        fitting = _OF_ENERGY - {"speed"} if is_of_energy(entry) else _OF_ENERGY
+        of_energy = is_of_energy(entry) or are_energies(entry)
+        fitting = _OF_ENERGY - {"speed"} if of_energy else _OF_ENERGY
         names = letters(entry.claim.left) | letters(entry.claim.right)
         with_coefficient = "e" in names and len(judge.base.lines) == 1
         for variant in self.variants:
@@ -408,7 +420,7 @@ class Names:
         if self._is_in_a_quantity(part, entry, judge):
             return True
         value = float(part.value)
-        if _in_datum(part, entry, numbers_of(self.problem)):
+        if in_datum(part, entry, numbers_of(self.problem)):
             return True
         return any(abs(value - each) <= 0.005 * abs(each) for each in self._values(judge))
 
@@ -431,7 +443,7 @@ class Names:
         if world.solution not in self._varying:
             kinds = ("along", "across", "speed")
             trees = (each.quantity for each in candidates(self.problem, world.part))
-            spreads = [_spread(x, world) for x in trees if getattr(x, "kind", "") in kinds]
+            spreads = [varying_size(x, world) for x in trees if getattr(x, "kind", "") in kinds]
             self._varying[world.solution] = tuple(x for x in spreads if x is not None)
         return self._varying[world.solution]
 
@@ -441,7 +453,7 @@ class Names:
         if world.solution not in self._familiar:
             values = [float(value) for value in numbers_of(self.problem)]
             for candidate in candidates(self.problem, world.part):
-                values += _numbers_in(world, candidate.quantity)
+                values += numbers_in(world, candidate.quantity)
             self._familiar[world.solution] = tuple(dict.fromkeys(each for each in values if each))
         return self._familiar[world.solution]
 
@@ -453,40 +465,6 @@ def _is_bare(entry: Entry) -> bool:
         for each in (entry.claim.left, entry.claim.right)
     )
     return isinstance(one, Letter | Quantity) and isinstance(other, Number)
-
-
-def _numbers_in(world: World, tree: Expression) -> Iterator[float]:
-    """The size of a quantity that is the same in all samples; of an angle in degrees too."""
-    try:
-        value = world.value(tree)
-    except RestitutionError:
-        return
-    if isinstance(value, Vector):
-        return
-    angular = isinstance(value, Angle)
-    numbers = np.abs(world.spread(value.measure() if isinstance(value, Angle) else value))
-    if np.ptp(numbers) < 1e-9 * (1 + numbers[0]):
-        yield float(np.degrees(numbers[0]) if angular else numbers[0])
-
-
-def _spread(tree: Expression, world: World) -> Array | None:
-    """The size of a component in every sample, where these differ and none is zero."""
-    try:
-        size = np.abs(world.spread(world.scalar(tree)))
-    except RestitutionError:
-        return None
-    return size if size.min() > 0 and np.ptp(size) > _TINY * size.max() else None
-
-
-def _in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> bool:
-    """Whether a number stands above or below the line of a fraction of the statement."""
-    for side in (entry.claim.left, entry.claim.right):
-        for each in walk(side):
-            match each:
-                case Binary("/", Number(above) as a, Number(below) as b):
-                    if part in (a, b) and below and above / below in data:
-                        return True
-    return False
 
 
 def _kinds(variant: VariantAt) -> set[str]:

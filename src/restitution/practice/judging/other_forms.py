@@ -30,6 +30,7 @@ from restitution.practice.reading.grammar import is_vector
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
+from restitution.problem import Impact
 from restitution.vector import Vector
 
 _OBLIQUE = 1e-6
@@ -262,6 +263,32 @@ def of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim
     for sphere in world.problem.spheres:
         own = Quantity("impulse", (Name(sphere.name),), size.stage)
         yield from (replace(claim, left=each) for each in (own, Apply("abs", own)))
+
+
+def by_components(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:
+    """A claim about the size of an impulse as the change of one sphere's momentum along its line.
+
+    Whoever takes another component for that along the line has it before the impact as well:
+    so the one across stands in its place, in the sense of the right one.
+    """
+    meant = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else claim.left
+    if claim.sign != "=" or not isinstance(meant, Quantity) or not is_impulse(meant, {}):
+        return
+    number = meant.stage
+    step = world.events[number - 1] if isinstance(number, int) else None
+    if not isinstance(step, Impact) or not isinstance(number, int):
+        return
+    line = Quantity("line_of_centres", (), number)
+    for name in {step.first, step.second} & world.start.keys():
+        body = Name(name)
+        after = Quantity("along", (Quantity("velocity", (body,), number), line))
+        velocity = Quantity("velocity", (body,), number - 1)
+        before = Quantity("along", (velocity, line))
+        sense = Binary("/", before, Apply("abs", before))
+        across = Apply("abs", Quantity("across", (velocity, line)))
+        for taken in (before, Binary("*", across, sense)):
+            change = Binary("*", Quantity("mass", (body,)), Binary("-", after, taken))
+            yield replace(claim, left=Apply("abs", change))
 
 
 def of_components(claim: Claim) -> Iterator[Claim]:

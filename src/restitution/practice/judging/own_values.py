@@ -255,6 +255,8 @@ class OwnValues(Holding):
             untrue = untrue or judged.verdict in ("false", "follows")
             if judged.verdict not in ("true", "follows", "false", "unsupported"):
                 continue
+            if link.supposed and judged.verdict != "false":
+                continue  # e = 0: I = 2mu holds in that case alone
             if judged.verdict in ("false", "follows"):
                 self._note_number(line, judged, start)
             worked = is_numeric(claim.left) and is_numeric(claim.right)

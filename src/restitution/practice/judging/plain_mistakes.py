@@ -36,7 +36,7 @@ from restitution.practice.worlds.arrays import Array, is_bare
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact, trees
+from restitution.problem import Compare, Given, Impact, trees
 
 _TWO = Number(Fraction(2))
 _SIGNED = frozenset({"momentum", "restitution"})
@@ -102,13 +102,34 @@ def _is_other_component(entry: Entry, world: World) -> bool:
 def _is_without_half(entry: Entry, world: World) -> bool:
     """Whether one of two energies has no ½: ½(2m)w² = ¼mu² for a quarter of ½mu²."""
     for one, other in permutations((entry.claim.left, entry.claim.right)):
-        if not (_has_square(one) and _has_square(other)) or is_bare(other):
+        if not _has_square(one):
+            continue
+        if is_bare(other) and not _has_half(one) and _is_given_energy(other, world):
+            claim = Claim(Binary("/", one, _TWO), "=", other)  # 2(6)² - 2v² = 18, lost 18
+            if holds_in(replace(entry, claim=claim), world):
+                return True
+        if not _has_square(other) or is_bare(other):
             continue
         if _has_half(one) and not _has_half(other):
             claim = Claim(one, "=", Binary("/", other, _TWO))
             if holds_in(replace(entry, claim=claim), world):
                 return True
     return False
+
+
+def _is_given_energy(tree: Expression, world: World) -> bool:
+    """Whether a number is that of an energy, or of a loss of it, which the question gives."""
+    given = (
+        pair
+        for _, step in world.problem.steps()
+        if isinstance(step, Given)
+        for relation in step.relations
+        if isinstance(relation, Compare)
+        for pair in permutations(relation.operands, 2)
+    )
+    return any(
+        isinstance(one, Quantity) and "energy" in one.kind and other == tree for one, other in given
+    )
 
 
 def _has_half(tree: Expression) -> bool:
@@ -197,6 +218,20 @@ def _pairs_of(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
             yield number, (step.first, step.second)
 
 
+def _walls_of(world: World) -> Iterator[tuple[int, tuple[str, ...]]]:
+    """The impacts with walls, each with its sphere."""
+    for number, step in enumerate(world.events, 1):
+        if isinstance(step, Impact) and step.second not in world.start:
+            yield number, (step.first,)
+
+
+def are_energies(entry: Entry) -> bool:
+    """Whether either side of a claim has masses or halves, and squares, as energies have."""
+    sides = entry.claim.left, entry.claim.right
+    massive = all(_has_half(each) or letters(each) & {"m", "M"} for each in sides)
+    return massive and all(map(_has_square, sides))
+
+
 def is_momentum_of_speeds(entry: Entry, world: World) -> bool:
     """Whether terms of an equation of momentum are masses times whole speeds: one, or several."""
     for number, spheres in _pairs_of(world):
@@ -252,7 +287,7 @@ def _plus(one: Expression, other: Expression) -> Expression:
 
 def _is_share_of_line(entry: Entry, world: World) -> bool:
     """Whether energy lost is a share of that by the components along the line of centres alone."""
-    for number, spheres in _pairs_of(world):
+    for number, spheres in (*_pairs_of(world), *_walls_of(world)):
         lost, before = Quantity("energy_lost", (), number), Quantity("energy", (), number - 1)
         line = Quantity("line_of_centres", (), number)
         along: Expression | None = None

@@ -7,7 +7,7 @@ offered in the order in which people make the slips, and never more than `LIMIT`
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     rational,
     walk,
 )
+from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
 
 Change = Literal["sign", "figure", "power", "square", "factor", "letter", "radians", "turned"]
@@ -283,3 +284,14 @@ def read_as_datum(claim: Claim, typed: Fraction, datum: Fraction) -> Claim:
         rebuilt(each, change) for each in (claim.left, claim.right, *claim.others)
     )
     return Claim(left, claim.sign, right, tuple(others))
+
+
+def in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> bool:
+    """Whether a number stands above or below the line of a fraction of the statement."""
+    for side in (entry.claim.left, entry.claim.right):
+        for each in walk(side):
+            match each:
+                case Binary("/", Number(above) as a, Number(below) as b):
+                    if part in (a, b) and below and above / below in data:
+                        return True
+    return False

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Expression, walk
+from restitution.expression.tree import Apply, Degrees, Expression, walk
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.script import Claim
@@ -58,6 +58,19 @@ def _differs(entry: Entry, other: Entry) -> bool:
     return other.is_value and not other.right and other.claim.left == entry.claim.left
 
 
+def _gives_angle(above: Entry, entry: Entry) -> bool:
+    """Whether a line above gives the angle of a line: by its tangent, or as another angle.
+
+    A rounded number in it, ``tan θ = 2.29/0.0819``, leaves no more than the figures of the angle.
+    """
+    angle, own = entry.claim.left, above.claim.left
+    if above.claim.sign != "=" or not isinstance(entry.claim.right, Degrees):
+        return False
+    if isinstance(own, Apply) and own.function in ("sin", "cos", "tan"):
+        return own.argument == angle
+    return own != angle and above.is_value and above.claim.right == entry.claim.right
+
+
 class Support:
     """Support that lines of one script have in the lines above them."""
 
@@ -83,6 +96,8 @@ class Support:
             return False
         right = [each for each in entries if each.right]
         if any(self._holds(entry, world) for world in students if wrong):
+            return False
+        if any(_gives_angle(each, entry) for each in right):
             return False
         if deduced_from(entry, right, self.base, self.data):
             return False

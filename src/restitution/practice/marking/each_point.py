@@ -82,7 +82,8 @@ class EachPoint:
         if point.letter == "B" and point.item is None:
             return self._independent(point)
         value = self._value(point)
-        in_words = self._in_words(point) if point.shown and value.line is None else None
+        alone = value.line is None or value.state == "earned"
+        in_words = self._in_words(point) if point.shown and alone else None
         return value if in_words is None else self._earned(point, in_words, "said in words")
 
     def _method(self, point: MarkPoint) -> PointMark:
@@ -109,7 +110,7 @@ class EachPoint:
         line_of_it = (
             (None if whole else self._by_value(point))
             or self._pointing(point)
-            or self._condition(point)
+            or (None if self._is_denied_turn(point, lost) else self._condition(point))
         )
         if line_of_it is not None:
             return self._earned(point, line_of_it, "")
@@ -171,6 +172,10 @@ class EachPoint:
         line = self._line(mark.line)
         mistake = None if line is None else line.mistake
         return mistake is not None and mistake.id in _OF_DEFLECTION
+
+    def _is_denied_turn(self, point: MarkPoint, lost: PointMark | None) -> bool:
+        """Whether a deflection is put together wrongly: its angles are no method for it."""
+        return point.principle == "deflection" and lost is not None and self._is_of_deflection(lost)
 
     def _of_other_energy(self, point: MarkPoint) -> PointMark | None:
         """An energy without all its terms, beside one that is right: the method needs both."""
@@ -319,6 +324,9 @@ class EachPoint:
             match = self.values.matches(point, line) or self.values.completes(
                 point, self.lines[:place]
             )
+            if line.verdict == "false" and self.values.is_bound(point, line):
+                last = PointMark(point, "lost", line.line.number, "another range in its place")
+                continue
             if match is None:
                 continue
             if line.verdict == "true" and match == "true":
@@ -358,7 +366,10 @@ class EachPoint:
             last = None if seen is None else self._earned(point, seen, "seen here")
         if last is None and point.shown and point.principle == "inequality":
             conclusion = self._conclusion()
-            if conclusion is not None and _CONCLUDING.search(conclusion.line.text):
+            compared = next((x for x in self.lines if self.values.compares(point, x)), None)
+            if compared is not None:
+                last = self._earned(point, compared, "")
+            elif conclusion is not None and _CONCLUDING.search(conclusion.line.text):
                 last = self._earned(point, conclusion, "")
         return last or self._missing(point)
 
@@ -590,13 +601,30 @@ class EachPoint:
         named = MISCONCEPTIONS.get(name or "")
         if named is not None:
             rule = named.mark_of(use.principle) or "M0"
-            kept = rule.startswith("M1")
+            kept = rule.startswith("M1") and not self._is_resolved_elsewhere(name, use)
             return kept, f"{named.title[0].lower()}{named.title[1:]}" + (
                 "; the method stands" if kept else ""
             )
         if mistake is not None and mistake.kind == "slip":
             return True, "all terms are there; a slip keeps the method"
         return False, "not an instance of the law"
+
+    def _is_resolved_elsewhere(self, name: str | None, use: Use) -> bool:
+        """Whether sine and cosine are exchanged in Newton's law alone.
+
+        Beside a right equation of momentum, or a right component along a wall, that is no slip.
+        """
+        if name != "sine-cosine" or use.principle != "restitution":
+            return False
+        return any(
+            line.verdict == "true"
+            and own.altered is None
+            and own.event == use.event
+            and own.principle in ("momentum", "unchanged")
+            and line.uses[0] == own
+            for line in self.lines
+            for own in line.uses
+        )
 
     def _reason(self, line: JudgedLine) -> str:
         mistake = line.mistake

@@ -168,11 +168,18 @@ class _Examiner(EachPoint):
                 state = self.states[name]
                 is_step = state.point.letter == "M" and state.point.principle in _OF_STEPS
                 is_step = is_step or self._is_of_other_law(state.point, line)
+                is_step = is_step and not self._is_at_old_angle(state.point, line)
                 if is_step and state.state == "lost" and state.line is None:
                     why = f"line {own.line} cannot be had without it"
                     self.states[name] = replace(
                         state, state="earned", line=own.line, why=why, implied=True
                     )
+
+    def _is_at_old_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line follows from the angle at another wall: no angle is found for this one."""
+        wrong = (root.mistake for root in self._roots(line))
+        old = any(each is not None and each.id == "second-wall-angle" for each in wrong)
+        return old and point.principle in ("angle", "component")
 
     def _is_of_other_law(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a point is for a law at a wall that no mistake above a line concerns.

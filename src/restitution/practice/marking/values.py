@@ -108,6 +108,39 @@ class Values(Sides):
             for decimal in link.decimals
         )
 
+    def is_bound(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line bounds the letter, or the quantity, of whose range a point is."""
+        link = point.link
+        if link is None or point.item is None or point.shown or link.sign not in FLIPPED:
+            return False
+        meanings = self._meanings(line)
+        ranged = [each for each in (link.left, link.right) if not is_bare(each)]
+        return any(
+            claim.sign in ("<", "<=", ">", ">=") and self._names(side, each, meanings, line)
+            for chain in chains(line)
+            for claim in chain
+            for side in (claim.left, claim.right)
+            for each in ranged
+        )
+
+    def compares(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a true line compares the values of what a printed inequality compares."""
+        link = point.link
+        if link is None or line.verdict != "true" or link.sign not in FLIPPED:
+            return False
+        signs = {link.sign, f"{link.sign}="}
+        turned = {FLIPPED[link.sign], f"{FLIPPED[link.sign]}="}
+        return any(
+            (claim.sign in signs and self._are_worth(claim.left, claim.right, link, line))
+            or (claim.sign in turned and self._are_worth(claim.right, claim.left, link, line))
+            for chain in chains(line)
+            for claim in chain
+        )
+
+    def _are_worth(self, one: Expression, other: Expression, link: Link, line: JudgedLine) -> bool:
+        """Whether two sides have the values of the two sides of a relation."""
+        return self._is_worth(one, link.left, line) and self._is_worth(other, link.right, line)
+
     def gives_multiple(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives a multiple of what a point is for its value."""
         link = point.link
@@ -455,7 +488,7 @@ class Values(Sides):
         kinds = ("speed", "energy") if own and not wrong else ()
         if any(self.value_of(replace(velocity, kind=kind), line) is not None for kind in kinds):
             return True
-        if own and not wrong and self._has_square(link.right, line):
+        if not wrong and self._has_square(link.right, line):
             return True
         vector = self.value_of(velocity, line)
         if vector is None:

@@ -472,7 +472,7 @@ class Chains:
         if is_heading(label) and letters(first) and not is_angle(first, self.usage.angles):
             return  # opposite direction: y/x = tan α
         equation = all(_is_lettered_sum(each[0].tree) for each in (read[0], read[-1]))
-        if equation and label.kind == "phrase":
+        if label.kind == "phrase" and (equation or self._is_of_squares(first, label)):
             return
         if label.kind == "phrase" and (later := self._calculations()):
             own = {each.value for each in sides[-1] if each.kind == "number"}
@@ -499,6 +499,15 @@ class Chains:
             return
         if evaluates and not isinstance(first, Letter) and not is_function(first):
             self.link(self._worth_of(label, first), "=", read[0], sides[0], label)
+
+    def _is_of_squares(self, first: Expression, label: Token) -> bool:
+        """Whether a sum of squares is one side of an equation for a letter of the student's own.
+
+        So it is in ``rel vel: 4² + s² = 5²``; of energies it may be the value of the label.
+        """
+        heads = {HEADS[word] for word in label.name.split() if word in HEADS}
+        square = any(isinstance(each, Binary) and each.op == "^" for each in walk(first))
+        return square and self._is_sum_of_letters(first) and not heads & {"energy", "loss", "gain"}
 
     def _worth_of(self, label: Token, first: Expression) -> tuple[Side, ...]:
         """What a label before a chain is: a speed before a sum of squares may be its square."""

@@ -79,6 +79,11 @@ _FIRST_AND_LAST = re.compile(
     re.IGNORECASE,
 )
 _BETWEEN_U_AND_V = re.compile(r"\b(angle\s+between)\s+u\s+and\s+v(?=\s*[=:])", re.IGNORECASE)
+_REBOUNDS = re.compile(
+    r"\b([A-Z])\s+(?:rebounds|bounces(?:\s+(?:back|off))?|comes\s+(?:back|off|away)|returns)"
+    r"(?:\s+(?:off|from)\s+(?:the\s+)?(?:wall|cushion|[A-Z]\w*))?\s+(?:with|at)\s+"
+    r"(?:an?\s+|the\s+)?(?:speed\s+(?:of\s+)?)?(?=[\du(½⅓¼⅔¾√])(?![^,;=]*(?:°|deg|[αβθφ]))",
+)
 _IN_ALL = re.compile(r"(?<!\w)(total|altogether)(?=\s*[=:])", re.IGNORECASE)
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
@@ -156,6 +161,12 @@ def _direction(match: re.Match[str], problem: Problem) -> str:
     return f"{match[1]}direction of {match[2]}" if match[2] in spheres else match[0]
 
 
+def _speed_after(match: re.Match[str], problem: Problem) -> str:
+    """The speed with which a sphere rebounds: of ``B rebounds with 2``."""
+    spheres = {each.name for each in problem.spheres}
+    return f"speed of {match[1]} after = " if match[1] in spheres else match[0]
+
+
 def _in_all(match: re.Match[str], problem: Problem) -> str:
     """The whole time, where the question asks for a time and for no energy."""
     finds = (step for _, step in problem.steps() if isinstance(step, Find))
@@ -218,6 +229,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_COUNTED, lambda match, _: f"{match[1]} of the {_ORDINALS[int(match[2]) - 1]} impact"),
     (_FIRST_AND_LAST, lambda _, __: "initial and final "),
     (_BETWEEN_U_AND_V, _of_both),
+    (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )
