@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Binary, Expression, Name, Number, Quantity, letters
+from restitution.expression.tree import Binary, Expression, Name, Number, Quantity, letters, walk
 from restitution.practice.judgement import Use
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.script import Claim
@@ -65,6 +65,8 @@ def _corrections(
             size = world.scalar(side, entry.meanings, scope=entry.scope)
         except RestitutionError:
             continue
+        if _has_value(side, own):
+            continue  # the coefficient is there: e(4 - 1) has a wrong sign
         for base in (approach, None) if is_numeric(side) else (approach,):
             factor = _factor(size, base, own)
             if factor is None:
@@ -72,6 +74,18 @@ def _corrections(
             put = Binary("*", side, Binary("/", coefficient, factor))
             left = place == "left"
             yield replace(entry.claim, left=put) if left else replace(entry.claim, right=put)
+
+
+def _has_value(side: Expression, value: Array) -> bool:
+    """Whether a number, or a fraction of two, in a side has a value."""
+    tops = [each for each in walk(side) if isinstance(each, Number)]
+    tops += [
+        Number(each.left.value / each.right.value)
+        for each in walk(side)
+        if isinstance(each, Binary) and each.op == "/"
+        if isinstance(each.left, Number) and isinstance(each.right, Number) and each.right.value
+    ]
+    return any(np.allclose(float(each.value), value) for each in tops)
 
 
 def _approach(step: Impact, number: int, world: World) -> Array:

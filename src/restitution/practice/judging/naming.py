@@ -218,7 +218,9 @@ class Names:
                 plain = "restitution-sign"
             if is_sum_of_angles(entry) and _is_deflection(entry):
                 plain = "deflection-difference"
-        if not (plain or plainer) and not any(use.principle in _LAWS for use in uses):
+        signs = any(each.change == "sign" for each in mended)
+        signs = signs or any(_replaces(each, "restitution") for each in variants)
+        if not (plain or plainer or signs) and not any(use.principle in _LAWS for use in uses):
             corrected = with_its_coefficient(entry, judge.base, judge.uses_of_entry)
             if corrected is not None:
                 # The number of a datum is another: of what happens nothing is taken wrongly.
