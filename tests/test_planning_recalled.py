@@ -800,3 +800,40 @@ given speed(C) = 9/10 u
 find e
 """
     assert "(1 + e)^2 = 9/4" in said(text)
+
+
+ALONG_BOTH = """
+sphere A: mass 2, velocity 5i + j
+sphere B: mass 1, at rest
+A hits B: along i + j, e = 1/3
+"""
+
+
+def test_a_velocity_is_that_before_and_its_change_along_a_slanting_line() -> None:
+    own = said(ALONG_BOTH + "find velocity(A), energy")
+    assert "velocity(A, 1) = 5i + j - (3sqrt(2) - 5sqrt(2)/3) ((i + j)/sqrt(2))" in own
+    assert not any(each.startswith("across(velocity(A") for each in own)
+    assert own[-1].startswith("energy(1) = 1/2*2 ((11/3)^2 + (1/3)^2) + 1/2 (8sqrt(2)/3)^2")
+    wall = "wall W: along 2i + j\nsphere P: mass 3, velocity 4i - 3j\nP hits W: e = 1/3\n"
+    told = printed(wall + "find velocity(P), deflection(P), impulse")
+    assert "The velocity changes perpendicular to W only: 𝐯_P = (4𝐢 − 3𝐣) − (2√5 + 2√5/3)" in told
+    assert "𝐭" not in told and "magnitude of the impulse = 3(2√5 + 2√5/3) = 8√5" in told
+    beside = said(wall + "find velocity(P), angle(velocity(P), W)")
+    assert any(each.startswith("across(velocity(P, 1)") for each in beside)
+
+
+def test_a_component_against_the_line_of_centres_is_asked() -> None:
+    text = """
+sphere A: mass 2, at rest
+sphere B: mass 1, velocity 5j
+A hits B: along -i + j, e = 1/2
+find velocity(A), along(velocity(A), line_of_centres)
+"""
+    assert said(text)[-1] == "along(velocity(A, 1), line_of_centres(1)) = -5sqrt(2)/4"
+
+
+def test_an_energy_is_by_the_speed_that_stands_as_a_root() -> None:
+    wall = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+    own = said(wall + "find speed(P), energy(P), energy_lost/energy(0)")
+    assert any(each.startswith("energy(P, 1) = 1/2 m u^2 (cos^2(alpha)") for each in own)
+    assert "((u sin(alpha))^2 - (e u sin(alpha))^2)/u^2" in own[-1]

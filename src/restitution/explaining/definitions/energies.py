@@ -115,11 +115,29 @@ def total(step: Step, event: Event | None) -> Iterator[Link]:
             ]
             if terms:
                 yield Link(Quantity("energy", (), stage), "=", total_of(terms))
+        yield from _of_vectors_and_components(step, event, stage, cited)
     if event is not None and event.kind == "impact":
         before = Quantity("energy", (), number - 1)
         lost = Quantity("energy_lost", (), number)
         yield Link(Quantity("energy", (), number), "=", Binary("-", before, lost))
     yield from _of_given_speeds(step)
+
+
+def _of_vectors_and_components(
+    step: Step, event: Event | None, stage: int, cited: frozenset[Expression]
+) -> Iterator[Link]:
+    """The energy of all spheres, where some velocities are cited as vectors, others not."""
+    vectors = {
+        link.left.arguments[0]
+        for link in step.links
+        if isinstance(link.left, Quantity) and link.left.kind == "velocity"
+    }
+    forms = {
+        body: "vectors" if Name(body) in vectors else "components" for body in step.setting.spheres
+    }
+    if event is not None and len({*forms.values()}) > 1:
+        terms = [_kinetic(step, forms[body], body, stage, event, cited) for body in forms]
+        yield Link(Quantity("energy", (), stage), "=", total_of(terms))
 
 
 def _of_given_speeds(step: Step) -> Iterator[Link]:

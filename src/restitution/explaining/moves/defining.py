@@ -225,7 +225,11 @@ def _is_resolved(step: Step, line: Link) -> bool:
     others = tuple(
         each
         for each in step.cited
-        if not (isinstance(each.relation, Meaning) and each.relation.quantity == quantity)
+        if not (
+            isinstance(each.relation, Meaning)
+            and each.relation.quantity == quantity
+            and (each.relation.sense is None or quantity != line.left)
+        )
     )
     rules = step.rules(others)
     value, right = alike(step.world.value(quantity), step.world.value(line.right))

@@ -82,8 +82,6 @@ def _across_is_wanted(scene: Scene, body: str, stage: int, frame: Frame) -> bool
             case Quantity("angle", (one, other)) if velocity in (one, other):
                 if not {Unit("i"), Unit("j")} & {one, other}:
                     return True
-            case Quantity("deflection", (Name(name),), _) if name == body and frame.wall:
-                return True
     return False
 
 

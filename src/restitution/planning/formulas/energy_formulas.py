@@ -27,6 +27,7 @@ from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
     known_speed,
+    known_vector,
     parts,
     speed_formula,
     squares,
@@ -82,7 +83,7 @@ def energy_formula(scene: Scene, quantity: Quantity) -> Formula:
         if len(bodies) == 1:
             _speed_before(scene, body, stage)
         tree, value, own = squares(scene, body, stage, known=len(bodies) == 1)
-        if stage and stage != quantity.stage:
+        if stage and stage != quantity.stage and known_vector(scene, body, stage) is None:
             own = together(own, scene.frame(stage).unit_free)
         mass = scene.mass(body)
         terms.append(half(tree_of(mass.value), tree))

@@ -8,7 +8,7 @@ from restitution.explaining.lines.trees import angles_with_both_ratios
 from restitution.expression.tree import Binary, Expression, Quantity
 from restitution.planning.formulas.definitions import Formula, itself
 from restitution.planning.formulas.impacts import in_direction
-from restitution.planning.formulas.velocity_formulas import known_speed, squares
+from restitution.planning.formulas.velocity_formulas import is_root_of_a_sum, known_speed, squares
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import difference, square, swept, tree_of
 from restitution.planning.writing.polynomials import expanded
@@ -44,6 +44,8 @@ def fraction_lost(scene: Scene, asked: Expression) -> Formula | None:
     whole, size, refs = squares(scene, body, scene.last_event(body, stage), known=True)
     ends = _by_component(scene, body, event) if stage == event - 1 else None
     speed = known_speed(scene, body, event)
+    if speed is not None and ends is not None and is_root_of_a_sum(speed.value):
+        speed = None  # one component is shorter
     if speed is not None and not scene.unknown(speed.value) and (ends is None or ends[1].value):
         late, used = speed.value, speed.refs
         change, value = difference(whole, square(tree_of(late))), size - late**2

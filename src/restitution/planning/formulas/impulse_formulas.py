@@ -126,6 +126,8 @@ def _write_vector_before(scene: Scene, event: int) -> None:
         vector = Quantity("impulse", (Name(body),), event)
         if vector not in scene.asked_alone or scene.desk.known(vector) is not None:
             continue
+        if _has_components(scene, body, event):
+            continue
         velocities = [Quantity("velocity", (Name(body),), n) for n in (event, event - 1)]
         late, early = (scene.desk.known(each) for each in velocities)
         data = scene.last_event(body, event - 1) == 0

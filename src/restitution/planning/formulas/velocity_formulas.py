@@ -181,19 +181,18 @@ def squares(
     if known and speed is None:
         speed = _speed_by_a_multiple(scene, body, stage)
     if speed is not None and _is_plain(scene, speed, own):
-        return square(tree_of(speed.value)), tidy(speed.value**2), speed.refs
+        squared = tidy(speed.value**2)
+        tree = square(tree_of(speed.value))
+        return tree_of(squared) if is_root_of_a_sum(speed.value) else tree, squared, speed.refs
     refs = together(*(each.refs for each in own), _bridge(frame, own))
     tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
     return tree, sum(each.value**2 for each in own), refs
 
 
 def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool:
-    """Whether a speed is known, or its square has no root of what is open.
-
-    That of a root of a sum with letters is the sum of the squares of components, which stands.
-    """
+    """Whether a speed is known, or its square has no root of what is open."""
     if not any(scene.unknown(each.value) for each in components):
-        return not _is_root_of_a_sum(speed.value)
+        return True
     under = (own for ref in speed.refs if isinstance(ref, int) for own in scene.desk.under(ref))
     if any(str(ref).startswith("given ") for ref in (*speed.refs, *under)):
         return False  # the fact that gives the speed is still to tell the components
@@ -201,7 +200,7 @@ def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool
     return all(power.exp.is_Integer or not power.free_symbols for power in squared.atoms(sp.Pow))
 
 
-def _is_root_of_a_sum(value: object) -> bool:
+def is_root_of_a_sum(value: object) -> bool:
     """Whether a speed is the root of a sum in which letters stand."""
     roots = sp.sympify(value, strict=True).atoms(sp.Pow)
     return any(each.exp == sp.S.Half and each.base.is_Add and each.free_symbols for each in roots)
@@ -443,7 +442,10 @@ def component_formula(scene: Scene, quantity: Quantity) -> Formula:
         for node in walk(direction)
         if isinstance(node, Name) and f"wall {node.name}" in scene.facts
     )
-    refs = together(*(a.refs for a, _ in used), frame.unit_free, walls, axis)
+    itself_ = frame.component(quantity.kind, body, stage)
+    named = itself_.arguments[-1] == direction and itself_.kind == quantity.kind and shares.count(0)
+    unit_free = () if named else frame.unit_free
+    refs = together(*(a.refs for a, _ in used), unit_free, walls, axis)
     return Formula(
         Move("define", "component", stage or None, (body,)), itself, quantity, right, value, refs
     )

@@ -455,6 +455,8 @@ def _written(scene: Scene, asked: Quantity) -> int | None:
     if known is None or len(known.refs) != 1 or not isinstance(known.refs[0], int):
         return None
     line = known.refs[0]
+    if isinstance(scene.desk.line(line).relation, Meaning):
+        return None  # its letter is counted against the line of centres
     if scene.desk.last_link(line).left != asked:
         return None
     put, refs = scene.put(known.value)
