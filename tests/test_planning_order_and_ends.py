@@ -107,3 +107,24 @@ def test_an_end_that_a_fact_of_the_motion_leaves_out_is_approached() -> None:
         "given velocity(A) opposite to i\nfind minimum of speed(B) over e"
     )
     assert "speed of B → u/k, as e → 1/k, so there is no least value" in lettered
+
+
+TWO_KICKS = """
+sphere P: mass 2, velocity 3i - j
+wall W: along i
+P receives 4i + 6j
+find velocity(P)
+P receives -5j
+find speed(P), energy_lost(2), total_energy_lost
+"""
+
+
+def test_impulses_from_outside_are_counted_and_change_the_energy() -> None:
+    text = text_of(TWO_KICKS)
+    assert "Let 𝐯₁ be the velocity of P after the first impulse given to P." in text
+    assert "Let 𝐯₂ be the velocity of P after the second impulse given to P." in text
+    assert "kinetic energy lost at the second impulse given to P = ½ × 2(5² + 2²) − ½ × 2" in text
+    assert "not written out" not in text
+    alone = text_of(TWO_KICKS.partition("P receives -5j")[0].replace("velocity(P)", "energy_lost"))
+    assert "after the impulse given to P" in alone
+    assert "Kinetic energy: kinetic energy lost = ½ × 2(3² + 1²) − ½ × 2(5² + 2²) = −19 J" in alone

@@ -47,6 +47,7 @@ from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+from restitution.problem import Arrival
 from restitution.vector import Vector
 
 
@@ -236,7 +237,8 @@ def _lost_by_losses(scene: Scene, quantity: Quantity, stage: int) -> Formula | N
 
     Where that of one impact alone is none yet, it is written.
     """
-    if stage < 2 or any(n not in scene.model.frames for n in range(1, stage + 1)):
+    happenings = (scene.model.happening(number).step for number in range(1, stage + 1))
+    if stage < 2 or any(isinstance(each, Arrival) for each in happenings):
         return None
     each_lost = [Quantity("energy_lost", (), n) for n in range(1, stage + 1)]
     lost = [_known_value(scene, each) for each in each_lost]
@@ -287,6 +289,8 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     by_speeds = _lost_by_speeds(scene, quantity, event, _given_speed)
     if by_speeds is not None:
         return by_speeds
+    if event not in scene.model.frames:
+        return _lost_by_velocities(scene, quantity, event)
     frame = scene.frame(event)
     if len(scene.spheres(event)) == 1 and _is_open(scene, scene.spheres(event)[0], frame):
         by_speeds = _lost_by_speeds(scene, quantity, event, _plain_speed)
@@ -318,6 +322,27 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
             pool = bare
     value = tidy(expanded(sum(values)))
     return Formula(move, itself, quantity, total(terms), value, pool)
+
+
+def _lost_by_velocities(scene: Scene, quantity: Quantity, event: int) -> Formula:
+    """What an impulse from outside takes: it changes the whole velocity."""
+    terms: list[Expression] = []
+    values: list[Any] = []
+    refs: list[Ref] = []
+    bodies = tuple(scene.spheres(event))
+    for body in bodies:
+        mass = scene.mass(body)
+        early, late = (
+            squares(scene, body, scene.last_event(body, number), known=True)
+            for number in (event - 1, event)
+        )
+        halves = [half(tree_of(mass.value), tree) for tree, _, _ in (early, late)]
+        terms.append(difference(*halves))
+        values.append(mass.value * (early[1] - late[1]) / 2)
+        refs += [*mass.refs, *early[2], *late[2]]
+    move = Move("define", "energy-lost", event, bodies)
+    value = tidy(expanded(sum(values)))
+    return Formula(move, itself, quantity, total(terms), value, together(refs))
 
 
 def energy_change(scene: Scene, asked: Expression) -> Formula | None:

@@ -187,6 +187,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 name = "derived-energy.title"  # by speeds of the data
             case "energy-lost", _ if self._by_speeds(line):
                 name = "derived-energy.title"
+            case "energy-lost", _ if event is not None and event.kind == "kick":
+                name = "derived-energy.title"
             case "energy-lost" | "total-lost", _ if self._is_direct(event):
                 name = "derived-energy.title"
             case "tan-deflection", Apply("cot"):
