@@ -135,8 +135,15 @@ def browser_type_launch_args(browser_type_launch_args: dict[str, Any]) -> dict[s
     if found is None:
         reason = f"no browser: none of {', '.join(browsing.BROWSERS)} is installed"
         pytest.fail(reason) if os.environ.get("CI") else pytest.skip(reason)
-    # Tabs share a process: to begin one takes longer than most of what is done in a tab.
-    arguments = [*browsing.ARGUMENTS, "--renderer-process-limit=1"]
+    # To begin a process takes longer than most of what is done in a tab: all tabs share one, and
+    # what draws is in the browser's own.
+    arguments = [
+        *browsing.ARGUMENTS,
+        "--renderer-process-limit=1",
+        "--disable-site-isolation-trials",
+        "--disable-gpu",
+        "--in-process-gpu",
+    ]
     return {**browser_type_launch_args, "executable_path": found, "args": arguments}
 
 
