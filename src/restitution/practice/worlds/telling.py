@@ -112,10 +112,10 @@ class Telling:
         return [name for name, sphere in self.spheres.items() if sphere.mass is None]
 
     def _kept(self, key: Any, work: Any) -> Value:
-        known = self.world._known
-        if key not in known:
-            known[key] = work()
-        return known[key]
+        known = self.world._known.get(key)
+        if known is None:
+            known = self.world._known[key] = work()
+        return known
 
     def _named(self, tree: Name, now: int) -> Value:
         """What a name alone stands for: a place, the direction of a wall, a sphere's velocity."""
@@ -130,17 +130,25 @@ class Telling:
     def read(self, tree: Any, now: int = 0) -> Any:
         """A property of a body: a tree, a number put in by Python, or a pair of these."""
         if isinstance(tree, Expression):
-            return Telling(self.world, degrees=False).evaluator(now).value(tree)
+            return self._kept(("property", tree, now), lambda: self._plain(tree, now))
         if isinstance(tree, tuple | list):
             return Vector(*(self.read(each, now) for each in tree))
         return np.float64(tree)
+
+    def _plain(self, tree: Expression, now: int) -> Value:
+        """The value of a tree of the statement, in which letters mean what they mean there."""
+        return Telling(self.world, degrees=False).evaluator(now).value(tree)
 
     # --- what a story is asked ----------------------------------------------------------------
 
     @property
     def happenings(self) -> tuple[Happening, ...]:
         """The events, with the velocities of this world."""
-        return cast("tuple[Happening, ...]", self._kept("happenings", self._all_happenings))
+        # Asked more often than anything else.
+        known = self.world._known.get("happenings") or self._kept(
+            "happenings", self._all_happenings
+        )
+        return cast("tuple[Happening, ...]", known)
 
     def _all_happenings(self) -> tuple[Happening, ...]:
         return tuple(

@@ -64,7 +64,6 @@ def event_of(state: State, tree: Quantity, now: int, name: str | None = None) ->
 def quantity(state: State, tree: Quantity, now: int) -> Value:
     """The value of a quantity asked for after ``now`` events."""
     kind, arguments = tree.kind, tree.arguments
-    evaluator = state.evaluator(now)
     body = arguments[0].name if arguments and isinstance(arguments[0], Name) else None
     match kind:
         case "velocity":
@@ -79,7 +78,7 @@ def quantity(state: State, tree: Quantity, now: int) -> Value:
             v = state.velocity(_sphere(state, tree, body), stage_number(state, tree, now, body))
             return Angle(v.x, v.y, lambda: state.field.arctan2(v.y, v.x))
         case "along" | "across":
-            v = evaluator.vector(arguments[0])
+            v = state.evaluator(now).vector(arguments[0])
             d = state.direction(arguments[1], now)
             if kind == "across":
                 d = d.turned_left()
@@ -135,7 +134,8 @@ def quantity(state: State, tree: Quantity, now: int) -> Value:
             one, other = (point_of(state, argument, tree, now) for argument in arguments)
             return state.size(one - other)
         case "dot":
-            return evaluator.vector(arguments[0]).dot(evaluator.vector(arguments[1]))
+            a, b = (state.evaluator(now).vector(each) for each in arguments)
+            return a.dot(b)
     raise UnsupportedError(f"the quantity {kind} is not known here", *line_and_column(tree.place))
 
 
