@@ -7,6 +7,8 @@ from functools import cache
 import pytest
 
 import restitution
+from restitution.planning.planner import plan
+from restitution.practice.marking import scheme
 from restitution.practice.marking.scheme import schemes
 
 PAIR = """
@@ -116,6 +118,20 @@ def test_points_are_those_given_by_hand(statement, part, wanted, typed):
     points = marked(statement, typed, part).marks.points
     signs = {"earned": "+", "lost": "-", "open": "?"}
     assert "".join(signs[each.state] for each in points) == wanted
+
+
+def test_a_question_is_planned_once_for_all_that_is_handed_in(monkeypatch):
+    planned = []
+
+    def counted(solution, route=1, **how):
+        planned.append(route)
+        return plan(solution, route, **how)
+
+    monkeypatch.setattr(scheme, "plan", counted)
+    own = restitution.solve(restitution.parse(TWICE))
+    one, other = (restitution.mark(own, text).marks for text in ("v = 3", "fraction = 0.443"))
+    assert planned == [1, 2, 3]
+    assert [each.point.id for each in one.points] == [each.point.id for each in other.points]
 
 
 def test_a_label_is_not_taken_for_what_fits_to_one_figure_only():

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from restitution.expression.tree import (
     Degrees,
@@ -25,6 +26,9 @@ from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Extremum, Find, Given, Problem, Range, Show, trees
 from restitution.solving.equations.solution import PartSolution, Solution
+
+if TYPE_CHECKING:
+    from restitution.practice.marking.scheme import Scheme
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +96,13 @@ class Bench:
         """The numbers of the statement, and its fractions."""
         own = dict.fromkeys(numbers(trees(self.problem)))
         return (*own, *sorted(set(numbers_of(self.problem)) - own.keys()))
+
+    @cached_property
+    def schemes(self) -> tuple[Scheme, ...]:
+        """The mark schemes of the part, that of the usual method first."""
+        from restitution.practice.marking.scheme import schemes
+
+        return schemes(self.solution, self.solved.part.label)
 
 
 _BENCHES: dict[tuple[int, str | None], Bench] = {}

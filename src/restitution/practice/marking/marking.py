@@ -19,7 +19,6 @@ from restitution.practice.marking.answers import answers_of
 from restitution.practice.marking.content import Ask, MarkingContent
 from restitution.practice.marking.messages import LEVELS, messages_of
 from restitution.practice.marking.points import marked
-from restitution.practice.marking.scheme import schemes
 from restitution.practice.marking.showing import to_html, to_text
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.working import read_working
@@ -127,7 +126,7 @@ def _marked(
     judgement = _with_consequence(judgement, solution, part)
     unknown = bench.question.unknown - bench.question.given
     values = Values(bench.worlds, unknown, judgement.letters)
-    marks = marked(judgement, schemes(bench.solution, part), values)
+    marks = marked(judgement, bench.schemes, values)
     return Marking(
         part,
         judgement.lines,
