@@ -574,3 +574,16 @@ def test_no_tangent_of_a_right_angle_breaks_a_law() -> None:
     meanings = {each["letter"]: each["meaning"] for each in found["letters"]}
     assert meanings["t"] == "along(velocity(B, 1), i)"
     assert meanings["v_B"] == "speed(B, 1)"
+
+
+@pytest.mark.parametrize("first", ["a + 2b = 1 + 4", "2a + b = 3", "a + b = 1", "a + 2b = 5"])
+def test_letters_are_no_velocities_that_are_given(first: str) -> None:
+    """Who is to find the velocities before has no letters for those after, which are numbers."""
+    statement = """sphere A: mass 1
+sphere B: mass 2
+A hits B: along i, e = 1/2
+given velocity(A) = -i + 2j, velocity(B) = 2i - j
+find velocity(A, 0), velocity(B, before)"""
+    lines = f"{first}\n2 - -1 = 1/2(a - b)\na - b = 6"
+    found = r.mark(r.parse(statement), lines).json()
+    assert all("0)" in each["meaning"] for each in found["letters"]), found["letters"]

@@ -58,7 +58,8 @@ class Candidate:
     statement. ``unchanged`` tells of a component that it is the same before and after ``event``,
     ``varies`` that the value depends on letters of the statement, ``asked`` that the part asks for
     it, ``beside`` that its axis is i or j where the line of centres is neither, ``stopped`` that
-    the part is to show that its body has come to rest.
+    the part is to show that its body has come to rest, ``given`` that it is one of a later velocity
+    which the statement gives in numbers.
     ``cost`` grows from 0 for the most usual to 1 for the least usual.
     """
 
@@ -75,6 +76,7 @@ class Candidate:
     asked: bool = False
     beside: bool = False
     stopped: bool = False
+    given: bool = False
 
     @property
     def sensed(self) -> bool:

@@ -74,13 +74,18 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         yield replace(each, cost=max(0.0, min(1.0, each.cost + extra)))
 
 
+def _is_of_velocities(letter: str) -> bool:
+    """Whether a letter is one of those that formulas have for velocities: v_A, w."""
+    return letter.partition("_")[0].rstrip("'") in _OF_VELOCITIES
+
+
 def _is_never(letter: str, candidate: Candidate) -> bool:
     """Whether nobody gives a letter to a quantity of another kind: m is a mass alone.
 
     So u, v and w are velocities, and e is a coefficient.
     """
     base = letter.partition("_")[0].rstrip("'")
-    return candidate.kind == "mass" or base in _OF_VELOCITIES or base == "e"
+    return candidate.kind == "mass" or _is_of_velocities(letter) or base == "e"
 
 
 def is_direction(letter: str) -> bool:
@@ -102,10 +107,13 @@ def directions(problem: Problem, events: Sequence[Event], letter: str) -> Iterat
 
 
 def barred(usage: Usage, candidate: Candidate) -> bool:
-    """Whether a letter cannot mean a known quantity of the start.
+    """Whether a letter cannot mean a known quantity: of the start, or of a velocity that is given.
 
     Only u, u_A and angles may that have a known value from their first line; t may be a tangent.
+    Of a velocity after, letters of formulas may, and those that their first line gives a value.
     """
+    if candidate.given and not (usage.defined or _is_of_velocities(usage.letter)):
+        return True
     if not candidate.start or earlier(usage.letter):
         return False
     if candidate.kind == "tangent" and usage.letter in ("t", "T"):
@@ -135,7 +143,7 @@ def _by_suffix(letter: str, candidate: Candidate, problem: Problem) -> float | N
     below = suffix(letter)
     cost = 0.0
     if earlier(letter):
-        cost = -_LATE if candidate.start else _RARE
+        cost = -_LATE if candidate.start or candidate.event == 0 else _RARE
     spheres = [sphere.name for sphere in problem.spheres]
     for name in sorted(spheres, key=len, reverse=True):
         if below.startswith(name):

@@ -35,7 +35,7 @@ from restitution.practice.letters.trial import Tester
 from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Event, Find, Impact, Let, Part, Problem, Show, trees
+from restitution.problem import Compare, Event, Find, Given, Impact, Let, Part, Problem, Show, trees
 from restitution.vector import Vector
 
 # What a quantity costs that is no usual one, but asked for.
@@ -81,6 +81,7 @@ class Surroundings:
                 varies=self._varies(each),
                 asked=each.nature != "vector" and each.quantity in self.asked,
                 stopped=(each.body, each.event) in self.stopped,
+                given=(each.body, each.event) in self.given,
             )
             for each in usual
             if not self._is_no_time(each) and not self._is_of_the_axes(each)
@@ -109,6 +110,21 @@ class Surroundings:
                         if other == Number(Fraction(0)):
                             at_rest.add((body, stage))
         return frozenset(at_rest)
+
+    @cached_property
+    def given(self) -> frozenset[tuple[str | None, int | None]]:
+        """The bodies whose velocity after an event is given in numbers, each with that event."""
+        known: set[tuple[str | None, int | None]] = set()
+        for step, now, _ in self.problem.timeline(self.part):
+            relations = step.relations if isinstance(step, Given) else ()
+            for relation in relations:
+                operands = relation.operands if isinstance(relation, Compare) else ()
+                for tree, other in permutations(operands, 2):
+                    match staged(tree, self.problem, self.part, now):
+                        case Quantity("velocity", (Name(body),), int(stage)) if stage:
+                            if not any(isinstance(x, Letter | Quantity) for x in walk(other)):
+                                known.add((body, stage))
+        return frozenset(known)
 
     def _is_no_time(self, candidate: Candidate) -> bool:
         """Whether a time is zero in a story that begins with that event."""
