@@ -128,3 +128,33 @@ def test_impulses_from_outside_are_counted_and_change_the_energy() -> None:
     alone = text_of(TWO_KICKS.partition("P receives -5j")[0].replace("velocity(P)", "energy_lost"))
     assert "after the impulse given to P" in alone
     assert "Kinetic energy: kinetic energy lost = ½ × 2(3² + 1²) − ½ × 2(5² + 2²) = −19 J" in alone
+
+
+def test_a_direction_that_leaves_no_component_says_which() -> None:
+    walls = (
+        "wall W1: along i\nwall W2: along 120°\nsphere P: velocity u at theta to W1\n"
+        "P hits W1: e = 1/2\nP hits W2: e = 1/2\ngiven velocity(P) parallel to W2\nfind theta"
+    )
+    assert "so the component perpendicular to W2 is zero" in text_of(walls)
+    spheres = (
+        "sphere A: mass m, velocity 2u i + u j\nsphere B: mass 3m, velocity -u i + 2u j\n"
+        "A hits B: along i, e = e\ngiven velocity(A) opposite to i\nfind e"
+    )
+    text = text_of(spheres)
+    assert "so the component in the direction of 𝐣 is zero: u = 0" in text
+
+
+def test_a_percentage_stands_behind_decimals() -> None:
+    text = text_of(
+        "sphere A: mass 3, velocity 5 at arctan(3/4)\nsphere B: mass 2, velocity 4 at 180°\n"
+        "A hits B: along i, e = 0.4\nfind energy_lost/energy(0) as a percentage"
+    )
+    assert "= 32.256/53.5 ≈ 60.3%" in text
+
+
+def test_an_equality_stands_behind_the_other_reasons() -> None:
+    text = text_of(
+        "sphere A: mass m, velocity u i\nsphere B, C: mass m, at rest\nA hits B: along i, e = e\n"
+        "B hits C: along i, e = e\nA hits B: along i, e = e\nshow A and B do not collide again"
+    )
+    assert "as e ≥ 0 and (1 − e)² ≥ 0, with equality when e = 1" in text

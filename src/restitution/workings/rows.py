@@ -502,6 +502,8 @@ class Rows:
             if isinstance(asked, Value) and asked.percentage:
                 hundred = percentage(right)
                 if hundred is not None:
+                    if len(sides) > 2 and _has_decimals(sides[-2]) and _is_long_quotient(right):
+                        del sides[-1], signs[-1]  # the decimals above it say more
                     sides.append(hundred[0])
                     signs.append(hundred[1])
                 return
@@ -687,3 +689,11 @@ def _has_root(tree: Expression) -> bool:
 
 def _sign(link: Link) -> str:
     return lay.SIGNS.get(link.sign, link.sign)
+
+
+def _is_long_quotient(tree: Expression) -> bool:
+    """Whether a value is a quotient of whole numbers of which one has three digits or more."""
+    match tree:
+        case Binary("/", Number(above), Number(below)):
+            return max(above, below) >= 100
+    return False

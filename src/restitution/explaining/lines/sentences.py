@@ -585,6 +585,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "given.multiple": "It is given that {fact}, so the {component} is {value}.",
     "given.rest": "It is given that {body} is at rest afterwards.",
+    "given.component-off": (
+        "It is given that {fact}, so the component perpendicular to {wall} is zero:"
+    ),
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
     "given.offset": "{one} does not pass by {other}:",

@@ -182,6 +182,8 @@ def _to_a_direction(
         sides = [_multiple(w, s.value) for s, w in terms]
         left, right = sides
         relation = link(left, right) if left != ZERO else link(right, ZERO)
+        if len(used) == 1:
+            relation = link(tree_of(used[0][0].value), ZERO)  # whatever the size and the sense
     refs = together(refs, *(source.whole for source, _ in used))
     return scene.desk.write(move, refs, Relation(((relation,),)))
 

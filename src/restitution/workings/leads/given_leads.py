@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Pair,
     Polar,
@@ -136,14 +137,15 @@ class GivenLeads(Leads):
                 return (say("given.and", fact=sentence), turned)
         if line.move.record == "perpendicular" and (pair := self._square_to_the_line(line)):
             return (say("given.square-to", fact=sentence, one=pair[0], other=pair[1]),)
-        if isinstance(line.relation.options[0][0].left, Letter):
+        nothing = is_zero(line.relation.options[0][-1].right)
+        no_component = line.move.record == "parallel" and nothing
+        if isinstance(line.relation.options[0][0].left, Letter) and not no_component:
             off = line.move.bodies[0] if line.move.record == "component" else None
             if off is not None and self.tells_of_rest(off, line.move.event or 0, line):
                 return (say("given.fact-from-rest", fact=sentence, body=off),)
             return (say("given.fact", fact=sentence),)
         if line.move.record == "perpendicular" and past is not None:
             return (say(_PRODUCTS[past[2]], fact=sentence),)
-        nothing = is_zero(line.relation.options[0][-1].right)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:
                 case Quantity("along" | "across"):
@@ -152,9 +154,12 @@ class GivenLeads(Leads):
                     return (say("given.product-along", fact=sentence, body=mover),)
                 case _:
                     return (self._product_is_zero(line, sentence),)
-        other = _across(self._of_a_wall(facts[0].relation.options[0][0].right))
-        if line.move.record == "parallel" and nothing and other is not None:
+        direction = facts[0].relation.options[0][0].right
+        other = _across(self._of_a_wall(direction))
+        if no_component and other is not None:
             return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
+        if no_component and isinstance(direction, Name) and self._is_wall(direction.name):
+            return (say("given.component-off", fact=sentence, wall=direction.name),)
         if line.move.record == "parallel":
             match line.relation.options[0][0].left:
                 case Quantity("along") if nothing:
@@ -215,6 +220,9 @@ class GivenLeads(Leads):
             say("given.of-cosine", fact=sentence, cosine=worth),
             say("given.by-the-product"),
         )
+
+    def _is_wall(self, name: str) -> bool:
+        return self._naming.bodies.get(name) == "wall"
 
     def _of_a_wall(self, axis: Expression) -> Expression:
         """The direction that the statement gives a wall; any other direction as it is."""
@@ -308,7 +316,8 @@ class GivenLeads(Leads):
 
 def _across(axis: Expression) -> Unit | None:
     """The other one of **i** and **j**."""
-    return Unit("j" if axis.axis == "i" else "i") if isinstance(axis, Unit) else None
+    own = axis.operand if isinstance(axis, Negate) else axis
+    return Unit("j" if own.axis == "i" else "i") if isinstance(own, Unit) else None
 
 
 def _has_vector(tree: Expression) -> bool:

@@ -63,6 +63,7 @@ from restitution.workings.reasons.signs_of_factors import signs_of_factors
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
 _BY_TANGENT = "derived.acute-by-tangent"
+_BEHIND = {"derived.fact-equal": 1, "derived.it-is": 2}
 _OF_SQUARES = frozenset({"speed", "size", "energy", "total", "tan-deflection"})
 
 
@@ -165,8 +166,8 @@ class Reasons:
             *self._dropped(line),
             *self._divided_by(line),
         )
-        # The value at the end of a letter stands behind what is known of that.
-        reasons = tuple(sorted(reasons, key=lambda e: getattr(e, "id", "") == "derived.it-is"))
+        # Behind what is known of a letter stand where an equality holds, and the value at its end.
+        reasons = tuple(sorted(reasons, key=lambda each: _BEHIND.get(getattr(each, "id", ""), 0)))
         reasons = reasons or tuple(self._positive_sum(line)) or tuple(self._positive_ratio(line))
         reasons = reasons or tuple(self._both_squared(line))
         if self._is_root(line):
