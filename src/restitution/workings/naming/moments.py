@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
 
 from restitution.explaining.lines.derivation import Derivation, Event, Meaning
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.explaining.lines.sentences import SENTENCES
+from restitution.explaining.lines.sentences import SENTENCES, SentenceId
 from restitution.explaining.lines.trees import settled
 from restitution.expression.tree import AtTime, Binary, Expression, Number, Quantity, Stage, walk
 from restitution.problem import Arrival, Problem
@@ -41,7 +40,7 @@ class Moments:
     def heading(self, event: Event) -> Sentence:
         """The heading of an impact, or of an impulse from outside."""
         if event.kind == "kick":
-            return self._kick("heading", event)
+            return self._kick(event, "heading.kick", "heading.kick-order", "heading.kick-number")
         first, second = event.bodies
         number = self._order(event)
         if f"ordinal.{number}" in SENTENCES:
@@ -52,7 +51,7 @@ class Moments:
     def _event(self, event: Event) -> Sentence:
         """What an event is called within a sentence: *the impact*, *the second impact*."""
         if event.kind == "kick":
-            return self._kick("event", event)
+            return self._kick(event, "event.kick", "event.kick-order", "event.kick-number")
         if len(self.impacts_with(event)) < 2:
             return say("event.only")
         number = self._order(event)
@@ -60,16 +59,18 @@ class Moments:
             return say("event.impact", order=say(f"ordinal.{number}"))
         return say("event.impact-number", number=number)
 
-    def _kick(self, kind: Literal["heading", "event"], event: Event) -> Sentence:
+    def _kick(
+        self, event: Event, only: SentenceId, ordered: SentenceId, numbered: SentenceId
+    ) -> Sentence:
         """An impulse from outside, counted among those that its body receives."""
         (body,) = event.bodies
         kicks = [e.number for e in self.events.values() if e.kind == "kick" and body in e.bodies]
         number = 1 + kicks.index(event.number)
         if len(kicks) < 2:
-            return say(f"{kind}.kick", body=body)
+            return say(only, body=body)
         if f"ordinal.{number}" in SENTENCES:
-            return say(f"{kind}.kick-order", order=say(f"ordinal.{number}"), body=body)
-        return say(f"{kind}.kick-number", number=number, body=body)
+            return say(ordered, order=say(f"ordinal.{number}"), body=body)
+        return say(numbered, number=number, body=body)
 
     def _order(self, event: Event) -> int:
         """Which of the impacts an event is, counted from 1."""
