@@ -260,7 +260,7 @@ def _time(state: State, tree: Quantity) -> Scalar:
     event = event_of(state, tree, len(state.happenings))
     if event.time is None:
         return state.unknowns.hidden(
-            f"t_{event.number}", f"where the bodies of event {event.number} are", "positive"
+            f"t_{event.number}", f"the distance between {' and '.join(event.bodies)}", "positive"
         )
     return event.time
 
@@ -321,7 +321,7 @@ def _is_reached(state: State, name: str, place: tuple[int, Vector, Scalar], t: S
 
 
 def _missing_place(state: State, name: str) -> Vector:
-    phrase = f"where {name} is"
+    phrase = f"the position of {name} at any time"
     return Vector(
         state.unknowns.hidden(f"p_{name}x", phrase, "real"),
         state.unknowns.hidden(f"p_{name}y", phrase, "real"),
