@@ -158,3 +158,11 @@ def test_an_equality_stands_behind_the_other_reasons() -> None:
         "B hits C: along i, e = e\nA hits B: along i, e = e\nfind velocity(A), velocity(B)\nshow A and B do not collide again"
     )
     assert "as e ≥ 0 and (1 − e)² ≥ 0, with equality when e = 1" in text
+
+
+def test_a_gap_that_does_not_close_has_the_values_of_both_components() -> None:
+    text = text_of(
+        "sphere A: mass m, velocity u i\nsphere B: mass 4m, at rest\nwall W: along j\n"
+        "A hits B: along i, e = 3/4\nB hits W: e = 2/5\nshow A and B do not collide again"
+    )
+    assert "v = −2u/5 < −7u/50 = component of 𝐯_B along 𝐢" in text

@@ -48,6 +48,7 @@ from restitution.workings.naming.measured import (
     Measures,
     as_answer,
     as_decimal,
+    is_long_quotient,
     is_plain,
     percentage,
     rounded,
@@ -205,9 +206,9 @@ class Rows:
                 case Relation(((Link(Letter() as letter, "="), *_),) as options):
                     known[letter] = options[0][-1].right
                 case Relation(
-                    ((Link(Quantity("along", (_, Quantity("line_of_centres"))) as whole, "="), *_),)
-                ) as relation if line.move.id == "sign":
-                    known[whole] = relation.options[0][-1].right
+                    ((Link(Quantity("along", (_, axis)) as whole, "="), *_),)
+                ) as own_ if line.move.id == "sign" and _is_line(axis):
+                    known[whole] = own_.options[0][-1].right
         if line.move.id == "sign" and own.left in known and is_zero(own.right):
             value = known[own.left]
             if has_quantity(value) or any(
@@ -502,7 +503,7 @@ class Rows:
             if isinstance(asked, Value) and asked.percentage:
                 hundred = percentage(right)
                 if hundred is not None:
-                    if len(sides) > 2 and _has_decimals(sides[-2]) and _is_long_quotient(right):
+                    if len(sides) > 2 and _has_decimals(sides[-2]) and is_long_quotient(right):
                         del sides[-1], signs[-1]  # the decimals above it say more
                     sides.append(hundred[0])
                     signs.append(hundred[1])
@@ -691,9 +692,6 @@ def _sign(link: Link) -> str:
     return lay.SIGNS.get(link.sign, link.sign)
 
 
-def _is_long_quotient(tree: Expression) -> bool:
-    """Whether a value is a quotient of whole numbers of which one has three digits or more."""
-    match tree:
-        case Binary("/", Number(above), Number(below)):
-            return max(above, below) >= 100
-    return False
+def _is_line(axis: Expression) -> bool:
+    """Whether a component is along a line of centres, or along **i** or **j**."""
+    return isinstance(axis, Unit) or (isinstance(axis, Quantity) and axis.kind == "line_of_centres")

@@ -368,3 +368,11 @@ def _is_angle(tree: Expression) -> bool:
         case Binary("+" | "-" | "*" | "/", left, right):
             return _is_angle(left) or _is_angle(right)
     return False
+
+
+def is_long_quotient(tree: Expression) -> bool:
+    """Whether a value is a quotient of whole numbers of which one has three digits or more."""
+    match tree:
+        case Binary("/", Number(above), Number(below)):
+            return max(above, below) >= 100
+    return False
