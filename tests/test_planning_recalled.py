@@ -837,3 +837,50 @@ def test_an_energy_is_by_the_speed_that_stands_as_a_root() -> None:
     own = said(wall + "find speed(P), energy(P), energy_lost/energy(0)")
     assert any(each.startswith("energy(P, 1) = 1/2 m u^2 (cos^2(alpha)") for each in own)
     assert "((u sin(alpha))^2 - (e u sin(alpha))^2)/u^2" in own[-1]
+
+
+def test_a_right_angle_at_a_wall_is_the_sum_of_two_angles_in_degrees() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at 60° to W
+P hits W: e = 1/3
+find angle(velocity(P), W), deflection(P)
+"""
+    assert said(text)[-1] == "deflection(P, 1) = 60° + 30° = 90° [rearrange]"
+
+
+def test_the_angle_between_two_spheres_is_by_their_angles_to_i_that_stand() -> None:
+    text = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass m, velocity u at 120°
+A hits B: along i, e = 1/2
+find angle(velocity(A), i), angle(velocity(B), i), angle(velocity(A), velocity(B))
+"""
+    own = said(text)
+    assert sum(each.startswith("tan(") for each in own) == 2
+    assert own[-2] == "phi = beta - theta = 180° - arctan(2sqrt(3)) - arctan(2sqrt(3)) [put]"
+    assert "is the difference of those that they make with 𝐢" in printed(text)
+    alone = printed(text.replace("find angle(velocity(A), i), angle(velocity(B), i), ", "find "))
+    assert "that they make with 𝐢" not in alone
+
+
+def test_an_angle_of_the_data_by_its_tangent_is_in_degrees() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 0
+given tan(alpha) = 1
+find deflection(A)
+"""
+    assert any("45°" in each for each in said(text))
+    assert not any("arctan(1)" in each for each in said(text))
+
+
+def test_a_ratio_of_two_roots_with_letters_is_one_that_follows() -> None:
+    text = """
+sphere A: mass k m, velocity -u i + 3u j
+sphere B: mass m, velocity 3u j
+A hits B: along i, e = 1/2
+find speed(A)/speed(B)
+"""
+    assert "= sqrt(40k^2 + 68k + 37)/(3sqrt(5k^2 + 8k + 4))" in said(text)[-1]

@@ -112,19 +112,23 @@ def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression
 
 
 def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:
-    """The angle by which one body turns, by the angles of up to 180° to **i** or **j**.
+    """The angle between two velocities, by the angles of up to 180° to **i** or **j**.
 
-    Along a line of centres in that direction the component falls as the angle grows.
+    Where it is that by which one body turns, the component along the line of centres, in that
+    direction, falls as the angle grows. Two bodies go to one side of the line.
     """
     unit = step.world.directions.get(_axis(event))
     sense = 1
     if isinstance(unit, Negate):
         unit, sense = unit.operand, -1
-    if one[0] != other[0] or not isinstance(unit, Unit):
+    if not isinstance(unit, Unit):
         return None
-    c, d = (_component(step, event, "along", each) for each in (one, other))
-    falls = None if c is None or d is None else _sign(step, c - d)
-    falls = falls or _pushed_back(step, event, one)
+    if one[0] == other[0]:
+        c, d = (_component(step, event, "along", each) for each in (one, other))
+        falls = None if c is None or d is None else _sign(step, c - d)
+        falls = falls or _pushed_back(step, event, one)
+    else:
+        falls = _further_back(step, event, one, other)
     if falls is None:
         return None
     early, late = (
@@ -132,6 +136,20 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
         for body, stage in (one, other)
     )
     return Binary("-", late, early) if falls == sense else Binary("-", early, late)
+
+
+def _further_back(step: Step, event: Event, one: Moving, other: Moving) -> int | None:
+    """1 where the second of two velocities on one side makes the greater angle with the axis.
+
+    −1 where the first does; None where that, or on which sides they are, is open.
+    """
+    a, b, c, d = (
+        _component(step, event, kind, each) for each in (one, other) for kind in ("along", "across")
+    )
+    if a is None or b is None or c is None or d is None or _sign(step, b * d) != 1:
+        return None
+    side, turn = _sign(step, b), _sign(step, a * d - b * c)
+    return None if side is None or turn is None else side * turn
 
 
 def _pushed_back(step: Step, event: Event, before: Moving) -> int | None:

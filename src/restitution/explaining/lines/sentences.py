@@ -397,6 +397,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "same.parallel": "{wall} is parallel to the line of centres, so it is the same angle:",
     "same.wall": "{wall} is along {axis}, so it is the same angle:",
+    "between.from": (
+        "{bodies:and} move to the same side of the line of centres, so the angle between their "
+        "velocities is the difference of those that they make with {axis}:"
+    ),
     "between.opposite-sides": (
         "{bodies:and} move to opposite sides of the line of centres, the same way along it:"
     ),

@@ -100,6 +100,10 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     # What stands first is where the line starts from: of a quotient what is above.
     premises = sorted(dict.fromkeys((*refs, *ranges)), key=lambda ref: isinstance(ref, str))
     whole = chain(asked, (right, None), (final, "rearrange"))
+    apart = _roots_apart(scene, right)
+    if apart is not None and not scene.judge.follows(Move("put"), premises, whole):
+        final = apart
+        whole = chain(asked, (right, None), (final, "rearrange"))
     if _is_of_both(right) and not scene.judge.follows(Move("put"), premises, whole):
         # Squares of a sine and a cosine come together by the identity, on a line of its own.
         line = scene.desk.write(Move("put"), premises, chain(asked, (right, None)))
@@ -118,6 +122,26 @@ def _in_order(asked: Expression) -> list[Expression]:
         case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
             return nodes[::-1]
     return nodes
+
+
+def _roots_apart(scene: Scene, tree: Expression) -> Expression | None:
+    """A quotient of two roots of sums with letters, with what else there is over its own.
+
+    None of another quotient.
+    """
+    if not (isinstance(tree, Binary) and tree.op == "/"):
+        return None
+    roots: list[sp.Expr] = []
+    rest: list[sp.Expr] = []
+    for side in (tree.left, tree.right):
+        factors = sp.Mul.make_args(sp.sympify(scene.scalar(side), strict=True))
+        own = [e for e in factors if e.is_Pow and e.exp == sp.S.Half and e.free_symbols]
+        if len(own) != 1:
+            return None
+        roots += own
+        rest.append(sp.Mul(*(each for each in factors if each is not own[0])))
+    above, below = tidy(rest[0] / rest[1]).as_numer_denom()
+    return swept(Binary("/", *(tree_of(a * b) for a, b in zip((above, below), roots, strict=True))))
 
 
 def _is_of_both(tree: Expression) -> bool:

@@ -87,7 +87,8 @@ def write_turn(
     by_names = chain(
         Letter(letter), (turn.made_of(*names), None), (right, "put"), (final, "rearrange")
     )
-    pool = dict.fromkeys((meaning, *refs, *turn.first.refs, *turn.second.refs, *_axis(turn)))
+    sides = (*turn.first.refs, *turn.second.refs)
+    pool = dict.fromkeys((meaning, *refs, *sides, *_axis(turn), *turn.frame.refs))
     premises = None
     if names != trees and not any(map(_is_arc, names)):
         premises = scene.judge.needed(turn.move, pool, by_names, (meaning,))
@@ -232,7 +233,10 @@ def _in_numbers(
 def inverse_of_data(scene: Scene, name: str) -> int:
     """The line of an angle of which a ratio is given, by the inverse of that."""
     own, value, ref = given_ratio(scene, name)
-    right = Apply(f"arc{own.function}", value)
+    right: Expression = Apply(f"arc{own.function}", value)
+    size = tidy(scene.scalar(right))
+    if (size / sp.pi).is_Rational:
+        right = tree_of(size, angle=True)  # 45°, and not arctan 1
     return scene.desk.write(
         Move("inverse"), (ref, range_of(scene, name)), chain(Letter(name), (right, None))
     )

@@ -53,7 +53,7 @@ from restitution.planning.angles.scalar_angles import (
 )
 from restitution.planning.angles.turn_lines import inverse_of_data, write_turn, write_turn_tangent
 from restitution.planning.angles.turned_directions import turn_of_directions
-from restitution.planning.angles.wall_turns import tangent_at_a_wall
+from restitution.planning.angles.wall_turns import angle_of_approach, tangent_at_a_wall
 from restitution.planning.closing.cotangents import write_open_angle
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.impacts import in_direction
@@ -471,10 +471,12 @@ def _deflection(
     if event not in scene.model.frames:
         from_axis = None if wanted == "cos" else from_an_axis(scene, body, event, asked)
         return from_axis or _turned_by_a_blow(scene, body, event, asked)
+    frame = scene.frame(event)
+    if frame.wall and not wanted and isinstance(angle_of_approach(scene, body, frame), Degrees):
+        return _by_sum(scene, asked)
     square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
     if square is not None:
         return square
-    frame = scene.frame(event)
     early, late = (
         tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
         for stage in (event - 1, event)

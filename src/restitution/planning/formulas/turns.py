@@ -130,14 +130,17 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
     move = Move("define", "difference", event, (one,) if one == other else (one, other))
     by_a_unit = one == other and angles.isdisjoint((NONE, RIGHT))
     # An angle that is given, or found, to **i** or **j** is not found again to the line of centres.
-    units_first = by_a_unit and any(
+    units_first = one != other or any(
         _is_given_to_a_unit(scene, side.velocity) or _is_found_to_a_unit(scene, side.velocity)
         for side in (p, q)
     )
+    units_first &= by_a_unit or one != other
     for in_units in (True, False) if units_first else (False, True):
         turn: Turn | None = None
         if in_units and by_a_unit:
             turn = _from_a_unit(scene, asked, frame, move, (p, q))
+        elif in_units and one != other:
+            turn = _of_two_from_a_unit(scene, asked, frame, move, (p, q))
         elif not in_units:
             form, swapped = _form_of(scene, p, q, one == other)
             sides = (q, p) if swapped else (p, q)
@@ -211,6 +214,29 @@ def _from_a_unit(
     open_ = scene.unknown(sides[1].along.value)
     pushed = _met(scene, frame, body.name) if open_ else ()
     return Turn(asked, frame, move, late, early, "difference", pushed)
+
+
+def _of_two_from_a_unit(
+    scene: Scene, asked: Quantity, frame: Frame, move: Move, sides: tuple[Direction, Direction]
+) -> Turn | None:
+    """The angle between the velocities of two bodies, by their angles to **i** that stand.
+
+    None where they do not, or the bodies do not go to one side of a line of centres along **i**.
+    """
+    fact = scene.facts.get(f"axis {frame.number}")
+    unit = fact.relation.only[0].right if fact is not None else None
+    if not isinstance(unit, Unit) or frame.write is not None:
+        return None
+    if not all(_is_found_to_a_unit(scene, side.velocity) for side in sides):
+        return None
+    (a, b), (c, d) = ([side.along.value, side.across.value] for side in sides)
+    across, turn = (scene.model.sign(tidy(sp.expand(each))) for each in (b * d, a * d - b * c))
+    if across != 1 or not turn or scene.unknown(a) or scene.unknown(c):
+        return None
+    seen = [replace(s, named=Quantity("angle", (s.velocity, unit)), sources=()) for s in sides]
+    further = turn * scene.model.sign(b)
+    first, second = seen[::-1] if further == 1 else seen
+    return Turn(asked, frame, move, first, second, "difference")
 
 
 def _met(scene: Scene, frame: Frame, body: str) -> tuple[Ref, ...]:

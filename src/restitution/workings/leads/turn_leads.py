@@ -276,8 +276,11 @@ class TurnLeads(LinesAround):
         With the impulse that turns it, where its velocity after the impact is still to come: then
         the line rests on the velocity of what it meets, and says the later angle by the earlier.
         """
-        (body,) = line.move.bodies
+        body, *others = line.move.bodies
         event = self._naming.events[line.move.event or 0]
+        if others:
+            axis_ = self._naming.layout(axis)
+            return say("between.from", bodies=line.move.bodies, axis=axis_)
         names = {"body": body, "axis": self._naming.layout(axis)}
         met = {" ".join(("velocity", each)) for each in event.bodies if each != body}
         assert isinstance(line.relation, Relation)
