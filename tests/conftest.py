@@ -90,8 +90,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """
     few = frozenset(FILES[::40])
     groups = {item: _group(item) for item in items}
-    # Pages wait for their server and their browser: they begin first, while others calculate.
-    items.sort(key=lambda item: not groups[item].startswith("pages"))
+    items.sort(key=lambda item: _turn(item, groups[item]))
     for item in items:
         item.add_marker(pytest.mark.xdist_group(groups[item]))
         path = item.callspec.params.get("path") if hasattr(item, "callspec") else None
@@ -126,6 +125,16 @@ def _group(item: pytest.Item) -> str:
         if statement in NAMES:
             return str(statement)
     return item.nodeid if item.path.stem in SPREAD else item.path.stem
+
+
+def _turn(item: pytest.Item, group: str) -> int:
+    """When a group begins, so that all processes have work to the end: the small ones come last.
+
+    Pages wait for their server and their browser: they begin first, while others calculate.
+    """
+    if group.startswith("pages"):
+        return 0
+    return 2 if group in NAMES or group == item.nodeid else 1
 
 
 @pytest.fixture(scope="session")
