@@ -141,8 +141,11 @@ class Rules:
         return self._into(value)
 
     def _into(self, value: Quotient) -> Quotient:
+        present = self.world.keys(value.above, value.below)
         for number, power, result in self.substitutions:
-            value = self._once(value, number, power, result)
+            if number in present or self.world.stands_below_roots(number):
+                value = self._once(value, number, power, result)
+                present = self.world.keys(value.above, value.below)
         return self.world.reduced(value)
 
     def _once(self, value: Quotient, number: int, power: int, result: Quotient) -> Quotient:
