@@ -135,6 +135,40 @@ find k
 8 1 | roots | 7 | k = 8 or k = 4/5
 1: 8 k = 8 or k = 4/5
 """,
+    # Two velocities are asked, and each is put together along two directions.
+    "both-asked": """
+sphere A: mass 2, velocity 7i + j
+sphere B: mass 1, at rest
+A hits B: along 3i + 4j, e = 1/2
+find velocity(A), velocity(B)
+---
+1 1 | let | | let v = c(A, 1)
+2 1 | let | | let w = c(B, 1)
+3 1 | law momentum 1 A B | mass A, mass B, 1, 2 | 10 = 2v + w
+4 1 | law restitution 1 A B | e 1, 1, 2 | w - v = 5/2
+5 1 | combine w | 3, 4 | v = 5/2
+6 1 | define assemble 1 A | 5 | velocity(A, 1) = 5/2 ((3i + 4j)/5) - 5((-4i + 3j)/5)
+7 1 | rearrange | 6 | velocity(A, 1) = 11/2 i - j
+8 2 | put | 4, 5 | w = 5
+9 2 | define assemble 1 B | 8 | velocity(B, 1) = 5((3i + 4j)/5)
+10 2 | rearrange | 9 | velocity(B, 1) = 3i + 4j
+1: 7 velocity(A, 1) = 11/2 i - j
+2: 10 velocity(B, 1) = 3i + 4j
+""",
+    # Of the velocity before the second impact one component is enough.
+    "second-wall": """
+wall V: along i
+wall X: along 60°
+sphere P: mass m, velocity u at -alpha
+P hits V: e = 1/2
+P hits X: e = 0
+find speed(P)
+---
+1 1 | law unchanged 1 P | | along(velocity(P, 1), i) = u cos(alpha)
+2 1 | define component 2 P | 1 | s(P, 1) = 1/2 u cos(alpha) + 1/4 sqrt(3) u sin(alpha)
+3 1 | define speed 2 P | 2 | speed(P, 2) = 1/2 u cos(alpha) + 1/4 sqrt(3) u sin(alpha)
+1: 3 speed(P, 2) = 1/2 u cos(alpha) + 1/4 sqrt(3) u sin(alpha)
+""",
     # That two spheres do not meet again is found by comparing what they have found.
     "compared": """
 sphere A, B: mass m
@@ -564,12 +598,14 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("component-with-a-letter", "lettered", 6, "A1", "A1", "A1"),
     ("component-of-nothing", "at-rest", 2, "", "", ""),
     ("component-alone", "struck-ball", 3, "B1", "B1", "B1"),
+    ("component-of-two-terms", "second-wall", 2, "M1 A1", "DM1", "M1 A1"),
     ("component-read-off", "corner-of-120", 3, "B1", "B1", "B1"),
     ("further-component-read-off", "corner-of-120", 4, "", "", ""),
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
     ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
     ("read-off", "speed-from-impulse", 5, "A1", "A1", "A1"),
     ("another-changed", "changed-along", 11, "", "", ""),
+    ("another-that-is-asked", "both-asked", 9, "", "", ""),
     ("another-put-together", "product", 10, "A1", "A1", "A1"),
     ("put-together", "centres-slanted", 10, "DM1", "DM1", "DM1"),
     ("velocity-in-components", "deflection-decimal", 9, "A1", "A1", "A1"),

@@ -155,7 +155,8 @@ def test_a_percentage_stands_behind_decimals() -> None:
 def test_an_equality_stands_behind_the_other_reasons() -> None:
     text = text_of(
         "sphere A: mass m, velocity u i\nsphere B, C: mass m, at rest\nA hits B: along i, e = e\n"
-        "B hits C: along i, e = e\nA hits B: along i, e = e\nfind velocity(A), velocity(B)\nshow A and B do not collide again"
+        "B hits C: along i, e = e\nA hits B: along i, e = e\nfind velocity(A), velocity(B)\n"
+        "show A and B do not collide again"
     )
     assert "as e ≥ 0 and (1 − e)² ≥ 0, with equality when e = 1" in text
 

@@ -25,7 +25,7 @@ def test_at_right_angles_to_who_moves_along_the_line_of_centres(a: str, b: str, 
     assert not lines(derivation, "roots")
     assert said(derivation)[-1] == f"e = {e}"
     words = " ".join(to_text(explain(solution), 200).split())
-    assert "B moves along the line of centres, so A moves perpendicular to it: v = 0 B1" in words
+    assert "along the line of centres, and A perpendicular to it: v = 0 B1" in words
 
 
 def test_both_components_count_where_both_spheres_move_across() -> None:

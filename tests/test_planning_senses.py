@@ -135,7 +135,7 @@ sphere B: mass m, at rest
 A hits B: along 60°, e = 1/2
 find deflection(A), angle(velocity(A), velocity(B))
 """,
-        ("− 30°", "B moves along the line of centres:\n    θ = β = arctan(2√3/3)"),
+        ("− 30°", "it moves along the line of centres:\n    θ = β = arctan(2√3/3)"),
         ("tan θ",),
     ),
     "a velocity from i at a slanting wall": (

@@ -118,8 +118,9 @@ def test_an_energy_does_not_stand_before_the_fact_that_closes_without_it() -> No
 def test_a_right_angle_that_is_opened_is_closed_by_the_equation_without_quotients() -> None:
     printed = worked(TWICE)
     assert "β = 90°" not in printed  # it is said once, below
-    assert "(1 + k)(1 − tan²α) = 2(1 − ek), also if ek = 1, where α = 45°" in printed
-    assert printed.count("also if") == 1
+    assert "(1 + k)(1 − tan²α) = 2(1 − ek)\n" in printed
+    assert "which holds if ek = 1 too, where α = 45°" in printed
+    assert printed.count("which holds if") == 1
 
 
 def test_equal_deflections_go_by_angles_to_one_line_and_surds_are_multiplied_across() -> None:

@@ -219,6 +219,22 @@ def test_once_a_quantity_is_the_quantity():
     assert "Find the magnitude of the impulse" in to_text(question(parse(text)), 200)
 
 
+@pytest.mark.parametrize(
+    ("bounds", "said"),
+    [
+        ("1 <= k, k <= 8", "where k is a constant and 1 ≤ k ≤ 8."),
+        ("k < 8, k > 1", "where k is a constant and 1 < k < 8."),
+        ("k > 1", "where k is a constant and k > 1."),
+    ],
+)
+def test_both_bounds_of_a_letter_are_one_chain(bounds, said):
+    text = (
+        "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i, e = 1/2\n"
+        f"given {bounds}\nfind range of speed(B)"
+    )
+    assert said in to_text(question(parse(text)), 1000)
+
+
 def test_what_all_bodies_have_gained_has_words():
     text = "sphere P: mass 2, velocity 3i\nP receives 2j\nfind energy - energy(0)"
     said = to_text(question(parse(text)), 200)

@@ -249,7 +249,7 @@ def test_an_angle_that_is_known_by_another_name_is_that() -> None:
     assert "β" not in text
     assert text.count("u sin α/(") == 1
     text = working(SAME_TO_THE_LINE)
-    assert "B moves along the line of centres: tan β = " in text
+    assert "B was at rest, so it moves along the line of centres: tan β = " in text
     assert "so it turns through the difference of its angles to that line: δ = β − α" in text
     assert "θ" not in text
     assert text.count("u sin α/(") == 1
@@ -315,7 +315,7 @@ def test_a_direction_across_is_told_where_it_is_used() -> None:
 def test_a_tangent_holds_where_one_of_its_angles_is_right() -> None:
     text = working(TURNED)
     assert "β = 90°" not in text  # it is said once, below
-    assert "= (1 + e)/(2 − e), also if e = ½, where δ = 45°" in text
+    assert "= (1 + e)/(2 − e) which holds if e = ½ too, where δ = 45°" in text
 
 
 def test_walls_that_are_hit_in_the_whole_range_are_named() -> None:

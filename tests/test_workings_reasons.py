@@ -194,7 +194,8 @@ show angle(velocity(P), W) <= alpha
         RIGHT_ANGLE + "find energy_lost in terms of m, U, e",
         [
             "tan²θ = e   (as required)   (1)",
-            "From (1):\n    cos²θ = 1/(1 + e)",
+            "From (1):\n",
+            "cos²θ = 1/(1 + e)",
             "As θ is acute, this holds for e > 0 only.",
         ],
     ),
@@ -217,7 +218,7 @@ show angle(velocity(P), W) <= alpha
         REST.format(angle="30°", m="k m", e="") + "given speed(A) = speed(B)\nfind range of k",
         [
             "3(1 + e)² = 3(1 − ek)² + (1 + k)²",
-            "= 4 + (2 − 6e)k + (1 + 3e²)k²",
+            "= (1 + 3e²)k² + (2 − 6e)k + 4",
             "(1 + 3e²)k² + (2 − 6e)k + 1 − 6e − 3e² = 0",
             "(k + 1)((1 + 3e²)k + 1 − 6e − 3e²) = 0",
             "k = (3e² + 6e − 1)/(1 + 3e²)",
@@ -248,7 +249,10 @@ show angle(velocity(P), W) <= alpha
     "at right angles to who moves along the line there is no component": (
         REST.format(angle="45°", m="2m", e="")
         + "given velocity(A) perpendicular to velocity(B)\nfind e",
-        ["B moves along the line of centres,\nso A moves perpendicular to it:\n    v = 0"],
+        [
+            "B was at rest, so it moves along",
+            "the line of centres, and A perpendicular to it:\n    v = 0",
+        ],
     ),
     # v = −(1 + 9e)u/4 and w = (3e − 1)u/4.
     "what always holds has its reason": (
@@ -307,6 +311,108 @@ show angle(velocity(P), W) <= alpha
             "find range of angle(velocity(A), velocity(B))"
         ),
         ["as the cotangent decreases between 0° and 180° and 0° < β < 180°"],
+    ),
+    "components of a direction in letters stand before the laws of a slanting wall": (
+        (
+            "wall W: along i - j\nsphere P: velocity v at theta\nP hits W: e = 1/4\n"
+            "given velocity(P) = 3i, 180° < theta < 270°\nfind v, theta"
+        ),
+        ["Components before the impact:", "= (−v cos θ − v sin θ)/√2", "Parallel to W"],
+    ),
+    # 4 + M = 1 + 2M and 3 + M = 6.
+    "momentum as vectors is compared by its components": (
+        (
+            "sphere A: mass 1, velocity 4i + 3j\nsphere B: mass M, velocity i + j\nA hits B\n"
+            "given velocity(A) = i + 6j, velocity(B) = 2i\nfind M"
+        ),
+        ["Comparing components, 4 + M = 1 + 2M and 3 + M = 6:", "M = 3"],
+    ),
+    "who starts from the origin was there at an impact": (
+        (
+            "wall W: along j, through (6, 0)\nsphere A: mass 2, at (-3, -1), velocity 3i + j\n"
+            "sphere B: mass 1, at (0, 0), at rest\nA hits B: along i, e = 1/2\nB hits W: e = 1/2\n"
+            "find distance(A, B)"
+        ),
+        ["for A, which is at the origin at the first impact:"],
+    ),
+    "a component of what has been found is written before its value": (
+        (
+            "sphere A: mass 2m, velocity u at 45°\nsphere B: mass m, velocity v at 135°\n"
+            "A hits B: along i, e = 1/2\ngiven direction(B) = 45°\nfind u/v, speed(A)/v"
+        ),
+        ["of A in the direction of 𝐣 stays u sin 45° = √2 v/2."],
+    ),
+    # 2(b + 1)b with b = (6a − 13)/3, beside (a − 3)a.
+    "a product of sums with fractions is multiplied out by itself": (
+        (
+            "sphere A: mass 2, velocity a i + b j\nsphere B: mass 3, velocity -i + 2j\nA hits B\n"
+            "given impulse(A) = -6i + 3j, e = 1/2\n"
+            "given velocity(A) perpendicular to velocity(A, 0)\nfind a"
+        ),
+        ["a² − 3a + (72a² − 258a + 221)/18 = 0", "90a² − 312a + 221 = 0"],
+    ),
+    "an item is finished before the next one is begun": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\n"
+            "sphere Q: mass m, at rest\nP hits W: e = 1/3\nP hits Q: along j, e = 1\n"
+            "find energy(Q)/energy(P, 0)\nfind energy(P) in terms of m, u, alpha\n"
+            "given tan(alpha) = 3"
+        ),
+        ["/(kinetic energy of P at the start) = 1/10", "Substituting for w in (2):"],
+    ),
+    "ratios of an angle stand under the impact for which they are needed": (
+        (
+            "wall W: along i\nsphere P: mass 2, velocity 8i - 6j\n"
+            "sphere Q: velocity v_Q at alpha to W\ngiven tan(alpha) = 3/4\nP hits W: e = 1/2\n"
+            "find impulse\nQ hits W: e = 1/2\nfind speed(Q)"
+        ),
+        ["Second impact: Q hits W", "sin α = ⅗", "Parallel to W"],
+    ),
+    "an inequality that is divided has its reasons": (
+        (
+            "sphere A: mass m, velocity u at alpha\n"
+            "sphere B: mass k m, velocity 2u at 180° - alpha\nA hits B: along i\n"
+            "let beta = angle(velocity(A), i)\ngiven beta < 90°\nfind range of k in terms of e"
+        ),
+        ["Since β < 90°, 𝐯_A has a positive 𝐢-component:", "> 0, as α is acute and 1 + k > 0"],
+    ),
+    "an obtuse angle has a negative tangent": (
+        (
+            "wall W: along 5i + 12j\nsphere P: mass 2, velocity 13 i\nP hits W: e = 5/12\n"
+            "find velocity(P), deflection(P)"
+        ),
+        ["δ = 180° − arctan(17/7) ≈ 112°, as tan δ < 0"],
+    ),
+    "velocities of a scalar product are written out": (
+        (
+            "sphere A: mass 2m, velocity u i + 2u j\nsphere B: mass 3m, velocity -2u i - u j\n"
+            "A hits B: along i, e = 2/3\nlet theta = angle(velocity(A), velocity(B))\n"
+            "find cos(theta)"
+        ),
+        ["Angle between 𝐯_A = −2u𝐢 + 2u𝐣 and 𝐯_B = −u𝐣, by the scalar product:"],
+    ),
+    "what does not change at a wall is said of a share of the energy": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "given energy_lost = q energy(0)\nfind e in terms of alpha, q"
+        ),
+        ["Half the mass cancels, and the component parallel to W does not"],
+    ),
+    "who moves along the line of centres was at rest": (
+        (
+            "sphere A: mass m, velocity u at 45°\nsphere B: mass 3m, at rest\n"
+            "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B)\nfind e"
+        ),
+        ["B was at rest, so it moves along", "the line of centres, and A perpendicular to it:"],
+    ),
+    "who takes no part in an impact keeps its velocity": (
+        (
+            "sphere A: mass m, at (0, 0), velocity u i\nsphere B: mass m, at (d, 0), at rest\n"
+            "sphere C: mass 3m, at (2d, 0), at rest\nA hits B: along i, e = 1/2\n"
+            "B hits C: along i, e = 1/2\nA hits B: along i, e = 1/2\n"
+            "find velocity(A), velocity(C)"
+        ),
+        ["C takes no part in the third impact, so its velocity is still:"],
     ),
     "a ball that comes back shows that e is not zero": (
         (
@@ -476,7 +582,7 @@ show angle(velocity(P), W) <= alpha
     "a unit vector has another letter than the time": (
         (
             "wall W: along 4i + 3j, through (0, 0)\nsphere P: mass 1, at (0, 2), velocity i - j\n"
-            "P hits W: e = 1/2\nfind time(1), velocity(P)"
+            "P hits W: e = 1/2\nfind time(1), speed(P)"
         ),
         ["𝐧 = (3𝐢 − 4𝐣)/5", "𝐬 = (4𝐢 + 3𝐣)/5", "𝐮_P · 𝐬 = (4 − 3)/5 = ⅕ m s⁻¹"],
     ),

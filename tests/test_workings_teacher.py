@@ -567,7 +567,7 @@ P hits AB: e = e
 P hits BC: e = e
 find tan(angle(velocity(P, 2), BC))
 """,
-        ["|1 − e tan α tan φ|", "as α is acute and φ is acute"],
+        ["|1 − e tan α tan φ|", "as α and φ are acute"],
     ),
     "a sphere that goes on is told by the value of its component": (
         """

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
 from itertools import pairwise
-from typing import Any
+from typing import Any, Literal
 
 from restitution.expression.dimensions import SPEED
 from restitution.expression.evaluate import letters_of_vector
@@ -21,6 +21,9 @@ from restitution.wording.words import listed, words
 
 # Letters that stand for numbers wherever people write them.
 _NUMBERS = frozenset(("k", "lambda", "mu", "nu"))
+
+
+_TURNED: Mapping[str, Literal["<", "<="]] = {">": "<", ">=": "<="}
 
 
 @dataclass(frozen=True)
@@ -49,7 +52,7 @@ def facts_of(scene: Scene) -> list[Fact]:
         *(Fact(frozenset((name,)), nature=nature) for name, nature in natures),
         *(
             Fact(letters_of(relation), words(mathematics(relation)))
-            for relation in _relations(problem)
+            for relation in _chained(_relations(problem))
             if _positive_letter(relation) not in positive
         ),
     ]
@@ -67,6 +70,42 @@ def _relations(problem: Problem) -> Iterator[Compare]:
                     and not letters_of(relation) & lets
                 ):
                     yield relation
+
+
+def _chained(relations: Iterable[Compare]) -> Iterator[Compare]:
+    """The relations, of which a lower and an upper bound of one letter are one chain."""
+    rest = list(relations)
+    while rest:
+        relation = rest.pop(0)
+        for each in rest:
+            low, high = _upwards(relation), _upwards(each)
+            low, high = (low, high) if _ends_alike(low, high) else (high, low)
+            if _ends_alike(low, high):
+                rest.remove(each)
+                operands = (*low.operands, *high.operands[1:])
+                relation = replace(
+                    low, operands=operands, operators=(*low.operators, *high.operators)
+                )
+                break
+        yield relation
+
+
+def _upwards(relation: Compare) -> Compare:
+    """A bound in which the lower side stands first; any other relation as it is."""
+    match relation:
+        case Compare((left, right), (">" | ">=" as sign,)):
+            return replace(relation, operands=(right, left), operators=(_TURNED[sign],))
+    return relation
+
+
+def _ends_alike(low: Compare, high: Compare) -> bool:
+    """Whether numbers bound one letter from below, and from above: ``1 ≤ k``, ``k ≤ 8``."""
+    match low, high:
+        case Compare((first, Letter() as letter), ("<" | "<=",)), Compare(
+            (same, last), ("<" | "<=",)
+        ):
+            return same == letter and not letters(first) and not letters(last)
+    return False
 
 
 def letters_of(relation: Relation) -> frozenset[str]:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import takewhile
 from typing import TYPE_CHECKING, Any
 
 from restitution.explaining.data.offset_angles import letter_of_offset
@@ -201,7 +202,7 @@ class _Writer:
                 continue
             if not waiting and self._is_silent(shown, index):
                 continue
-            yield from self._entered(line)
+            yield from self._entered(_first_under_its_heading(shown, index))
             ratios = tuple(self.angles.before(line))
             if ratios:
                 self.afresh()
@@ -548,6 +549,16 @@ def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
                 last = labels[start] = row.label
         rows = (replace(row, label=own) for row, own in zip(step.rows, labels, strict=True))
         yield replace(step, rows=tuple(rows), label=label)
+
+
+def _first_under_its_heading(lines: Sequence[Line], index: int) -> Line:
+    """The line whose impact a line stands under: its own, or the next, for ratios put into that."""
+    line = lines[index]
+    ratios = list(takewhile(lambda each: each.move.id == "triangle", lines[index:]))
+    after = lines[index + len(ratios)] if index + len(ratios) < len(lines) else line
+    own = {each.number for each in ratios}
+    of_an_impact = after.move.id in ("law", "define") and after.move.event is not None
+    return after if of_an_impact and own.intersection(after.premises) else line
 
 
 def _without_its_condition(step: Step, condition: Sentence | None) -> Step:

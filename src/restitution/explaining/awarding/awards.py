@@ -34,13 +34,11 @@ from restitution.explaining.awarding.mark_conditions import (
     events_solved,
     is_given,
     is_opposite,
-    length,
     letters_of_line,
     says_again,
-    single_sides,
-    subject_of,
 )
 from restitution.explaining.awarding.mark_rules import PAIR, RULES_OF, Rule, marks_of_note
+from restitution.explaining.awarding.work import length, single_sides, subject_of
 from restitution.explaining.data.unused import lines_under
 from restitution.explaining.lines.derivation import (
     Derivation,

@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from typing import Protocol
 
-from restitution.explaining.awarding.mark_rules import ENERGIES, PAIR, Rule
+from restitution.explaining.awarding.mark_rules import ENERGIES, PAIR
+from restitution.explaining.awarding.work import Work, length, single_sides, subject_of
 from restitution.explaining.data.resting import is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
     FLIPPED,
-    Derivation,
     Fact,
-    ItemEnd,
     Line,
     Link,
     Meaning,
     Relation,
-    whole_of,
 )
-from restitution.explaining.lines.marks import Style
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -38,56 +34,6 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.expression.writing import write_expression
-
-
-class Work(Protocol):
-    """A derivation on its way to its marks."""
-
-    derivation: Derivation
-    style: Style
-    justify: frozenset[str]
-    ends: dict[int, ItemEnd | None]
-    shown: set[int]
-    walls: dict[int, bool]
-    new: frozenset[str]
-
-    def rule(self, line: Line) -> Rule | None:
-        """The first rule that fits a line."""
-
-    def part(self, line: Line) -> str | None:
-        """The part to which a line belongs."""
-
-    def above(self, line: Line) -> Sequence[Line]:
-        """The lines above one."""
-
-    def cited(self, line: Line) -> Iterator[Line]:
-        """The lines that one cites."""
-
-    def facts(self, line: Line) -> Iterator[Fact]:
-        """The facts that a line cites."""
-
-
-def length(line: Line) -> int:
-    """How many lines of a page a line takes: one for each link of its chains."""
-    if line.shown == "silent":
-        return 0
-    return 1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options))
-
-
-def single_sides(relation: Relation) -> tuple[Expression, Expression] | None:
-    """The sides of an equation, a chain by its ends; None for any other relation."""
-    if len(relation.options) != 1:
-        return None
-    link = whole_of(relation.options[0])
-    return None if link is None or link.sign not in ("=", "≈") else (link.left, link.right)
-
-
-def subject_of(line: Line) -> Expression | None:
-    """The letter or quantity that a line is about: its left side."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
-    if sides is None or not isinstance(sides[0], Letter | Quantity):
-        return None
-    return sides[0]
 
 
 def aligned(line: Line) -> tuple[Expression, str] | None:
@@ -240,6 +186,17 @@ def _read_off(work: Work, line: Line) -> bool:
     )
 
 
+def _resolved_again(work: Work, line: Line) -> bool:
+    """A component is two terms of a velocity that was found, at an impact that asks no other."""
+    match line.relation:
+        case Relation(((Link(_, _, Binary("+" | "-")), *_),)) if not _of_facts(work, line):
+            found = {ref for ref in line.premises if isinstance(ref, int)}
+            own = (each for each in work.derivation.lines if each.move.record == "component")
+            others = [e for e in own if e.move.event == line.move.event and e != line]
+            return bool(found) and not others
+    return False
+
+
 def _origins(work: Work, line: Line) -> frozenset[int | None]:
     """The events of the principles along the centres that a line says in other words."""
     if line.move.id == "law":
@@ -315,9 +272,11 @@ def _sought(work: Work, line: Line) -> bool:
         if isinstance(tree, Letter)
     }
     equation = own is not None and not isinstance(own, Quantity | Letter)
+    resolved = [each for each in work.cited(line) if each.move.record == "component"]
     return any(
         node in asked
-        for fact in work.facts(line)
+        for each in (line, *(resolved if equation else ()))
+        for fact in work.facts(each)
         if fact.id.startswith("e ") or (equation and fact.kind == "data")
         for tree in trees_of(fact.relation)
         for node in walk(tree)
@@ -547,14 +506,16 @@ def _fact_of_motion(work: Work, line: Line) -> bool:
     used = {
         fact.id
         for each in work.above(line)
-        if each.move.id in ("put", "fact") and each.shown != "silent"
+        if each.move.id in ("put", "fact", "law") and each.shown != "silent"
         for fact in _facts_used(work, each)
     }
+    lets = (each for each in work.derivation.facts if each.id.startswith("let "))
+    named = {e.id[4:] for e in lets if has_quantity(e.relation.only[0].left)}
     return any(
         fact.kind == "given"
         and fact.id not in used
         and single_sides(fact.relation) is not None
-        and any(map(has_quantity, trees_of(fact.relation)))
+        and any(has_quantity(tree) or letters(tree) & named for tree in trees_of(fact.relation))
         for fact in _facts_used(work, line)
     )
 
@@ -654,6 +615,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
     "first-at-event": _first_at_event,
     "read-off": _read_off,
+    "resolved-again": _resolved_again,
     "alone": lambda work, line: len(_alike(work, line)) == 1,
     "first-of-several": lambda work, line: _alike(work, line)[:1] == [line],
     "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
@@ -679,6 +641,9 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "an-angle-to-a-line": _an_angle_to_a_line,
     "of-one-term": _of_one_term,
     "another-assembled": _another_assembled,
+    "asked": lambda work, line: (
+        subject_of(line) in [end.answer.options[0][0].left for end in work.derivation.items]
+    ),
     "an-equation": lambda work, line: (
         line.number not in work.ends
         and (_has_power_on_the_left(line) or _closes_a_given(work, line))

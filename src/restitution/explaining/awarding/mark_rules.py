@@ -119,6 +119,7 @@ RULES: tuple[Rule, ...] = (
     # Vectors and their components.
     _rule("component-with-a-letter", ("define",), "", ("component",), ("by-its-letter",)),
     _rule("component-of-nothing", ("define",), "", ("component",), ("zero",)),
+    _rule("component-of-two-terms", ("define",), "M A", ("component",), ("resolved-again",)),
     _rule("component-alone", ("define",), "B", ("component",), ("alone",)),
     _rule("component-read-off", ("define",), "B", ("component",), ("read-off", "first-of-several")),
     _rule("further-component-read-off", ("define",), "", ("component",), ("read-off",)),
@@ -126,6 +127,13 @@ RULES: tuple[Rule, ...] = (
     _rule("second-scalar-product", ("define",), "A", ("component",), ("second-of-several",)),
     _rule("given-speed", ("define",), "M", ("speed", "size"), ("of-one-term", "an-equation")),
     _rule("read-off", ("define",), "", ("assemble", "speed", "size"), ("of-one-term",)),
+    _rule(
+        "another-that-is-asked",  # its end has the A
+        ("define",),
+        "",
+        ("assemble",),
+        ("on-the-way", "another-assembled", "asked"),
+    ),
     _rule(
         "another-put-together", ("define",), "A", ("assemble",), ("on-the-way", "another-assembled")
     ),

@@ -535,6 +535,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}. {body} was at rest, so it moves along the line of centres:"
     ),
     "given.fact": "It is given that {fact}:",
+    "given.fact-across-wall": (
+        "It is given that {fact}. Half the mass cancels, and the component parallel to {wall} does "
+        "not change:"
+    ),
     "given.fact-without-mass": "It is given that {fact}. Half the mass cancels:",
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",
@@ -555,6 +559,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.not-ahead": (
         "It is given that {fact}, so {velocity} has no positive component along {axis}:"
     ),
+    "given.so-signed": "Since {fact}, {sign}:",
     "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
     "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
     "given.no-negative-product": "It is given that {fact}, so the scalar product is not negative:",
@@ -583,6 +588,14 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}. As {body} moves along the line of centres, the scalar product is "
         "that of the components along it, and is zero:"
     ),
+    "given.product-from-rest": (
+        "It is given that {fact}. {body} was at rest, so it moves along the line of centres; the "
+        "scalar product is that of the components along it, and is zero:"
+    ),
+    "given.square-to-from-rest": (
+        "It is given that {fact}. {one} was at rest, so it moves along the line of centres, and "
+        "{other} perpendicular to it:"
+    ),
     "given.square-to": (
         "It is given that {fact}. {one} moves along the line of centres, so {other} moves "
         "perpendicular to it:"
@@ -598,6 +611,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.most": "A coefficient of restitution is at most 1:",
     "given.between": "{body} hits {wall} between its ends:",
     "given.compare": "Comparing components:",
+    "given.compare-both": "Comparing components, {first} and {second}:",
     "centres.between": "From the centre of {one} to the centre of {other}:",
     # --- equations solved -------------------------------------------------------------------------
     "carried.part": "From part ({label}):",
@@ -1021,7 +1035,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.not-yet": "and {body} has not reached {wall} by then, as {bound}",
     "derived.right-angle": "and {angle} if {at}",
     "derived.tangent-for": "for {condition}",
-    "derived.upright-too": "also if {at}, where {angle}",
+    "derived.upright-too": "which holds if {at} too, where {angle}",
     "derived.cotangent": "the cotangent decreases between 0° and 180°",
     "derived.as": "as {reasons:and}",
     "derived.as-because": "as {reasons:and}, because {causes:and}",
@@ -1039,6 +1053,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.for": "when {places:or}",
     "derived.from-then": "for {time}",
     "derived.acute": "{angle} is acute",
+    "derived.both-acute": "{angles:and} are acute",
     "derived.so-acute": "so {angle} is acute",
     "derived.acute-by-tangent": "{bound} and so {angle} is acute",
     "derived.positive": "{letter} is positive",
@@ -1120,6 +1135,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "flight.origin": "Position = velocity × time, from the origin",
     "flight.origin-of": "Position = velocity × time, for {body} from the origin",
+    "flight.origin-since": (
+        "Position = velocity × time, for {body}, which is at the origin {event}"
+    ),
+    "flight.from-zero": (
+        "Position = velocity × time, for {body}, whose {axis}-coordinate is 0 {event}"
+    ),
     "flight.place": "New position = old position + velocity × time",
     "flight.place-of": "New position = old position + velocity × time, for {body}",
     "flight.same-time": "The path is in the direction of the velocity",
@@ -1189,6 +1210,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "The scalar product of two vectors is the sum of two products: of their components in one "
         "direction, and of those at right angles to it. It is a number, and no vector."
     ),
+    "derived-between.title-of": "Angle between {one} and {other}, by the scalar product:",
     "derived-between.title": "Angle between two directions, by the scalar product",
     "derived-between.why": (
         "The scalar product of two vectors is the product of their sizes and of the cosine of the "
@@ -1199,6 +1221,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A position on the table is fixed by its two coordinates. Each is found by itself, as the "
         "motion in one direction does not depend on that in the other."
     ),
+    "derived-assembled.still": "{body} takes no part in {event}, so its velocity is still",
     "derived-assembled.title": "The velocity, from its components",
     "derived-assembled.why": (
         "A velocity is the sum of its components, each times the unit vector in its direction. "

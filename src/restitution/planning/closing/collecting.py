@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.expression.writing import write_expression
+from restitution.planning.closing.products_out import with_products_out
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import chain
@@ -58,6 +59,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
         return line
     line = _with_plain_squares(scene, line)
+    line = with_products_out(scene, line, *symbols)
     line = _squares_cleared(scene, _across(scene, line, symbols), symbols)
     link = scene.desk.last_link(line)
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
@@ -429,18 +431,35 @@ def _sides(
         # a x² + b x + c = 0
         minus = scene.model.sign(left[0][1]) < 0
         return _descending([(m, -c if minus else c) for m, c in left], generators), number(0)
-    return _tree(left, generators), _tree(right, generators)
+    falling = len(generators) == 1 and max(m[0] for m, _ in (*left, *right)) > 1
+    highest = [max(each)[1] for each in (left, right) if each]
+    falling = falling and all(scene.model.sign(each) > 0 for each in highest)
+    falling = falling and not _is_a_coefficient(scene, generators[0])
+    return _tree(left, generators, falling), _tree(right, generators, falling)
+
+
+def _is_a_coefficient(scene: Scene, generator: sp.Expr) -> bool:
+    """Whether a letter is a coefficient of restitution, of which powers rise everywhere."""
+    role = scene.model.unknowns.roles.get(getattr(generator, "name", ""))
+    return role is not None and role.kind == "restitution"
 
 
 Term = tuple[tuple[int, ...], sp.Expr]
 """Powers of the generators, with their coefficient."""
 
 
-def _tree(terms: Sequence[Term], generators: tuple[sp.Expr, ...]) -> Expression:
-    """A polynomial: from its highest power in letters of angles, from its lowest in others."""
+def _tree(
+    terms: Sequence[Term], generators: tuple[sp.Expr, ...], falling: bool = False
+) -> Expression:
+    """A polynomial: from its highest power in letters of angles, from its lowest in others.
+
+    One letter of an equation with its square is from its highest power (``falling``).
+    """
     if len(generators) == 1:
         terms = sorted(terms, key=lambda each: each[0])
     own = [_term(term, generators) for term in terms]
+    if falling:
+        return _total(reversed(own))
     first = next((n for n, each in enumerate(own) if not isinstance(each, Negate)), 0)
     if own:
         own.insert(0, own.pop(first))

@@ -99,6 +99,8 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         in_a_line |= frame.wall is None and not any(
             _parallel(scene, initial.value, each) for each in (frame.n, frame.t)
         )
+        # Of a direction in letters a sum of its ratios has to be seen: −v(cos θ + sin θ)/√2.
+        in_a_line |= any(each.has(sp.cos, sp.sin) for each in value.atoms(sp.Add))
         if frame.is_slanted and in_a_line:
             initial = initial_as_a_line(scene, body) if form is None else initial
             return by_scalar_product(scene, tree, initial, frame, direction, form)
@@ -379,7 +381,8 @@ def _by_ratio(
     form = by_degrees(scene, kind, body, frame, value)
     if form is not None:
         # The angle is a number, and the speed has been found.
-        return form if letters(form) and not source.value.free_symbols else None
+        own = {symbol.name for symbol in source.value.free_symbols}
+        return form if letters(form) - own else None
     ratios = value.atoms(sp.sin, sp.cos)
     if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):
         return None

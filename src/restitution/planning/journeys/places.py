@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.closing.shapes import nonzero
+from restitution.planning.formulas.impacts import settled
 from restitution.planning.formulas.resolving import unit_of
 from restitution.planning.formulas.whereabouts import (
     axis_for,
@@ -93,6 +94,7 @@ def coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source 
             raise NotPlannedError(f"the place of {body} at the start is not given")
         place = scene.value(fact.relation.only[0].right)
         return source_of(scene, part_of(place, axis), (fact.id,))
+    settled(scene, coordinate_tree(body, stage, axis))
     known = standing(scene, coordinate_tree(body, stage, axis))
     if known is not None:
         return known

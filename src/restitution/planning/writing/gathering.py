@@ -40,7 +40,25 @@ _OF_AN_IMPACT = _LAWS | {"component", "impulse-vector", "straight-line", "chord"
 
 def gathered(derivation: Derivation) -> Derivation:
     """The same working in the order of the story, with what belongs together in one place."""
-    return _with_standing(_Gathering(_in_pairs(_where_needed(derivation))).whole())
+    return _with_standing(_Gathering(_in_pairs(_where_needed(_by_items(derivation)))).whole())
+
+
+def _by_items(derivation: Derivation) -> Derivation:
+    """The same working, in which an item is finished before the next one is begun.
+
+    What is given below both may have been put into each at the end. The working is as it was where
+    the end of one item rests on lines of a later one.
+    """
+    items = {each: n for n, each in enumerate(derivation.asked)}
+    order = sorted(derivation.lines, key=lambda each: items.get(each.item or "", len(items)))
+    if derivation.cases or order == list(derivation.lines):
+        return derivation
+    written: set[int] = set()
+    for line in order:
+        if any(isinstance(ref, int) and ref not in written for ref in line.premises):
+            return derivation
+        written.add(line.number)
+    return numbered_anew(derivation, order)
 
 
 def _with_standing(derivation: Derivation) -> Derivation:

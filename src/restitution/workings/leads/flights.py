@@ -2,8 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from restitution.explaining.data.resting import is_of_a_body_at_rest
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Event,
+    Line,
+    Link,
+    Ref,
+    Relation,
+)
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
@@ -13,6 +22,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    Unit,
     is_zero,
     walk,
 )
@@ -38,14 +48,64 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
         if _from_the_origin(derivation, line):
             if derivation.fact("origin") is not None:
                 return say("flight.origin-taken", body=body)
+            if event := _left_at(derivation, line, left):
+                return say("flight.origin-since", body=body, event=naming.moment(event.number))
             return say("flight.origin") if one else say("flight.origin-of", body=body)
     if _is_place(left) and not _by_the_way(derivation, line):
+        assert isinstance(left, Quantity)
+        axis, event = _axis_from_zero(derivation, line, left), _left_at(derivation, line, left)
+        if axis and event is not None:
+            moment = naming.moment(event.number)
+            return say("flight.from-zero", body=body, axis=axis, event=moment)
         return say("flight.place") if one else say("flight.place-of", body=body)
     if is_displacement(left):
         return say("flight.displacement") if one else say("flight.displacement-of", body=body)
     if _tells_a_time(derivation, line):
         return say("flight.title") if one else say("flight.title-of", body=body)
     return say("flight.same-time")
+
+
+def _left_at(derivation: Derivation, line: Line, place: Quantity) -> Event | None:
+    """The event at which the time begins that a place is counted by; None of the start.
+
+    It is told by the one difference of two times on which the line rests, or that stands in it.
+    """
+    if place.kind != "position":
+        (place, *_) = (each for each in place.arguments if isinstance(each, Quantity))
+    events = {each.number: each for each in derivation.events}
+    own = None
+    if not isinstance(place.stage, int):
+        own = events.get(line.move.event or 0)
+    else:
+        times = set(_times_of(derivation, line))
+        if len(times) == 1:
+            ((late, early),) = times
+            own = events.get(early) if late == place.stage else None
+    return None if own is None or own.kind != "impact" else own
+
+
+def _times_of(derivation: Derivation, line: Line) -> Iterator[tuple[int, int]]:
+    """Between which events the times are on which a line rests, or that it has."""
+    cited = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+    relations = [each.relation for each in cited if each is not None]
+    trees = [each.only[0].left for each in relations if isinstance(each, Relation)]
+    if isinstance(line.relation, Relation):
+        trees += [node for tree in trees_of(line.relation) for node in walk(tree)]
+    for tree in trees:
+        match tree:
+            case Binary("-", Quantity("time", (), int(late)), Quantity("time", (), int(early))):
+                yield late, early
+            case Quantity("time", (), int(late)):
+                yield late, 0
+
+
+def _axis_from_zero(derivation: Derivation, line: Line, left: Expression) -> str | None:
+    """The axis along which a body comes from 0, where a coordinate is a velocity times a time."""
+    match left:
+        case Quantity("along", (Quantity("position"), Unit("i" | "j" as axis))):
+            if _from_the_origin(derivation, line):
+                return "x" if axis == "i" else "y"
+    return None
 
 
 def _several_ways(

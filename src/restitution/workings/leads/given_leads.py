@@ -34,6 +34,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.render import layout as lay
+from restitution.shapes import Circle
 from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.lines_around import is_rest
 from restitution.workings.leads.titles import Leads
@@ -42,6 +43,12 @@ from restitution.workings.naming.facts import fact_in_words
 
 # The sign of a component along **i**, of a direction beyond 90°.
 _BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
+
+# The sign of a component, by that with which its line compares it with zero.
+_PARTS: Mapping[str, SentenceId] = {
+    ">": "derived.positive-part",
+    "<": "derived.negative-part",
+}
 
 # The sign of a scalar product, by that with which its line compares it with zero.
 _PRODUCTS: Mapping[str, SentenceId] = {
@@ -84,7 +91,9 @@ class GivenLeads(Leads):
         sentence = fact_in_words(self._naming, facts[0])
         along = self._moving_along(line)
         if along is not None and line.move.record == "tan":
-            return (say("given.fact-along", fact=sentence, body=along),)
+            rested = self.tells_of_rest(along, line.move.event or 0, line)
+            told: SentenceId = "given.fact-from-rest" if rested else "given.fact-along"
+            return (say(told, fact=sentence, body=along),)
         match facts[0].relation.options[0][0]:
             case Link(Quantity("velocity", _, _), "=", right) if isinstance(sentence, lay.Layout):
                 if not has_quantity(right):
@@ -108,7 +117,12 @@ class GivenLeads(Leads):
         named = isinstance(facts[0].relation.options[0][0].left, Letter)
         if named and line.move.record == "perpendicular" and past is not None:
             if isinstance(past[1], Unit):
-                return (say("derived.since", facts=(sentence,)),)
+                part = _PARTS.get(past[2])
+                if part is None:
+                    return (say("derived.since", facts=(sentence,)),)
+                velocity, axis = map(self._naming.layout, past[:2])
+                signed = say(part, velocity=velocity, axis=axis)
+                return (say("given.so-signed", fact=sentence, sign=signed),)
             return (say(_PRODUCTS[past[2]], fact=sentence),)
         if named and not isinstance(sentence, Sentence):
             if self.title(line) is not None:
@@ -136,7 +150,9 @@ class GivenLeads(Leads):
             if turned is not None:
                 return (say("given.and", fact=sentence), turned)
         if line.move.record == "perpendicular" and (pair := self._square_to_the_line(line)):
-            return (say("given.square-to", fact=sentence, one=pair[0], other=pair[1]),)
+            rested = self.tells_of_rest(pair[0], line.move.event or 0, line)
+            square: SentenceId = "given.square-to-from-rest" if rested else "given.square-to"
+            return (say(square, fact=sentence, one=pair[0], other=pair[1]),)
         nothing = is_zero(line.relation.options[0][-1].right)
         no_component = line.move.record == "parallel" and nothing
         if isinstance(line.relation.options[0][0].left, Letter) and not no_component:
@@ -151,6 +167,9 @@ class GivenLeads(Leads):
                 case Quantity("along" | "across"):
                     pass
                 case Binary("*") if (mover := self._on_the_line(line)) is not None:
+                    rested = self.tells_of_rest(mover, line.move.event or 0, line)
+                    if rested:
+                        return (say("given.product-from-rest", fact=sentence, body=mover),)
                     return (say("given.product-along", fact=sentence, body=mover),)
                 case _:
                     return (self._product_is_zero(line, sentence),)
@@ -181,9 +200,28 @@ class GivenLeads(Leads):
         ):
             return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
         if line.move.record in ("energy-ratio", "fraction-lost"):
+            wall = self._wall_without_what_stays(line)
+            if wall is not None:
+                return (say("given.fact-across-wall", fact=sentence, wall=wall),)
             return (say("given.fact-without-mass", fact=sentence),)
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _wall_without_what_stays(self, line: Line) -> str | None:
+        """The wall at which energies differ by one component, where no line says which stays."""
+        event = self._naming.events.get(line.move.event or 0)
+        if event is None or not event.wall:
+            return None
+        above = (each for each in self._derivation.lines if each.number < line.number)
+        stays = any(
+            (each.move.record, each.move.event) == ("unchanged", event.number) for each in above
+        )
+        match line.relation:
+            case Relation(((Link(Binary("-"), "="), *_),)) if not stays:
+                walls = {each.name: each for each in self._naming.problem.walls}
+                own = walls[event.bodies[-1]]
+                return None if isinstance(own.shape, Circle) else own.name
+        return None
 
     def _product_is_zero(self, line: Line, fact: Sentence | lay.Layout) -> Sentence:
         """That a scalar product is zero; of a wall that an angle gives, the vector along it too."""

@@ -60,6 +60,19 @@ class LinesAround:
             places.append(place)
         return place in places
 
+    def _is_out_of_it(self, body: str) -> bool:
+        """Whether a body has no part in the impact under whose heading the next line stands."""
+        now = self._naming.events.get(self._naming.now or 0)
+        latest = (n for n, each in self._naming.events.items() if body in each.bodies)
+        return now is not None and max(latest, default=now.number) < now.number
+
+    @staticmethod
+    def _is_read_off(line: Line, speed: Expression) -> bool:
+        """Whether a speed is one of the statement, and no component is put in."""
+        return isinstance(speed, Letter | Number) and not any(
+            isinstance(ref, int) for ref in line.premises
+        )
+
     def _cited(self, ref: Ref) -> Line | None:
         return self._derivation.line(ref) if isinstance(ref, int) else None
 
@@ -76,7 +89,10 @@ class LinesAround:
     def _along_the_line(self, line: Line) -> Sentence | None:
         """That a body moves along the line of centres, where an angle to it is one to that."""
         body = self._moving_along(line)
-        return None if body is None else say("between.line", body=body)
+        if body is None:
+            return None
+        rested = self.tells_of_rest(body, line.move.event or 0, line)
+        return say("derived.along-centres-from-rest" if rested else "between.line", body=body)
 
     def _on_the_line(self, line: Line) -> str | None:
         """The body of a line that moves along the line of centres: by a component, or from rest."""

@@ -4,25 +4,34 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import sympy as sp
+
+from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import (
     Line,
     Link,
     Meaning,
+    Move,
     Relation,
+    equation,
 )
 from restitution.explaining.lines.notation import read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
     Quantity,
     is_zero,
+    letters,
     walk,
 )
+from restitution.planning.writing.forms import total, tree_of
 from restitution.render import layout as lay
+from restitution.vector import Vector
 from restitution.workings.leads.lines_around import LinesAround
 from restitution.workings.leads.meetings import condition_of, passing_of
 from restitution.workings.naming.facts import fact_in_words, meeting_of
@@ -49,12 +58,37 @@ class SourceLeads(LinesAround):
             return say("given.approach", one=one, other=other)
         return None
 
+    def _component_equations(self, line: Line) -> list[lay.Layout]:
+        """The two equations that the momentum of two spheres as vectors says for one unknown."""
+        laws = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        assert isinstance(line.relation, Relation)
+        value = line.relation.only[0]
+        if not isinstance(value.left, Letter) or letters(value.right):
+            return []
+        match laws:
+            case [Line(move=Move(record="momentum-vector"), relation=Relation() as law)]:
+                pass
+            case _:
+                return []
+        try:
+            left, right = (in_letters(side) for side in (law.only[0].left, law.only[-1].right))
+        except RestitutionError:
+            return []
+        if not isinstance(left, Vector) or not isinstance(right, Vector):
+            return []
+        return [
+            self._naming.relation(equation(_numbers_first(one), _numbers_first(other)))
+            for one, other in zip(left, right, strict=True)
+        ]
+
     def _source(self, source: Source, line: Line) -> Iterator[Sentence]:
         equations = self._numbers(source)
         match source.kind:
             case "combine":
                 letter = self._naming.layout(read_tree(source.eliminated, self._naming.bodies))
                 yield say("derived.combine", letter=letter, equations=equations)
+            case "compare" if not equations and (both := self._component_equations(line)):
+                yield say("given.compare-both", first=both[0], second=both[1])
             case "compare" if not equations:
                 yield say("given.compare")
             case "times":
@@ -255,3 +289,9 @@ def _subject(relation: Relation) -> Expression | None:
     """The letter of which a line says what it is."""
     left = relation.options[0][0].left
     return left if isinstance(left, Letter) else None
+
+
+def _numbers_first(value: sp.Expr) -> Expression:
+    """A sum as its terms come from a vector equation: what has no letter, and then the rest."""
+    known, rest = sp.expand(value).as_independent(*value.free_symbols, as_Add=True)
+    return total(tree_of(each) for each in (known, rest) if each != 0)

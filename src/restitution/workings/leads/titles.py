@@ -50,6 +50,7 @@ from restitution.workings.leads.offsets import (
     offset_sentence,
 )
 from restitution.workings.leads.one_component import went_from_rest
+from restitution.workings.leads.scalar_products import product_title
 from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_normal
 from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
@@ -108,12 +109,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             for node in walk(links[-1].right)
         )
 
-    @staticmethod
-    def _is_read_off(line: Line, speed: Expression) -> bool:
-        """Whether a speed is one of the statement, and no component is put in."""
-        return isinstance(speed, Letter | Number) and not any(
-            isinstance(ref, int) for ref in line.premises
-        )
+    def _about_directions(self, line: Line) -> Sentence | None:
+        """How an angle is made, between what it is, or along which line a body moves."""
+        if line.move.record == "scalar-angle":
+            return product_title(self._derivation, self._naming, line)
+        return self._turned(line) or self._along_the_line(line)
 
     def _by_speeds(self, line: Line) -> bool:
         """Whether a line rests on speeds or kinetic energies that are given or stand above."""
@@ -159,7 +159,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return None
         if self._direction_again(line) is not None:
             return None
-        if self._turned(line) is not None or self._along_the_line(line) is not None:
+        if self._about_directions(line) is not None:
             return None
         event = self._naming.events.get(line.move.event or 0)
         bodies = line.move.bodies or (() if event is None else event.bodies)
@@ -179,6 +179,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None  # the given fact says so
             case "assemble", _ if self._is_of_the_component_above(line):
                 return None
+            case "assemble", Quantity("velocity", (Name(body),), _) if self._is_out_of_it(body):
+                now = self._naming.events[self._naming.now or 0]
+                return say("derived-assembled.still", body=body, event=self._naming.called(now))
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
             case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
@@ -424,9 +427,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if line.move.record == "speed" and self._by_a_multiple(line):
             yield say("so")
             return
-        turned = self._turned(line) or self._along_the_line(line)
-        if turned is not None:
-            yield turned
+        directed = self._about_directions(line)
+        if directed is not None:
+            yield directed
             return
         factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
         known = self._reasons.known(line) if factor is not None else ()

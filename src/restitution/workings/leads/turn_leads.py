@@ -258,7 +258,10 @@ class TurnLeads(LinesAround):
             if form == "straight" and still and mover and still != mover:
                 return say("between.right-of", one=mover, other=still)
             if not isinstance(first.right, Binary | Degrees) and (one := self._on_the_line(line)):
-                return say("between.line", body=one)
+                rested = self.tells_of_rest(one, line.move.event or 0, line)
+                return say(
+                    "derived.along-centres-from-rest" if rested else "between.line", body=one
+                )
             return say(_BETWEEN[form], bodies=line.move.bodies)
         if form in _OR_ACROSS and (at := self._reasons.right_angle_among(line)) is not None:
             return say(_OR_ACROSS[form], body=body, at=self._naming.relation(at))

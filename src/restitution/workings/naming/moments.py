@@ -120,6 +120,14 @@ class Moments:
             return self._moment(number)
         return say("event.after", event=self._event(self.events[number]))
 
+    def called(self, event: Event) -> Sentence:
+        """What an event is called: *the third impact*."""
+        return self._event(event)
+
+    def moment(self, stage: int) -> Sentence:
+        """When an event is: *at the second impact*."""
+        return self._moment(stage)
+
     def _moment(self, stage: int, of: bool = False) -> Sentence:
         event = self.events[stage]
         if event.kind == "arrival":

@@ -42,7 +42,8 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
     """What a line rests on beside what it cites, as relations to stand behind it."""
     match line.move.id:
         case "inverse":
-            yield from _quadrant(derivation, line)
+            seen = list(_quadrant(derivation, line))
+            yield from seen or _obtuse(derivation, line)
             if any(_is_of_a_cotangent(_relation(derivation, each)) for each in line.premises):
                 yield from _half_plane(derivation, line)
         case "complete":
@@ -218,7 +219,7 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
     """Which way a body moves along **i**, where its direction is not between 0° and 90°."""
     assert isinstance(line.relation, Relation)
     link = line.relation.only[0]
-    named = _meant(derivation, link.left)
+    named = meant_by(derivation, link.left)
     angle = line.relation.only[-1].right
     beyond = _is_beyond(angle)
     if not isinstance(named, Quantity) or named.kind != "direction":
@@ -236,6 +237,27 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
         if _is_along_i(derivation, component) and _is_negative(value if beyond else Negate(value)):
             yield Relation(((Link(component, "<" if beyond else ">", _ZERO),),))
             return
+
+
+def _obtuse(derivation: Derivation, line: Line) -> Iterator[Relation]:
+    """That the tangent of an angle of up to 180° is negative, which makes it obtuse."""
+    assert isinstance(line.relation, Relation)
+    angle, value = line.relation.only[0].left, line.relation.only[-1].right
+    named = meant_by(derivation, angle)
+    if not isinstance(named, Quantity) or named.kind not in ("angle", "deflection"):
+        return
+    match value:
+        case Binary("-", Degrees(Fraction(numerator=180, denominator=1)), Apply("arctan")):
+            pass
+        case _:
+            return
+    tangent = Apply("tan", angle)
+    for ref in line.premises:
+        relation = _relation(derivation, ref)
+        if relation is not None and len(relation.options) == 1:
+            link = relation.only[0]
+            if link.left == tangent and _is_negative(relation.only[-1].right):
+                yield Relation(((Link(tangent, "<", _ZERO),),))
 
 
 def _is_of_a_cotangent(relation: Relation | None) -> bool:
@@ -269,7 +291,7 @@ def _half_plane(derivation: Derivation, line: Line) -> Iterator[Relation]:
             yield Relation(((Link(component, ">", _ZERO),),))
 
 
-def _meant(derivation: Derivation, angle: Expression) -> Expression | None:
+def meant_by(derivation: Derivation, angle: Expression) -> Expression | None:
     """What a letter stands for: one of the working, or one that the statement has."""
     if not isinstance(angle, Letter):
         return None

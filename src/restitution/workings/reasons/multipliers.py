@@ -63,7 +63,9 @@ def cleared_factors(
     """
     (first, *rest) = line.premises or ("",)
     above = derivation.line(first) if isinstance(first, int) else None
-    if line.move.id not in ("compare", "rearrange") or above is None or rest:
+    if line.move.id not in ("compare", "rearrange") or above is None:
+        return
+    if any(isinstance(ref, int) or line.move.id == "compare" for ref in rest):
         return
     match above.relation, line.relation:
         case Relation((before,)), Relation((after,)):

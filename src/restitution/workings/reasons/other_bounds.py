@@ -37,6 +37,7 @@ _WITHIN: Mapping[tuple[str, bool], SentenceId] = {
     ("anyway", False): "range.within-anyway",
     ("anyway", True): "range.within-all-anyway",
 }
+_TWO = Number(Fraction(2))
 _ORDER = ("<", "<=", ">", ">=")
 
 
@@ -53,9 +54,9 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
         if line is None or not isinstance(ends.item(end.item), Range):
             continue
         bounds = [
-            Link(letter, *_OTHER[sign])  # type: ignore[arg-type]
-            for letter, value, sign in _bounds(derivation, line)
-            if _holds(solution, line, letter, value, sign)
+            Link(bounded, *_OTHER[sign])  # type: ignore[arg-type]
+            for bounded, value, sign in _bounds(derivation, line)
+            if _holds(solution, line, bounded, value, sign)
         ]
         bounds += _other_ends(solution, derivation, line)
         reached = list(_other_walls(solution, derivation, line))
@@ -160,17 +161,24 @@ def _other_walls(solution: Solution, derivation: Derivation, line: Line) -> Iter
             yield event, links
 
 
-def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Letter, Expression, str]]:
-    """The coefficients that a range bounds on one side: with its value, and that side."""
+def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Expression, str]]:
+    """The coefficients, or their squares, that a range bounds on one side: with value and side."""
     under = sorted(each for each in lines_under(derivation, line.number) if isinstance(each, int))
     lines = [own for each in under if (own := derivation.line(each)) is not None]
     cited = {ref for own in lines for ref in own.premises if isinstance(ref, str)}
     for own in lines:
         named = [ref for ref in own.premises if isinstance(ref, str)]
         above = [derivation.line(ref) for ref in own.premises if isinstance(ref, int)]
-        if own.move.id != "sign" or len(named) != 1 or len(above) != 1 or above[0] is None:
+        if own.move.id != "sign" or len(named) > 1 or len(above) != 1 or above[0] is None:
             continue
         match above[0].relation:
+            case Relation(((Link(Binary("^", Letter(name), power) as squared, "="), *_),)) if (
+                power == _TWO and not named
+            ):
+                value = above[0].relation.only[-1].right
+                if f"{name} <= 1" not in cited and _has_difference(value):
+                    yield squared, value, ">="
+                continue
             case Relation(((Link(Letter(name) as letter, "="), *_),)):
                 value = above[0].relation.only[-1].right
             case _:
@@ -178,7 +186,7 @@ def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Letter, Expres
         for sign, (other, far) in _OTHER.items():
             near = "1" if sign == "<=" else "0"
             cites = f"{name} {other} {far.value}" in cited
-            stated = named[0] == f"{name} {sign} {near}" and not cites
+            stated = named[:1] == [f"{name} {sign} {near}"] and not cites
             if stated and _has_difference(value) and not has_quantity(value):
                 yield letter, value, sign
 
@@ -187,11 +195,13 @@ def _has_difference(tree: Expression) -> bool:
     return any(isinstance(each, Binary) and each.op == "-" for each in walk(tree))
 
 
-def _holds(solution: Solution, line: Line, letter: Letter, value: Expression, sign: str) -> bool:
+def _holds(
+    solution: Solution, line: Line, bounded: Expression, value: Expression, sign: str
+) -> bool:
     """Whether a value keeps the other bound wherever a range holds."""
     own = roles(solution.problem)
-    role = own.get(letter.name)
-    if role is None or role.kind != "restitution" or not isinstance(line.relation, Relation):
+    kinds = {own[name].kind if name in own else None for name in letters(bounded)}
+    if kinds != {"restitution"} or not isinstance(line.relation, Relation):
         return False
     return _follows(solution, line, value, *_OTHER[sign])
 

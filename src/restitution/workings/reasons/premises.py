@@ -60,6 +60,7 @@ from restitution.workings.reasons.rejected_roots import made_by_a_root
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
+from restitution.workings.reasons.together import merged, told_together
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
 _BY_TANGENT = "derived.acute-by-tangent"
@@ -107,7 +108,7 @@ class Reasons:
         """What a line rests on, to stand behind it, and which angle it tells to be acute."""
         angle = angle_acute_by(self._derivation, line)
         more = () if angle is None else (say("derived.so-acute", angle=self._naming.layout(angle)),)
-        return (*self._of(line), *more)
+        return (*map(told_together, self._of(line)), *more)
 
     def _of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on."""
@@ -141,6 +142,7 @@ class Reasons:
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
         reasoned = reasoned or self._by_its_sense(line) or self._in_its_case(line)
+        reasoned = reasoned or self._divided_by_ratios(line)
         if not reasoned and not self._of_sizes(line) and not grounds:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
@@ -189,6 +191,14 @@ class Reasons:
         """Whether a line rests on the condition under which a range has its form."""
         facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
         return any(fact is not None and fact.kind == "case" for fact in facts)
+
+    @staticmethod
+    def _divided_by_ratios(line: Line) -> bool:
+        """Whether an inequality is divided by ratios of angles, whose signs their ranges tell."""
+        assert isinstance(line.relation, Relation)
+        signs = {link.sign for links in line.relation.options for link in links}
+        of_angles = any(str(ref).startswith("acute:") for ref in line.premises)
+        return line.move.id == "rearrange" and bool(signs & {*UP, *DOWN}) and of_angles
 
     def _by_a_cotangent(self, line: Line) -> bool:
         """Whether the bounds of an angle come of those of its cotangent, which falls."""
@@ -348,11 +358,11 @@ class Reasons:
                 body, wall = reached
                 positive = self._laid(Relation(((bound,),)))
                 reasons.append(say("derived.reached", body=body, wall=wall, bound=positive))
-        merged = (self._laid(each) for each in _merged(strict))
+        whole = (self._laid(each) for each in merged(strict))
         if any(isinstance(each, Sentence) and each.id == _BY_TANGENT for each in reasons):
             # By the sign of that tangent the other angles have been used.
             reasons = [e for e in reasons if getattr(e, "id", "") != "derived.acute"]
-        return (*reasons, *merged, *self._below(line, bounds))
+        return (*reasons, *whole, *self._below(line, bounds))
 
     def _narrowed(
         self, reasons: Sequence[Sentence | Relation | None]
@@ -636,7 +646,7 @@ class Reasons:
             if link.sign in (*UP, *DOWN)
             and any(letters(side) & names for side in (link.left, link.right))
         ]
-        yield from (self._laid(each) for each in _merged(bounds))
+        yield from (self._laid(each) for each in merged(bounds))
 
 
 def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
@@ -653,30 +663,6 @@ def _by_its_ends(relation: Relation) -> Relation:
     if len(relation.options) > 1 or any(each.sign != "=" for each in relation.only):
         return relation
     return Relation(((Link(relation.only[0].left, "=", relation.only[-1].right),),))
-
-
-def _merged(bounds: list[Link]) -> Iterator[Relation]:
-    """Bounds of one letter as one chain: 0 ≤ e ≤ 1."""
-    rest = list(bounds)
-    while rest:
-        link = rest.pop(0)
-        for other in rest:
-            low, high = (_upwards(each) for each in (link, other))
-            if low.right != high.left:
-                low, high = high, low
-            if low.right == high.left:
-                rest.remove(other)
-                yield Relation(((low, high),))
-                break
-        else:
-            yield Relation(((link,),))
-
-
-def _upwards(link: Link) -> Link:
-    """A bound with its lower side on the left."""
-    if link.sign in UP:
-        return link
-    return Link(link.right, "<" if link.sign == ">" else "<=", link.left)
 
 
 def _is_one_and_more(tree: Expression, is_positive: Callable[[str], bool]) -> bool:

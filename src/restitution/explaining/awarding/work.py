@@ -1,0 +1,69 @@
+"""What a condition of a mark may ask about: the derivation, and sides of its lines."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Protocol
+
+from restitution.explaining.awarding.mark_rules import Rule
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Fact,
+    ItemEnd,
+    Line,
+    Meaning,
+    Relation,
+    whole_of,
+)
+from restitution.explaining.lines.marks import Style
+from restitution.expression.tree import Expression, Letter, Quantity
+
+
+class Work(Protocol):
+    """A derivation on its way to its marks."""
+
+    derivation: Derivation
+    style: Style
+    justify: frozenset[str]
+    ends: dict[int, ItemEnd | None]
+    shown: set[int]
+    walls: dict[int, bool]
+    new: frozenset[str]
+
+    def rule(self, line: Line) -> Rule | None:
+        """The first rule that fits a line."""
+
+    def part(self, line: Line) -> str | None:
+        """The part to which a line belongs."""
+
+    def above(self, line: Line) -> Sequence[Line]:
+        """The lines above one."""
+
+    def cited(self, line: Line) -> Iterator[Line]:
+        """The lines that one cites."""
+
+    def facts(self, line: Line) -> Iterator[Fact]:
+        """The facts that a line cites."""
+
+
+def length(line: Line) -> int:
+    """How many lines of a page a line takes: one for each link of its chains."""
+    if line.shown == "silent":
+        return 0
+    return 1 if isinstance(line.relation, Meaning) else max(map(len, line.relation.options))
+
+
+def single_sides(relation: Relation) -> tuple[Expression, Expression] | None:
+    """The sides of an equation, a chain by its ends; None for any other relation."""
+    if len(relation.options) != 1:
+        return None
+    link = whole_of(relation.options[0])
+    return None if link is None or link.sign not in ("=", "≈") else (link.left, link.right)
+
+
+def subject_of(line: Line) -> Expression | None:
+    """The letter or quantity that a line is about: its left side."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    if sides is None or not isinstance(sides[0], Letter | Quantity):
+        return None
+    return sides[0]

@@ -1,0 +1,89 @@
+"""Between which velocities an angle is found by a scalar product, and what these are."""
+
+from __future__ import annotations
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity
+from restitution.planning.writing.forms import tree_of
+from restitution.vector import Vector
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.reasons.grounds import meant_by
+
+
+def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
+    """The title of the cosine of the angle between two velocities.
+
+    A velocity of which only components stand is written out. None of another angle, and where a
+    velocity stands in no such way.
+    """
+    match line.relation:
+        case Relation(((Link(Apply("cos", Letter() as angle), "="), *_),)):
+            asked = meant_by(derivation, angle)
+        case _:
+            return None
+    match asked:
+        case Quantity("angle", (Quantity("velocity"), Quantity("velocity")) as pair):
+            sides = []
+            for velocity in pair:
+                if _stands(derivation, line, velocity):
+                    sides.append(naming.layout(velocity))
+                    continue
+                value = _by_components(derivation, line, velocity)
+                if value is None:
+                    return None
+                sides.append(naming.relation(equation(velocity, value)))
+            return say("derived-between.title-of", one=sides[0], other=sides[1])
+    return None
+
+
+def _stands(derivation: Derivation, line: Line, velocity: Expression) -> bool:
+    """Whether a velocity stands as a vector above a line, or is one of the data."""
+    for each in derivation.lines:
+        match each.relation:
+            case Relation(((Link(left, "="), *_),)) if left == velocity:
+                if each.number < line.number and each.shown == "line":
+                    return True
+    match velocity:
+        case Quantity("velocity", (Name(body),), 0):
+            return derivation.fact(" ".join(("velocity", body))) is not None
+    return any(
+        fact.kind == "given" and any(link.left == velocity for link in fact.relation.options[0])
+        for fact in derivation.facts
+    )
+
+
+def _by_components(derivation: Derivation, line: Line, velocity: Expression) -> Expression | None:
+    """A velocity by the components on which a line rests; None along a line that slants."""
+    axis = derivation.fact(" ".join(("axis", str(line.move.event))))
+    parts: dict[str, Expression] = {}
+    for ref in line.premises:
+        own = derivation.line(ref) if isinstance(ref, int) else None
+        match None if own is None else own.relation:
+            case Relation((links,)) if all(each.sign == "=" for each in links):
+                subject: Expression | None = links[0].left
+            case _:
+                continue
+        if isinstance(subject, Letter):
+            subject = meant_by(derivation, subject)
+        match subject:
+            case Quantity("along" | "across" as kind, (own_velocity, Quantity("line_of_centres"))):
+                if own_velocity == velocity:
+                    parts[kind] = links[-1].right
+    if axis is None or parts.keys() != {"along", "across"}:
+        return None
+    try:
+        normal = in_letters(axis.relation.only[-1].right)
+        along, across = (in_letters(parts[kind]) for kind in ("along", "across"))
+    except RestitutionError:
+        return None
+    if not isinstance(normal, Vector) or 0 not in normal or normal.dot(normal) != 1:
+        return None
+    whole = normal * along + normal.turned_left() * across
+    return tree_of(Vector(*map(tidy, whole)))
+
+
+__all__ = ["product_title"]
