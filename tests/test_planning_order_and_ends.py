@@ -167,3 +167,24 @@ def test_a_gap_that_does_not_close_has_the_values_of_both_components() -> None:
         "A hits B: along i, e = 3/4\nB hits W: e = 2/5\nshow A and B do not collide again"
     )
     assert "v = −2u/5 < −7u/50 = component of 𝐯_B along 𝐢" in text
+
+
+TWICE_AS_FAST = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = e
+given speed(A)/speed(B) = 2
+find {}
+"""
+
+
+def test_a_given_ratio_of_speeds_is_one_speed_by_the_other() -> None:
+    text = text_of(TWICE_AS_FAST.format("tan(alpha) in terms of e"))
+    assert "2²(½(1 + e)u cos α)² = (½(1 − e)u cos α)² + (u sin α)²" in text
+    assert "√((½(1 + e)u cos α)²)" not in text
+
+
+def test_a_range_of_an_angle_is_by_that_of_its_tangent() -> None:
+    text = text_of(TWICE_AS_FAST.format("range of alpha"))
+    assert "√3/2 ≤ tan α ≤ 2 arctan(√3/2) ≤ α ≤ arctan 2, as α is acute" in text
+    assert "not written out" not in text

@@ -12,6 +12,7 @@ from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
 from restitution.planning.routes.order import Standing
+from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ZERO, square, tree_of
 from restitution.planning.writing.inequalities import (
     is_monic,
@@ -72,11 +73,26 @@ class Eliminated(InStages):
             own = (*self.conditions.story(wanted), *self.conditions.lines(wanted))
             return self.compared([*base, *own], relation, base)
 
+        def by_its_tangent(base: list[Ref], relation: Relation) -> int | None:
+            bounds = _of_the_tangent(relation)
+            if bounds is None:
+                return None
+            try:
+                line = self.write(bounds)
+            except NotPlannedError:
+                return None
+            return self.compared([line, *self.judge.known(target)], relation)
+
         yield by_conditions
         yield by_ratios
         yield by_ties
         yield by_all
         yield by_story
+        yield by_its_tangent
+
+    def write(self, relation: Relation) -> int:
+        """Writes the lines of an inequality that holds; the last says it."""
+        raise NotImplementedError
 
     def _eliminated(
         self, line: int, base: Sequence[Ref], relation: Relation, target: set[str]
@@ -254,3 +270,24 @@ def _is_subject(tree: Expression) -> bool:
 def _near(sign: Sign) -> tuple[str, ...]:
     """How premises about that end of a range are written."""
     return ("acute", "°", f" {sign[0]}")
+
+
+def _of_the_tangent(relation: Relation) -> Relation | None:
+    """Bounds of a letter for an acute angle by inverse tangents, as those of its tangent.
+
+    None of other bounds.
+    """
+    if len(relation.options) != 1:
+        return None
+    sides = {side for link in relation.only for side in (link.left, link.right)}
+    angles = {side for side in sides if isinstance(side, Letter)}
+    arcs = {side for side in sides if isinstance(side, Apply) and side.function == "arctan"}
+    if len(angles) != 1 or not arcs or sides != angles | arcs:
+        return None
+
+    def ratio(side: Expression) -> Expression:
+        return side.argument if isinstance(side, Apply) else Apply("tan", side)
+
+    return Relation(
+        (tuple(Link(ratio(link.left), link.sign, ratio(link.right)) for link in relation.only),)
+    )

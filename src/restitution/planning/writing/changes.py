@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from restitution.explaining.lines.derivation import Link
 from restitution.expression.tree import Binary, Expression, Name, Quantity, has_quantity
+from restitution.planning.writing.forms import product
 
 
 def by_its_change(link: Link) -> Link:
@@ -38,3 +41,12 @@ def _is_after(late: Quantity, early: Quantity) -> bool:
 
 
 __all__ = ["by_its_change"]
+
+
+def by_a_multiple(link: Link) -> Link:
+    """A given ratio of speeds as one speed by the other: *speed of A = 2 × speed of B*."""
+    match link:
+        case Link(Binary("/", Quantity("speed") as above, Quantity("speed") as below), "=", ratio):
+            if not has_quantity(ratio):
+                return replace(link, left=above, right=product(ratio, below))
+    return link

@@ -34,7 +34,7 @@ from restitution.planning.writing.angle_ratios import (
     write_other_ratio,
     write_ratios,
 )
-from restitution.planning.writing.changes import by_its_change
+from restitution.planning.writing.changes import by_a_multiple, by_its_change
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, together
 from restitution.planning.writing.forms import neat, tree_of
 from restitution.planning.writing.frames import Frame, frame_of
@@ -464,7 +464,7 @@ class Scene:
             residuals = tuple(self._residuals(link))
             if residuals:
                 lets = self.lets_in(link)
-                own = by_its_change(self.opened(link))
+                own = by_a_multiple(by_its_change(self.opened(link)))
                 equations.append(GivenEquation(fact, own, residuals, lets))
         return (*equations, *self.of_offsets)
 
