@@ -392,6 +392,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "through the difference of the angles that its velocities make with {axis}:"
     ),
     "between.line": "{body} moves along the line of centres:",
+    "between.line-back": (
+        "{one} moves along the line of centres, and {other} the opposite way along it:"
+    ),
     "same.angle": (
         "The component of {velocity} along {axis} is not negative, so it is the same angle:"
     ),

@@ -64,6 +64,7 @@ def write_turn(
     have_angles = have_angles or in_letters
     trees: list[Expression | None] = []
     refs: list[Ref] = []
+    sides: list[Direction] = []
     whole: Any = sp.Integer(0)
     for side, factor in zip((turn.first, turn.second), _SIGNS[turn.form], strict=True):
         own = _in_numbers(scene, turn, side, angle_line, letters_too=have_angles)
@@ -71,6 +72,8 @@ def write_turn(
             scene.desk.back(mark)
             return None
         tree, known = own
+        side_, known = _by_its_first_letter(scene, side, known, mark.lines)
+        sides.append(side_)
         trees.append(tree)
         refs += known
         whole += factor * (0 if tree is None else scene.scalar(tree))
@@ -83,12 +86,12 @@ def write_turn(
     collected = None if plain else _collected(turn, trees) or _with_one_number(turn, trees)
     final = tree_of(value, angle=True, as_it_is=True) if plain else swept(collected or right)
     relation = chain(Letter(letter), (right, None), (final, "rearrange"))
-    names = [*map(partial(_by_its_name, scene), (turn.first, turn.second), trees)]
+    names = [*map(partial(_by_its_name, scene), sides, trees)]
     by_names = chain(
         Letter(letter), (turn.made_of(*names), None), (right, "put"), (final, "rearrange")
     )
-    sides = (*turn.first.refs, *turn.second.refs)
-    pool = dict.fromkeys((meaning, *refs, *sides, *_axis(turn), *turn.frame.refs))
+    components = (*turn.first.refs, *turn.second.refs)
+    pool = dict.fromkeys((meaning, *refs, *components, *_axis(turn), *turn.frame.refs))
     premises = None
     if names != trees and not any(map(_is_arc, names)):
         premises = scene.judge.needed(turn.move, pool, by_names, (meaning,))
@@ -104,6 +107,32 @@ def write_turn(
         return None
     _without_arcs(scene, premises, mark.lines)
     return scene.desk.write(turn.move, premises, relation)
+
+
+def _by_its_first_letter(
+    scene: Scene, side: Direction, known: tuple[Ref, ...], since: int
+) -> tuple[Direction, tuple[Ref, ...]]:
+    """A direction by the letter of another angle that its own one is, where a new line says so.
+
+    That line, and the one with the value, are not printed.
+    """
+    desk = scene.desk
+    line = next((ref for ref in known if isinstance(ref, int) and ref > since), None)
+    own = None if line is None else desk.line(line)
+    if side.angle is not None or own is None or own.move.id != "put" or line is None:
+        return side, known
+    for ref in own.premises:
+        above = desk.line(ref) if isinstance(ref, int) else None
+        if above is None or above.move.record != "difference" or above.number <= since:
+            continue
+        link = desk.last_link(above.number)
+        if not isinstance(link.right, Letter) or _is_to_a_wall(scene, link.right):
+            continue
+        for each in (line, above.number):
+            desk.lines[each - 1] = replace(desk.line(each), shown="silent")
+        rest = tuple(each for each in own.premises if each != ref)
+        return replace(side, angle=link.right), together(rest, (above.number,), known[1:])
+    return side, known
 
 
 def _is_arc(tree: Expression | None) -> bool:

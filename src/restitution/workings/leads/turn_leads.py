@@ -257,11 +257,16 @@ class TurnLeads(LinesAround):
                 return say(_BESIDE[form], one=still, other=other)
             if form == "straight" and still and mover and still != mover:
                 return say("between.right-of", one=mover, other=still)
-            if not isinstance(first.right, Binary | Degrees) and (one := self._on_the_line(line)):
+            one = self._on_the_line(line)
+            if one is not None and not isinstance(first.right, Binary | Degrees):
                 rested = self.tells_of_rest(one, line.move.event or 0, line)
                 return say(
                     "derived.along-centres-from-rest" if rested else "between.line", body=one
                 )
+            match first.right:
+                case Binary("-", left, _) if one is not None and left == STRAIGHT_ANGLE:
+                    (other,) = (each for each in line.move.bodies if each != one)
+                    return say("between.line-back", one=one, other=other)
             return say(_BETWEEN[form], bodies=line.move.bodies)
         if form in _OR_ACROSS and (at := self._reasons.right_angle_among(line)) is not None:
             return say(_OR_ACROSS[form], body=body, at=self._naming.relation(at))
