@@ -414,6 +414,42 @@ show angle(velocity(P), W) <= alpha
         ),
         ["C takes no part in the third impact, so its velocity is still:"],
     ),
+    "a part of an angle leaves a factor positive": (
+        (
+            "wall W: along i\nsphere P: velocity u at theta to W\nP hits W\n"
+            "given angle(velocity(P), W) = theta/3\nfind range of e"
+        ),
+        ["e < ⅓, as 3 − tan²(θ/3) > 0, because θ is acute"],
+    ),
+    "components along the axes stand in their order": (
+        (
+            "point N: (4, 3)\nwall W: along i, through (0, -2)\n"
+            "sphere A: mass 1, at (-3, 0), velocity 6i\nsphere B: mass 1, at (0, 0), at rest\n"
+            "A hits B: along 4i + 3j, e = 1/2\nA hits W: e = 1/2\nfind time(2), position(A)"
+        ),
+        ["component of 𝐯_A along 𝐢", "component of 𝐯_A along 𝐣"],
+    ),
+    "an impulse with a letter is along the line on which spheres approach": (
+        (
+            "sphere A: mass m, velocity 2u i + u j\nsphere B: mass 2m, velocity -u i + 2u j\n"
+            "A hits B\ngiven impulse(A) = -lambda m u (i + j), e = 1/2\nfind lambda"
+        ),
+        ["A and B approach each other along 𝐢 + 𝐣:"],
+    ),
+    "a direction that is shown has its sense by an acute angle": (
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+            "A hits B: along i, e = 1\nshow velocity(B) in the direction of i"
+        ),
+        ["So 𝐯_B is in the direction of 𝐢, since α is acute, as required."],
+    ),
+    "the other bound of the square of a coefficient holds as well": (
+        (
+            "sphere A: mass 2m, velocity u i + v j\nsphere B: mass m, velocity -u i + v j\n"
+            "A hits B: along i\ngiven energy_lost = 1/3 energy(0), u > 0\nfind range of v/u"
+        ),
+        ["In this range e² ≤ 1 as well."],
+    ),
     "a ball that comes back shows that e is not zero": (
         (
             "wall F: along i, through (0, 0)\nwall C: along i, through (0, h)\n"
@@ -563,7 +599,7 @@ show angle(velocity(P), W) <= alpha
             "given e > 0\nP hits X: e = e\nP hits Y: e = e\n"
             "show velocity(P) opposite to velocity(P, 0)"
         ),
-        ["is opposite to 𝐮, as e > 0, as required."],
+        ["is opposite to 𝐮, since e > 0, as required."],
     ),
     # 𝐯_A = (√2u/6)(−𝐢 + 3𝐣) and 𝐯_B = (√2u/3)𝐢, with e = 1, k = 2 and α = 45°.
     "two velocities that are not perpendicular have a scalar product": (

@@ -574,6 +574,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.product-by-wall": (
         "It is given that {fact}. {wall} is parallel to {vector}, so the scalar product is zero:"
     ),
+    "sense.approach": "{one} and {other} approach each other along {vector}:",
     "sense.opposite": (
         "The impulse on {body} acts away from {other}, and the direction from {body} to {other} is "
         "opposite to it:"
@@ -722,7 +723,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "claim.perpendicular": "{left} is perpendicular to {right}",
     "claim.parallel": "{left} is parallel to {right}",
     "claim.same-direction": "{left} is in the direction of {right}",
-    "claim.as": "{claim}, as {reason}",
+    "claim.as": "{claim}, since {reason}",
     "claim.opposite": "{left} is opposite to {right}",
     "claim.not-perpendicular": "{left} is not perpendicular to {right}",
     "claim.not-parallel": "{left} is not parallel to {right}",

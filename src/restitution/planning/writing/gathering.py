@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    Unit,
     letters,
     walk,
 )
@@ -386,14 +387,14 @@ class _Gathering:
         return all(ref in written for ref in line.premises if isinstance(ref, int))
 
     def _rank(self, line: Line) -> tuple[int, int]:
-        """The bodies of an impact in their order, and along before across."""
+        """The bodies of an impact in their order, and along before across, **i** before **j**."""
         quantity = line.relation.quantity if isinstance(line.relation, Meaning) else _subject(line)
         match quantity:
-            case Quantity(kind, (Quantity("velocity", (Name(body),), stage), _)):
+            case Quantity(kind, (Quantity("velocity", (Name(body),), stage), axis)):
                 event = stage if isinstance(line.relation, Meaning) else line.move.event
                 bodies = self._bodies.get(event if isinstance(event, int) else 0, ())
                 place = bodies.index(body) if body in bodies else len(bodies)
-                return place, int(kind == "across")
+                return place, int(kind == "across" or axis == Unit("j"))
         return 0, 0
 
 

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Event, Fact, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Expression, Quantity
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Expression, Quantity, letters
+from restitution.vector import Vector
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
@@ -32,9 +36,36 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
     if towards != (body == event.bodies[0]):
         return None
+    if not event.wall and _approach(derivation, event, before, one):
+        first, second = event.bodies
+        return say("sense.approach", one=first, other=second, vector=naming.side(own))
     opposite = "sense.opposite-wall" if event.wall else "sense.opposite"
     name = opposite if towards else "sense.away"
     return say(name, body=pushed, other=from_)
+
+
+def _approach(derivation: Derivation, event: Event, impulse: Expression, line: Vector) -> bool:
+    """Whether two spheres are seen to approach along a line, where an impulse holds a new letter.
+
+    Its sign is not known then, and the velocities of the data tell the sense.
+    """
+    facts = [derivation.fact(" ".join(("velocity", body))) for body in event.bodies]
+    sides = [each.relation.only[-1].right for each in facts if each is not None]
+    names = {name for each in derivation.facts if each.kind == "data" for name in _letters(each)}
+    if len(sides) != 2 or event.number != 1 or letters(impulse) <= names:
+        return False
+    try:
+        one, other = (in_letters(each, positive=True) for each in sides)
+    except RestitutionError:
+        return False
+    if not isinstance(one, Vector) or not isinstance(other, Vector):
+        return False
+    closing = sp.expand(Vector(one.x - other.x, one.y - other.y).dot(line))
+    return bool(closing.is_positive)
+
+
+def _letters(fact: Fact) -> frozenset[str]:
+    return frozenset(name for tree in trees_of(fact.relation) for name in letters(tree))
 
 
 def direction_by_its_sense(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:

@@ -5,9 +5,20 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
+import sympy as sp
+
 from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Expression, Letter, Number, Quantity, is_zero, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.problem import (
     Aligned,
     Arrival,
@@ -21,6 +32,7 @@ from restitution.problem import (
     Value,
 )
 from restitution.render import layout as lay
+from restitution.solving.story.letters import roles
 from restitution.wording.asking import names_of
 from restitution.wording.scene import scene_of
 from restitution.wording.structure import Named, Words
@@ -193,6 +205,10 @@ class Ends:
                 positive = self._given_positive(link.right)
                 if how in ("in the direction of", "opposite to") and positive is not None:
                     return say("claim.as", claim=claim, reason=self._naming.relation(positive))
+                acute = self._acute_in(link.right)
+                if how in ("in the direction of", "opposite to") and acute is not None:
+                    angle = say("derived.acute", angle=self._naming.layout(acute))
+                    return say("claim.as", claim=claim, reason=angle)
                 return claim
         return None
 
@@ -203,6 +219,20 @@ class Ends:
                 case ((Link(Letter(name), ">", right),),) if is_zero(right):
                     if fact.kind in ("given", "range") and name in letters(multiple):
                         return fact.relation
+        return None
+
+    def _acute_in(self, multiple: Expression) -> Letter | None:
+        """The one acute angle of which ratios are factors of a multiple, whose sign they tell."""
+        known = roles(self._problem)
+        angles = {
+            node.argument
+            for node in walk(multiple)
+            if isinstance(node, Apply) and node.function in ("sin", "cos", "tan")
+        }
+        match tuple(angles):
+            case (Letter(name) as angle,) if name in known:
+                own = known[name]
+                return angle if (own.kind, own.low, own.high) == ("angle", 0, sp.pi / 2) else None
         return None
 
     def _side(self, tree: Expression) -> Sentence | lay.Layout | str:

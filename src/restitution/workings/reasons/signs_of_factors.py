@@ -12,6 +12,7 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Rela
 from restitution.explaining.lines.notation import read_relation
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Number,
@@ -33,13 +34,15 @@ def signs_of_factors(
 ) -> tuple[Relation, ...]:
     """The sign of each difference that is a factor of the one product of which a line tells it.
 
-    Empty where fewer than two factors are differences, or where one of them has no certain sign.
+    Empty where fewer than two factors are differences, unless that is one of a part of an angle,
+    and where one of them has no certain sign.
     """
     whole = _product(derivation, line)
     if whole is None:
         return ()
     open_ = [each for each in _bases(whole) if _is_difference(each)]
-    if len(open_) < _SEVERAL or has_quantity(whole):
+    hidden = any(map(_is_of_a_part, open_))
+    if (len(open_) < _SEVERAL and not hidden) or has_quantity(whole):
         return ()
     oracle = Oracle(roles, tuple(_cited(derivation, line, roles)))
     signs = [_sign(each, oracle, roles) for each in open_]
@@ -50,6 +53,11 @@ def signs_of_factors(
         for each, sign in zip(open_, signs, strict=True)
         if sign is not None
     )
+
+
+def _is_of_a_part(tree: Expression) -> bool:
+    """Whether a ratio of a part of an angle is in a sum, as tan(α/3): of it no bound is seen."""
+    return any(isinstance(e, Apply) and isinstance(e.argument, Binary) for e in walk(tree))
 
 
 def _product(derivation: Derivation, line: Line) -> Expression | None:
