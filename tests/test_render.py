@@ -32,6 +32,7 @@ from restitution.exact import tidy
 from restitution.expression import read_expression
 from restitution.expression import tree as t
 from restitution.language import parse
+from restitution.render import layout as layouts
 from restitution.render.latex import to_latex
 from restitution.render.layout import (
     EventNames,
@@ -580,3 +581,11 @@ def test_no_percentage_of_what_has_a_unit(item: str) -> None:
     assert first.error is not None
     assert "a percentage needs a ratio" in first.error.message
     assert second.error is None
+
+
+def test_fractions_in_fractions_are_written_in_no_time() -> None:
+    """Each is written once: of forty, one in the other, to write two at a time would take days."""
+    deep: Layout = layouts.Number("2")
+    for _ in range(40):
+        deep = layouts.Fraction(deep, Letter("u"))
+    assert to_text(deep) == "(" * 39 + "2/u" + ")/u" * 39

@@ -226,7 +226,7 @@ def _apart(before: Layout, factor: Layout, left: str, right: str) -> bool:
 def _factor(factor: Layout, sign: str) -> str:
     if isinstance(factor, Fraction):
         text = _text(factor)
-        return text if len(text) == 1 else f"({_slash(factor)})"
+        return text if len(text) == 1 else f"({text})"
     if isinstance(factor, Product) and factor.sign and not sign:
         return f"({_text(factor)})"
     return _text(factor)
@@ -235,14 +235,18 @@ def _factor(factor: Layout, sign: str) -> str:
 def _slash(fraction: Fraction) -> str:
     if isinstance(fraction.below, Product) and fraction.below.factors[0] == Words("d"):
         return f"d/d{_text(fraction.below.factors[1])}"  # a rate of change
-    above, below = _text(fraction.above), _text(fraction.below)
+    # A fraction in a fraction is written once, or twenty of them would take a million times as long.
+    above, below = (
+        _slash(each) if isinstance(each, Fraction) else _text(each)
+        for each in (fraction.above, fraction.below)
+    )
     simple = isinstance(fraction.below, Number | Letter | Brackets | Power | Bold | Function | Root)
     if not simple:
-        below = f"({_slash(fraction.below) if isinstance(fraction.below, Fraction) else below})"
+        below = f"({below})"
     # The angle of (u sin α)/2 ends at the bracket; that of u sin α/(1 + k) ends at the slash.
     ended = below.startswith("(") and _ends_in_a_letter(fraction.above)
     if isinstance(fraction.above, Fraction):
-        above = f"({_slash(fraction.above)})"
+        above = f"({above})"
     elif isinstance(fraction.above, Sum | Relation | Phrase) or (
         _open_ended(fraction.above) and not ended
     ):
