@@ -846,3 +846,21 @@ show energy(P)/energy(0) = cos^2(alpha) + e^2 sin^2(alpha)
     for square, state in (("(eu sinα)²", "earned"), ("(u sinα)²", "lost")):
         lines = f"v² = (u cosα)² + {square}"
         assert states(wall, lines)[1] == state
+
+
+@pytest.mark.parametrize(
+    ("line", "state"),
+    [
+        ("KE_after/KE_before = v²/u² = cos²α + e²sin²α = 1/5 + 4e²/5", "earned"),
+        ("KE_after/KE_before = (1 + 4e²)/5", "lost"),
+    ],
+)
+def test_a_printed_ratio_may_be_worked_out_in_its_line(line: str, state: str) -> None:
+    wall = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(alpha) = 2
+show energy(P)/energy(0) = (1 + 4 e^2)/5
+"""
+    assert states(wall, f"sinα = 2/√5, cosα = 1/√5\n{line}")[-1] == state

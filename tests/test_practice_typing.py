@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cache
 
 import pytest
 
 import restitution
-from restitution.expression.tree import Letter
+from restitution.expression.tree import Apply, Binary, Letter, Number
 from restitution.practice.reading.working import read_working
 from restitution.solving.equations.solution import Solution
 
@@ -344,3 +345,20 @@ show angle(velocity(A), velocity(B)) = 88.0° to 3 s.f."""
     lines += ["tanθ = 4sin35/0.0819", "θ = 88.0°", "B moves along the loc so angle between = 88.0°"]
     assert verdicts(balls, *lines) == ["true"] * 6
     assert verdicts(balls, lines[-1]) == ["unsupported"]
+
+
+def test_a_root_of_squares_times_a_letter_goes_on_in_a_chain() -> None:
+    wall = """wall W: along j
+sphere P: mass 3, velocity 2a i + a j
+P hits W: e = 1/2
+given speed(P) = 4
+find a, velocity(P)"""
+    lines = ["v = -a i + a j", "|v| = √(a² + a²) = √2 a = 4", "a² = 8 a = 2√2"]
+    assert verdicts(wall, *lines) == ["true"] * 3
+
+
+@pytest.mark.parametrize("root", ["sq root", "square root of", "sq. rt", "root"])
+def test_a_square_root_in_words_is_one(root: str) -> None:
+    (line,) = read_working(f"A speed = {root} (9 + 4) = 3.61", restitution.parse(PAIR)).lines
+    first = line.links[0].readings[0].right
+    assert first == Apply("sqrt", Binary("+", Number(Fraction(9)), Number(Fraction(4))))

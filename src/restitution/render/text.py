@@ -235,7 +235,7 @@ def _factor(factor: Layout, sign: str) -> str:
 def _slash(fraction: Fraction) -> str:
     if isinstance(fraction.below, Product) and fraction.below.factors[0] == Words("d"):
         return f"d/d{_text(fraction.below.factors[1])}"  # a rate of change
-    # A fraction in a fraction is written once, or twenty of them would take a million times as long.
+    # A fraction in a fraction is written once: to write it twice takes ages where it is deep.
     above, below = (
         _slash(each) if isinstance(each, Fraction) else _text(each)
         for each in (fraction.above, fraction.below)
@@ -245,9 +245,7 @@ def _slash(fraction: Fraction) -> str:
         below = f"({below})"
     # The angle of (u sin α)/2 ends at the bracket; that of u sin α/(1 + k) ends at the slash.
     ended = below.startswith("(") and _ends_in_a_letter(fraction.above)
-    if isinstance(fraction.above, Fraction):
-        above = f"({above})"
-    elif isinstance(fraction.above, Sum | Relation | Phrase) or (
+    if isinstance(fraction.above, Fraction | Sum | Relation | Phrase) or (
         _open_ended(fraction.above) and not ended
     ):
         above = f"({above})"

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from restitution.practice.judgement import JudgedLine, Judgement
 from restitution.practice.marking.each_point import LAWS, OF_VALUES, EachPoint, is_of_what_stays
 from restitution.practice.marking.lines import (
     as_true,
+    continues,
     ends_fine,
     without_slip,
 )
@@ -119,6 +121,8 @@ class _Examiner(EachPoint):
         printed = {name for each in self.scheme.points if each.shown for name in each.above}
         for point in reversed(self.scheme.points):
             own = self.states[point.id]
+            if own.state == "earned" and point.shown:
+                self._imply_steps(own)
             if own.state != "earned" or own.line is None or point.shown:
                 continue
             line = self._line(own.line)
@@ -152,6 +156,28 @@ class _Examiner(EachPoint):
                 why = f"line {own.line} cannot be had without it"
                 self.states[name] = replace(
                     state, state="earned", line=own.line, why=why, implied=True
+                )
+
+    def _imply_steps(self, result: PointMark) -> None:
+        """A printed result that its own line works out earns the steps in that line.
+
+        ``KE after/KE before = v²/u² = cos²α + e²sin²α = …`` needs neither energy by itself. What
+        is printed shows no law.
+        """
+        line = self._line(result.line)
+        if line is None or line.verdict != "true" or not line.grounded:
+            return
+        links = line.line.links
+        worked = len(links) > 1 and all(continues(a, b) for a, b in pairwise(links))
+        if not worked or self._is_broken(result.line, _UNSOUND):
+            return
+        for name in result.point.above:
+            state = self.states[name]
+            step = state.point.letter == "A" or state.point.principle == "solve"
+            if step and state.state == "lost" and state.line is None and not state.point.equation:
+                why = "worked out in the line of the result"
+                self.states[name] = replace(
+                    state, state="earned", line=result.line, why=why, implied=True
                 )
 
     def _imply_methods(self) -> None:

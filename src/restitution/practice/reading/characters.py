@@ -24,6 +24,7 @@ _SAME: dict[str, str] = {
     **dict.fromkeys("∣｜¦", "|"),
     **dict.fromkeys('“”„"✓✔✗✘☑↑↓…', " "),
     "⊥": " perp ",
+    "⟂": " perp ",
     **dict.fromkeys("∥‖", " parallel "),
     "∠": " angle ",
     "∆": " change in ",

@@ -324,18 +324,22 @@ def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int
 
 
 def _is_solved_for(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
-    """Whether a relation for a letter begins behind one in which it has a factor.
+    """Whether a relation for a letter begins behind one for a multiple, or the square, of it.
 
     It does in ``5a = -7.5 a = -1.5``: as a chain, 5a would be -7.5a.
     """
     start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
-    if second != place + 1 or tokens[place].kind != "letter" or first - start < 2:
+    if second != place + 1 or tokens[place].kind != "letter":
         return False
     own = tokens[place].name
     stop = next((n for n in range(second + 1, len(tokens)) if tokens[n].kind == "relation"), None)
-    others = (*tokens[first + 1 : place], *tokens[second + 1 : stop])
-    elsewhere = any(each.kind == "letter" and each.name == own for each in others)
-    return any(each.name == own for each in tokens[start:first]) and not elsewhere
+    value, behind = tokens[first + 1 : place], tokens[second + 1 : stop]
+    plain = not any(each.kind == "letter" for each in value)
+    elsewhere = any(each.kind == "letter" and each.name == own for each in behind)
+    left = tokens[start:first]
+    kinds = [each.kind for each in left if each.kind != "-"]
+    multiple = kinds in (["number", "letter"], ["letter", "^", "number"])
+    return multiple and plain and not elsewhere and any(each.name == own for each in left)
 
 
 def _may_part(tokens: Sequence[Token], place: int) -> bool:

@@ -84,6 +84,7 @@ _REBOUNDS = re.compile(
     r"(?:\s+(?:off|from)\s+(?:the\s+)?(?:wall|cushion|[A-Z]\w*))?\s+(?:with|at)\s+"
     r"(?:an?\s+|the\s+)?(?:speed\s+(?:of\s+)?)?(?=[\du(½⅓¼⅔¾√])(?![^,;=]*(?:°|deg|[αβθφ]))",
 )
+_SQUARE_ROOT = re.compile(r"\bsq(?:uare)?\.?\s?(?:root|rt)\s*(?:of\s+)?(?=[\d(a-z])", re.IGNORECASE)
 _IN_ALL = re.compile(r"(?<!\w)(total|altogether)(?=\s*[=:])", re.IGNORECASE)
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
@@ -229,6 +230,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_COUNTED, lambda match, _: f"{match[1]} of the {_ORDINALS[int(match[2]) - 1]} impact"),
     (_FIRST_AND_LAST, lambda _, __: "initial and final "),
     (_BETWEEN_U_AND_V, _of_both),
+    (_SQUARE_ROOT, lambda _, __: "root "),
     (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
