@@ -59,7 +59,9 @@ find e
 
 
 def text_of(statement: str) -> str:
-    return " ".join(to_text(explain(solve(parse(statement)), check=True)).split())
+    explanation = explain(solve(parse(statement)), check=True)
+    assert explanation.followed
+    return " ".join(to_text(explanation).split())
 
 
 def test_a_value_stands_before_the_lines_that_put_it_in() -> None:
@@ -188,3 +190,11 @@ def test_a_range_of_an_angle_is_by_that_of_its_tangent() -> None:
     text = text_of(TWICE_AS_FAST.format("range of alpha"))
     assert "√3/2 ≤ tan α ≤ 2 arctan(√3/2) ≤ α ≤ arctan 2, as α is acute" in text
     assert "not written out" not in text
+
+
+def test_a_speed_of_the_data_is_put_in_beside_its_ratio() -> None:
+    text = text_of(
+        "wall W: along i\nsphere P: mass m, velocity 5 at 60° to W\nP hits W: e = e\n"
+        "given speed(P)/speed(P, 0) = 1/3 sqrt(3)\nfind e"
+    )
+    assert "(⅓√3)²(5²) = (5√3 e/2)² + (5/2)²" in text

@@ -225,7 +225,7 @@ def total_lost(step: Step, event: Event | None) -> Iterator[Link]:
     lost = Binary("-", before, after)
     yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
     earlier = [each for each in step.setting.events if each.number <= event.number]
-    if all(each.kind == "impact" for each in earlier):
+    if all(each.kind != "arrival" for each in earlier):
         losses = [Quantity("energy_lost", (), each.number) for each in earlier]
         yield Link(Quantity("total_energy_lost", (), event.number), "=", total_of(losses))
     if event.number == 1 and event.kind == "impact":

@@ -342,7 +342,7 @@ DEFINITIONS = (
     # The energies of all spheres: the terms are those of the spheres that there are.
     Record("total", "definition", gives=("energy",)),
     Record("total-lost", "definition", gives=("total_energy_lost",)),
-    Record("energy-lost", "definition", where="impact", gives=("energy_lost",)),
+    Record("energy-lost", "definition", gives=("energy_lost",)),
     # Of one body, of which the component across the line does not change.
     Record(
         "energy-change",

@@ -519,14 +519,15 @@ def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | N
     if number is not None:
         return number
     inside = [swept(own.right.argument) for own in (a, b)]  # type: ignore[union-attr]
-    # The second speed stands in the line of the first: it has none that is printed.
-    relation = chain(square(other), (inside[1], None))
-    known = scene.desk.write(b.move, b.refs, relation, "silent")
     right = inside[1] if factor == ONE else swept(product(square(factor), inside[1]))
-    line = scene.desk.write(
-        a.move, together(each.refs, a.refs, (known,)), chain(right, (inside[0], None))
-    )
-    return without_equal_squares(scene, line)
+    relation = chain(right, (inside[0], None))
+    whole = together(each.refs, a.refs, b.refs)
+    if not scene.judge.follows(a.move, whole, relation):
+        # The second speed stands in the line of the first: it has none that is printed.
+        own = chain(square(other), (inside[1], None))
+        known = scene.desk.write(b.move, b.refs, own, "silent")
+        whole = together(each.refs, a.refs, (known,))
+    return without_equal_squares(scene, scene.desk.write(a.move, whole, relation))
 
 
 def _time_since(scene: Scene, each: GivenEquation) -> int | None:
