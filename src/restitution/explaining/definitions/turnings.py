@@ -55,6 +55,7 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
             return
     yield from _by_directions(step, event)
     yield from _to_parallel_lines(step, event)
+    yield from _beside_a_velocity_along_i(step, event)
     yield from _from_direction_to_direction(step, event)
     for one, other in pairs:
         velocities = [Quantity("velocity", (Name(body),), stage) for body, stage in (one, other)]
@@ -192,6 +193,24 @@ def _by_directions(step: Step, event: Event) -> Iterator[Link]:
             if onward is not None:
                 angle = size if onward == 1 else Binary("-", _STRAIGHT, size)
                 yield Link(let.quantity, "=", angle)
+
+
+def _beside_a_velocity_along_i(step: Step, event: Event) -> Iterator[Link]:
+    """The angle of a velocity to **i**, by that to another velocity, in the direction of **i**."""
+    for let in step.lets:
+        match let.quantity:
+            case Quantity("angle", (Quantity("velocity") as first, Quantity("velocity") as second)):
+                pass
+            case _:
+                continue
+        for own, other in ((first, second), (second, first)):
+            (body,), stage = other.arguments, other.stage
+            if not isinstance(body, Name) or not isinstance(stage, int):
+                continue
+            x, y = (_in_the_plane(step, body, stage, axis) for axis in "ij")
+            along = x is not None and y is not None and y.vanishes and not x.vanishes
+            if along and x is not None and _sign(step, x) == 1:
+                yield Link(Quantity("angle", (own, Unit("i"))), "=", let.quantity)
 
 
 def _to_parallel_lines(step: Step, event: Event) -> Iterator[Link]:

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -173,7 +173,25 @@ def _is_found_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
                 continue
             if not scene.put(scene.scalar(own.only[-1].right))[1]:
                 return True
-    return False
+    return any(_is_along_i(scene, each, velocity) for each in scene.desk.lines)
+
+
+def _is_along_i(scene: Scene, line: Line, velocity: Quantity) -> bool:
+    """Whether a line names the angle of a velocity to another one, which is in the direction of i.
+
+    That angle is obtuse: else it is the one to the line of centres.
+    """
+    match line.relation:
+        case Meaning(_, Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b))):
+            pass
+        case _:
+            return False
+    if velocity not in (a, b) or not scene.desk.holds(line.number):
+        return False
+    (x, y), (own, _) = (scene.vector(each) for each in ((b, a) if velocity == a else (a, b)))
+    if scene.unknown(x) or scene.unknown(own) or not scene.model.identically_zero(y):
+        return False
+    return scene.model.sign(x) > 0 > scene.model.sign(own)
 
 
 def _from_a_unit(

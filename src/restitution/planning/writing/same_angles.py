@@ -39,9 +39,17 @@ def _others(scene: Scene, asked: Quantity) -> Iterator[tuple[Meaning, int]]:
         if not isinstance(own.quantity, Quantity) or not scene.desk.holds(line.number):
             continue
         kinds = {_kind(asked), _kind(own.quantity)}
-        alike = kinds in ({"two", "line"}, {"direction", "fixed"}, {"line", "fixed"})
+        alike = kinds in (
+            {"two", "line"},
+            {"two", "fixed"},
+            {"direction", "fixed"},
+            {"line", "fixed"},
+        )
         if alike and _moving(asked) & _moving(own.quantity) and _tangent(scene, own.letter):
             yield own, line.number
+
+
+_ALIKE = ({"two", "line"}, {"two", "fixed"}, {"direction", "fixed"}, {"line", "fixed"})
 
 
 def _kind(angle: Quantity) -> str:
