@@ -450,6 +450,13 @@ show angle(velocity(P), W) <= alpha
         ),
         ["In this range e² ≤ 1 as well."],
     ),
+    "a coordinate is by the component as the angle of the data has it": (
+        (
+            "wall W: along j, through (d, 0)\nsphere P: at (0, 0), velocity u at 60°\n"
+            "P hits W: e = 1/2\nfind time(1), position(P)"
+        ),
+        ["= (u sin 60°)(2d/u) = √3 d"],
+    ),
     "a ball that comes back shows that e is not zero": (
         (
             "wall F: along i, through (0, 0)\nwall C: along i, through (0, h)\n"

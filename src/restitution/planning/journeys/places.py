@@ -149,7 +149,10 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     if pace.value != 0:
         flight, length, used = flight_time(scene, near, stage)
         refs += used
-        distance = swept(product(tree_of(pace.value), flight))
+        in_degrees = _by_degrees(scene, body, since, axis)
+        if in_degrees is None or scene.model.sign(scene.model.in_data(pace.value)) < 0:
+            in_degrees = tree_of(pace.value)
+        distance = swept(product(in_degrees, flight))
         if first.value == 0 and sp.Integer(1) in (pace.value, length) and length.is_number:
             # Of speed and time a reader looks for both, also where one of them is 1.
             distance = Binary("*", tree_of(pace.value), tree_of(length))
