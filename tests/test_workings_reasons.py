@@ -457,6 +457,13 @@ show angle(velocity(P), W) <= alpha
         ),
         ["= (u sin 60°)(2d/u) = √3 d"],
     ),
+    "a velocity along the line of centres has its reason": (
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\n"
+            "A hits B: along i, e = 1/2\nfind velocity(B), speed(B)"
+        ),
+        ["B was at rest, so it moves along the line of centres:\n", "𝐯_B = ½u cos α 𝐢"],
+    ),
     "a ball that comes back shows that e is not zero": (
         (
             "wall F: along i, through (0, 0)\nwall C: along i, through (0, h)\n"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from restitution.explaining.lines.derivation import (
     Derivation,
     Event,
@@ -28,6 +30,7 @@ from restitution.expression.tree import (
 )
 from restitution.render import layout as lay
 from restitution.workings.leads.one_component import went_from_rest
+from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.premises import Reasons
@@ -59,6 +62,32 @@ class LinesAround:
         if isinstance(place, Line) and isinstance(above, Line) and above.number == place.number - 1:
             places.append(place)
         return place in places
+
+    def _is_direct(self, event: Event | None) -> bool:
+        """Whether two spheres of the data move along their line of centres, which is given."""
+        if event is None or event.wall or event.number != 1:
+            return False
+        names = ("axis 1", *(" ".join(("velocity", body)) for body in event.bodies))
+        facts = [self._derivation.fact(name) for name in names]
+        if None in facts:
+            return False
+        vectors = [vector_worth(each.relation.only[-1].right) for each in facts if each]
+        axis, *own = vectors
+        return axis is not None and all(
+            each is not None and sp.expand(each.cross(axis)) == 0 for each in own
+        )
+
+    def _goes_off(self, line: Line) -> bool:
+        """Whether it is here that a sphere is said to have been at rest, not struck along its line.
+
+        Its velocity is then along the line of centres.
+        """
+        event = self._naming.events.get(line.move.event or 0)
+        if event is None or event.wall or event.number != 1 or self._is_direct(event):
+            return False
+        (body, *_) = line.move.bodies
+        across = self._standing(line).get("across") == body
+        return across and self.tells_of_rest(body, event.number, line)
 
     def _is_out_of_it(self, body: str) -> bool:
         """Whether a body has no part in the impact under whose heading the next line stands."""

@@ -6,14 +6,11 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-import sympy as sp
-
 from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.laws.principles import RECORDS
 from restitution.explaining.lines.derivation import (
     FLIPPED,
-    Event,
     Fact,
     Line,
     Link,
@@ -56,7 +53,7 @@ from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY, TurnLeads
 from restitution.workings.naming.facts import fact_in_words
-from restitution.workings.naming.measured import vector_worth, worth
+from restitution.workings.naming.measured import worth
 from restitution.workings.reasons.factors import cosine_divided, factor_cancelled
 from restitution.workings.reasons.in_any_case import range_behind
 
@@ -132,20 +129,6 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return kinds <= {"velocity", "mass", "speed", "energy"}
         return not kinds.isdisjoint({"energy", "speed"})
 
-    def _is_direct(self, event: Event | None) -> bool:
-        """Whether two spheres of the data move along their line of centres, which is given."""
-        if event is None or event.wall or event.number != 1:
-            return False
-        names = ("axis 1", *(" ".join(("velocity", body)) for body in event.bodies))
-        facts = [self._derivation.fact(name) for name in names]
-        if None in facts:
-            return False
-        vectors = [vector_worth(each.relation.only[-1].right) for each in facts if each]
-        axis, *own = vectors
-        return axis is not None and all(
-            each is not None and sp.expand(each.cross(axis)) == 0 for each in own
-        )
-
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
         record = RECORDS.get(line.move.record or "")
@@ -177,6 +160,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         match record.id, first.left:
             case "assemble", _ if self._under_a_tie(line):
                 return None  # the given fact says so
+            case "assemble", _ if self._goes_off(line):
+                return say("derived-speed.along-from-rest", body=bodies[0])
             case "assemble", _ if self._is_of_the_component_above(line):
                 return None
             case "assemble", Quantity("velocity", (Name(body),), _) if self._is_out_of_it(body):
