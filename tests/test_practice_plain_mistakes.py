@@ -267,6 +267,7 @@ find velocity(B), velocity(C)
         (IN_TURN, "4u = p + 2q\nq - p = ⅓(4u)", "misread"),
         (IN_TURN, "4u = p + 2q\n⅓ = (q - p)/4u", "misread"),
         (IN_TURN, "4u = p + 2q\nq - p = 4u", "restitution-omitted"),
+        (LOSS_OF_18, "12 = 2v + 4w\n½(2)(36) - ½(2)v² = 18", "energy-one-sphere"),
     ],
 )
 def test_a_line_shows_which_of_two_mistakes_with_one_value_it_has(

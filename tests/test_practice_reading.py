@@ -445,3 +445,17 @@ def test_a_dash_behind_the_letter_of_a_sphere_belongs_to_it() -> None:
 def test_a_share_may_end_the_chain_of_what_is_lost() -> None:
     *_, link = line("KE lost = 16 - 13 = 3J = 18.75%", ENERGIES).links
     assert "percentage lost = 0.1875" in [write_claim(each) for each in link.readings]
+
+
+def test_an_angle_to_one_wall_is_none_to_another_that_is_asked() -> None:
+    corner = parse("""wall AB: along i
+wall BC: along 60°
+sphere P: velocity 12 at 45° to AB
+P hits AB: e = 1/2
+find angle(velocity(P, 1), AB)
+P hits BC: e = 2/3
+find speed(P)""")
+    for wall, other in (("AB", "BC"), ("BC", "AB")):
+        meant = [write_expression(each) for each in read_phrase(f"angle with {wall}", corner)]
+        assert any(wall in each for each in meant)
+        assert not any(other in each for each in meant)

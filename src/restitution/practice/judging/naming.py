@@ -42,7 +42,6 @@ from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
 from restitution.practice.judging.other_forms import is_turn, kind_of
 from restitution.practice.judging.plain_mistakes import (
-    are_energies,
     has_coefficient,
     holds_in,
     is_coefficient,
@@ -63,6 +62,7 @@ from restitution.practice.judging.plain_mistakes import (
 )
 from restitution.practice.judging.sizes import numbers_in, varying_size
 from restitution.practice.judging.slips import Correction, corrections, in_datum
+from restitution.practice.judging.typed_energies import are_energies, is_halved
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.reading.phrases import is_phrase, is_relative
@@ -182,6 +182,8 @@ class Names:
         of_deflection = is_deflection_as_angle(entry, judge.base)
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
+        if is_halved(entry):
+            variants = tuple(each for each in variants if each.mistake != "energy-no-half")
         if unresolved:
             # Where the law with speeds explains it as well, it tells of the letters.
             variants = tuple(each for each in variants if each.mistake == "speed-for-component")

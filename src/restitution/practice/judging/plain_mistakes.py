@@ -29,6 +29,12 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Use
 from restitution.practice.judging.entries import Entry
 from restitution.practice.judging.slips import Correction
+from restitution.practice.judging.typed_energies import (
+    given_energies,
+    has_half,
+    has_square,
+    is_given_energy,
+)
 from restitution.practice.reading.phrases import is_phrase, is_relative
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import agrees
@@ -36,7 +42,7 @@ from restitution.practice.worlds.arrays import Array, is_bare
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
-from restitution.problem import Compare, Given, Impact, trees
+from restitution.problem import Impact, trees
 
 _TWO = Number(Fraction(2))
 _SIGNED = frozenset({"momentum", "restitution"})
@@ -102,40 +108,19 @@ def _is_other_component(entry: Entry, world: World) -> bool:
 def _is_without_half(entry: Entry, world: World) -> bool:
     """Whether one of two energies has no ½: ½(2m)w² = ¼mu² for a quarter of ½mu²."""
     for one, other in permutations((entry.claim.left, entry.claim.right)):
-        if not _has_square(one):
+        if not has_square(one):
             continue
-        if is_bare(other) and not _has_half(one) and _is_given_energy(other, world):
+        if is_bare(other) and not has_half(one) and is_given_energy(other, world):
             claim = Claim(Binary("/", one, _TWO), "=", other)  # 2(6)² - 2v² = 18, lost 18
             if holds_in(replace(entry, claim=claim), world):
                 return True
-        if not _has_square(other) or is_bare(other):
+        if not has_square(other) or is_bare(other):
             continue
-        if _has_half(one) and not _has_half(other):
+        if has_half(one) and not has_half(other):
             claim = Claim(one, "=", Binary("/", other, _TWO))
             if holds_in(replace(entry, claim=claim), world):
                 return True
     return False
-
-
-def _is_given_energy(tree: Expression, world: World) -> bool:
-    """Whether a number is that of an energy, or of a loss of it, which the question gives."""
-    given = (
-        pair
-        for _, step in world.problem.steps()
-        if isinstance(step, Given)
-        for relation in step.relations
-        if isinstance(relation, Compare)
-        for pair in permutations(relation.operands, 2)
-    )
-    return any(
-        isinstance(one, Quantity) and "energy" in one.kind and other == tree for one, other in given
-    )
-
-
-def _has_half(tree: Expression) -> bool:
-    """Whether a factor ½ stands in a tree."""
-    halves = (Number(Fraction(1, 2)), Binary("/", Number(Fraction(1)), _TWO))
-    return any(each in halves for each in walk(tree))
 
 
 def _is_of_line_energies(entry: Entry, world: World) -> bool:
@@ -153,7 +138,7 @@ def _with_whole_energies(tree: Expression, entry: Entry, world: World) -> Expres
     size = _spread_in(tree, entry, world)
     for number, spheres in _pairs_of(world):
         line = Quantity("line_of_centres", (), number)
-        for body in spheres if _has_square(tree) else ():
+        for body in spheres if has_square(tree) else ():
             name = Name(body)
             part = Quantity("along", (Quantity("velocity", (name,), number), line))
             square = Binary("*", Quantity("mass", (name,)), Binary("^", part, _TWO))
@@ -225,13 +210,6 @@ def _walls_of(world: World) -> Iterator[tuple[int, tuple[str, ...]]]:
             yield number, (step.first,)
 
 
-def are_energies(entry: Entry) -> bool:
-    """Whether either side of a claim has masses or halves, and squares, as energies have."""
-    sides = entry.claim.left, entry.claim.right
-    massive = all(_has_half(each) or letters(each) & {"m", "M"} for each in sides)
-    return massive and all(map(_has_square, sides))
-
-
 def is_momentum_of_speeds(entry: Entry, world: World) -> bool:
     """Whether terms of an equation of momentum are masses times whole speeds: one, or several."""
     for number, spheres in _pairs_of(world):
@@ -268,17 +246,31 @@ def _are_sizes(
 
 def _is_energy_of_one(entry: Entry, world: World) -> bool:
     """Whether the energy of all spheres is given that of some of them, while the others move."""
+    for quantity, value in given_energies(world):
+        for one, other in permutations((entry.claim.left, entry.claim.right)):
+            if one == value and not is_bare(other):  # ½(2)(36) - ½(2)v² = 18 is all that is lost
+                stage = len(world.events) if quantity.stage is None else quantity.stage
+                lost = replace(quantity, stage=stage)
+                entry = replace(entry, claim=replace(entry.claim, left=lost, right=other))
     meant = _meant(entry)
     if not (isinstance(meant, Quantity) and meant.kind in ("energy", "energy_lost")):
         return False
     if meant.arguments or len(world.start) < 2:
         return False
-    single: list[Expression] = [replace(meant, arguments=(Name(each),)) for each in world.start]
+    single = [_energy_of(Name(each), meant) for each in world.start]
     return any(
         holds_in(replace(entry, claim=replace(entry.claim, left=reduce(_plus, some))), world)
         for number in range(1, len(single))
         for some in combinations(single, number)
     )
+
+
+def _energy_of(body: Name, energy: Quantity) -> Expression:
+    """The energy of one body, or what it loses, of that of all."""
+    after = Quantity("energy", (body,), energy.stage)
+    if energy.kind == "energy" or not isinstance(energy.stage, int):
+        return after
+    return Binary("-", replace(after, stage=energy.stage - 1), after)
 
 
 def _plus(one: Expression, other: Expression) -> Expression:
@@ -552,18 +544,11 @@ def is_energetic(entry: Entry) -> bool:
 def _is_of_squares(entry: Entry) -> bool:
     """Whether a claim is of squares, or its left side an energy, a speed, or its square."""
     left = entry.claim.left
-    if all(map(_has_square, (left, entry.claim.right))):
+    if all(map(has_square, (left, entry.claim.right))):
         return True
     left = left.left if isinstance(left, Binary) and left.op == "^" else left
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
     return isinstance(meant, Quantity) and (meant.kind == "speed" or "energy" in meant.kind)
-
-
-def _has_square(tree: Expression) -> bool:
-    """Whether something is squared in a tree."""
-    return any(
-        isinstance(each, Binary) and each.op == "^" and each.right == _TWO for each in walk(tree)
-    )
 
 
 def is_of_energy(entry: Entry) -> bool:
@@ -675,10 +660,10 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_speed_by_energies, "energy-ratio-as-speed"),
     (_is_share_by_speeds, "energy-ratio-as-speed"),
     (_is_ratio_of_relative_speeds, "restitution-whole-speed"),
+    (_is_without_half, "energy-no-half"),
     (_is_energy_of_one, "energy-one-sphere"),
     (_is_share_of_line, "energy-fraction-of-line"),
     (_is_of_line_energies, "energy-component-missing"),
-    (_is_without_half, "energy-no-half"),
     (_is_without_mass, "mass-omitted"),
     (_is_of_other_masses, "masses-exchanged"),
     (_is_other_function, "sine-cosine"),

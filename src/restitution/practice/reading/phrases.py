@@ -209,7 +209,8 @@ class _Reader(Moments):
                 yield from self.deflection(event)
             elif "angle" in heads:
                 yield from self.angle(event)
-                yield from self.asked("angle")
+                walls = set(self.features.names) & set(self.walls)
+                yield from (each for each in self.asked("angle") if walls <= _names_in(each))
                 yield from self.asked("direction")
             elif heads & {"energy", "loss", "gain"}:
                 yield from self.energy(event)

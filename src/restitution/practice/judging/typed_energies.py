@@ -1,0 +1,81 @@
+"""Lines of energies as they are typed: their halves, their squares, and what is given of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import permutations
+
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.practice.judging.entries import Entry
+from restitution.practice.worlds.world import World
+from restitution.problem import Compare, Given
+
+_TWO = Number(Fraction(2))
+
+
+def is_given_energy(tree: Expression, world: World) -> bool:
+    """Whether a number is that of an energy, or of a loss of it, which the question gives."""
+    return any(value == tree for _, value in given_energies(world))
+
+
+def given_energies(world: World) -> Iterator[tuple[Quantity, Expression]]:
+    """The energies, and losses of it, that the question gives, with their values."""
+    given = (
+        pair
+        for _, step in world.problem.steps()
+        if isinstance(step, Given)
+        for relation in step.relations
+        if isinstance(relation, Compare)
+        for pair in permutations(relation.operands, 2)
+    )
+    for one, other in given:
+        if isinstance(one, Quantity) and "energy" in one.kind:
+            yield one, other
+
+
+def is_halved(entry: Entry) -> bool:
+    """Whether every term with a square, or a product, has its ½: none is left out there."""
+    sides = entry.claim.left, entry.claim.right
+    terms = [each for side in sides for each in _terms(side) if not isinstance(each, Number)]
+    return bool(terms) and all(map(has_half, terms))
+
+
+def _terms(tree: Expression) -> Iterator[Expression]:
+    """The terms of a sum."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            yield from _terms(left)
+            yield from _terms(right)
+        case Negate(operand):
+            yield from _terms(operand)
+        case _:
+            yield tree
+
+
+def has_half(tree: Expression) -> bool:
+    """Whether a factor ½ stands in a tree."""
+    halves = (Number(Fraction(1, 2)), Binary("/", Number(Fraction(1)), _TWO))
+    return any(each in halves for each in walk(tree))
+
+
+def are_energies(entry: Entry) -> bool:
+    """Whether either side of a claim has masses or halves, and squares, as energies have."""
+    sides = entry.claim.left, entry.claim.right
+    massive = all(has_half(each) or letters(each) & {"m", "M"} for each in sides)
+    return massive and all(map(has_square, sides))
+
+
+def has_square(tree: Expression) -> bool:
+    """Whether something is squared in a tree."""
+    return any(
+        isinstance(each, Binary) and each.op == "^" and each.right == _TWO for each in walk(tree)
+    )
