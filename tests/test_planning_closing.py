@@ -164,9 +164,8 @@ def test_the_laws_exclude_that_a_sphere_at_rest_moves_towards_the_other() -> Non
         "sphere A: mass m, velocity u i\nsphere B: mass M, at rest\nA hits B: along i, e = 1/2\n"
         "given speed(B) = 2/5 u\nfind velocity(A)"
     )
-    (reject,) = lines(derivation, "reject")
-    cited = [derivation.lines[n - 1].move.record for n in reject.premises if isinstance(n, int)]
-    assert {"momentum", "restitution"} & set(cited)
+    assert not lines(derivation, "reject")
+    assert "w = 2u/5" in said(derivation)
 
 
 def test_a_coefficient_above_one_is_excluded() -> None:
@@ -247,7 +246,8 @@ def test_an_unknown_mass_and_both_speeds() -> None:
         "sphere A: mass M, velocity 6 at 30°\nsphere B: mass 2, at rest\nA hits B: along i\n"
         "given speed(A) = sqrt(12), speed(B) = 3 sqrt(3)\nfind M, e"
     )
-    assert len(lines(derivation, "reject")) == 2
+    (reject,) = lines(derivation, "reject")  # who was at rest goes forwards: w has one sign
+    assert reject.relation is not None and "v = " in write_relation(reject.relation)  # type: ignore[arg-type]
     assert [each.move.record for each in lines(derivation, "law")].count("restitution") == 1
 
 
@@ -265,8 +265,8 @@ def test_a_sphere_that_goes_across_the_line_of_centres() -> None:
         "given angle(velocity(A), line_of_centres) = 90°, speed(B) = 1/3 u\nfind k, e"
     )
     assert lines(derivation, "define")[0].move.record == "perpendicular"
-    (reject,) = lines(derivation, "reject")
-    assert reject.premises[2:] == ("e >= 0",)  # and not that masses are positive, in silence
+    assert not lines(derivation, "reject")
+    assert "w = u/3" in said(derivation)
 
 
 def test_ratios_of_an_angle_come_from_the_one_that_is_known() -> None:

@@ -282,7 +282,7 @@ find impulse, velocity(P)
 
 READINGS = [
     (SHOWN, "So the impulse on B is in the direction of 𝐢 + 𝐣, as required."),
-    (SHOWN, "magnitude of the impulse = √((9mu/2)² + (9mu/2)²)"),
+    (SHOWN, "magnitude of the impulse = 3m(√2 u + √2 u/2) = 9√2 mu/2"),
     (OPPOSITE, "Comparing the two vectors: 𝐯_A = −2𝐯_B"),
     (UNKNOWN, "Let 𝐧₂ = (𝐢 + 2𝐣)/√5 be a unit vector perpendicular to X,"),
     (SLANTED, "component of 𝐯₁ towards W = (u/2) sin 75° − (√3 u/5) cos 75°"),
