@@ -198,3 +198,12 @@ def test_a_speed_of_the_data_is_put_in_beside_its_ratio() -> None:
         "given speed(P)/speed(P, 0) = 1/3 sqrt(3)\nfind e"
     )
     assert "(⅓√3)²(5²) = (5√3 e/2)² + (5/2)²" in text
+
+
+def test_ratios_of_angles_that_make_a_right_angle_follow_exactly() -> None:
+    text = text_of(
+        "sphere A: mass 2m, velocity u at alpha\nsphere B: mass m, velocity u at beta from -i\n"
+        "A hits B: along i, e = 1/2\ngiven alpha + beta = 90°\n"
+        "find velocity(A) in terms of u, alpha"
+    )
+    assert "Since α + β = 90°: cos β = sin α" in text

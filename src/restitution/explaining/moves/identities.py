@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from restitution.explaining.lines.angles import Identity
-from restitution.explaining.lines.derivation import Link
+from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Quotient
 from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves.angles import RATIOS
@@ -47,8 +49,17 @@ def is_identity(step: Step, line: Link) -> bool:
         if chosen.world.is_angle(each.left)
         else is_root_of(chosen, line, each)
         or matches_with(chosen, line, expected_residual(chosen, each, rules), rules, each.sign)
-        for each in base.only
+        for each in (*base.only, *_parts_of_sums(base))
     )
+
+
+def _parts_of_sums(base: Relation) -> Iterator[Link]:
+    """Each part of a sum of two angles by the other: β = 90° − α where α + β = 90°."""
+    for each in base.only:
+        match each:
+            case Link(Binary("+", one, other), "=", whole):
+                yield Link(one, "=", Binary("-", whole, other))
+                yield Link(other, "=", Binary("-", whole, one))
 
 
 def _is_instance(step: Step, line: Link, names: frozenset[Identity]) -> bool:
