@@ -279,3 +279,14 @@ def test_a_line_shows_which_of_two_mistakes_with_one_value_it_has(
     letters = {} if statement == SHARE_AT_A_WALL else letters
     found = restitution.mark(restitution.parse(statement), working, letters=letters)
     assert found.mistakes == (name,)
+
+
+def test_whole_speeds_are_named_below_the_component_that_is_right() -> None:
+    wall = """
+wall W: along i
+sphere P: mass 2, velocity 4 at 30° to W
+P hits W: e = 1/2
+find speed(P)
+"""
+    lines = "perp after = ½ × 2 = 1\nspeed after = ½ × 4 = 2"
+    assert restitution.mark(restitution.parse(wall), lines).mistakes == ("restitution-whole-speed",)

@@ -248,6 +248,8 @@ class Names:
         variants = variants or [
             each for each in explained.variants if not _contradicts(each, stated)
         ]
+        if not variants and {*map(_family_of, explained.variants)} == {"restitution-whole-speed"}:
+            variants = list(explained.variants)  # who has the component may take e × speed as well
         variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
         ids = tuple(dict.fromkeys(each.id for each in variants))
         families = tuple(dict.fromkeys(map(_family_of, variants)))
