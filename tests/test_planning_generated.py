@@ -17,7 +17,7 @@ from restitution.planning.planner import plan
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.solving import solve
 
-MANY, NIGHTLY = 25, 2000
+FEW, MANY, NIGHTLY = 10, 25, 2000
 REFUSED = 0.05
 """The share of workings that the follower may refuse; it is to be lowered as plans get better."""
 
@@ -79,7 +79,8 @@ def judge(questions: list[Question]) -> tuple[Counter[str], str]:
 @pytest.mark.parametrize(
     ("count", "number"),
     [
-        (MANY, 1),
+        (FEW, 1),
+        pytest.param(MANY, 1, marks=pytest.mark.nightly),
         pytest.param(
             NIGHTLY, 2, marks=[pytest.mark.nightly, pytest.mark.timeout(7200)], id="nightly"
         ),
