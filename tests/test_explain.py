@@ -102,8 +102,7 @@ def test_a_rejected_root_is_told_with_its_reason() -> None:
     )
     flat = " ".join(text.split())
     assert flat.index("v = ±√3 (1)") < flat.index("v = √3 m s⁻¹, as ")
-    made = "v = 3√3(M + 2)/M and e = −2(M + 1)/M < 0 by (2) and (3)"
-    assert f"w = 3√3 m s⁻¹ as w = −3√3 would give {made}" in flat
+    assert "B was at rest, so it moves along the line of centres: w = 3√3 m s⁻¹" in flat
     assert "v = √3 m s⁻¹, as v = −√3 would give e = 4/3 by (3)" in flat
 
 

@@ -65,7 +65,7 @@ SAYS = {
         WALL.format(e="")
         .replace("along i", "along 4i + 3j")
         .replace("u at alpha to W", "a i + b j")
-        + "find velocity(P)",
+        + "find speed(P)",
         ["𝐭 = (4𝐢 + 3𝐣)/5 one parallel to W", "(4a + 3b)/5"],
     ),
     # Of one impact nothing is lost besides.
