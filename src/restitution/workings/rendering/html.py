@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from html import escape
+from itertools import pairwise
 
 from restitution.drawing.svg import to_svg
 from restitution.explaining.lines.saying import note, say
@@ -135,8 +136,22 @@ def _step(step: Step) -> list[str]:
 
 
 def inline(words: Words) -> str:
-    """Words with their mathematics, to stand in a paragraph."""
-    return "".join(escape(word) if isinstance(word, str) else _cell(word) for word in words).strip()
+    """Words with their mathematics, to stand in a paragraph.
+
+    What follows a short formula without a blank stays on its line.
+    """
+    out = held = ""
+    for word, after in pairwise((*words, "")):
+        if isinstance(word, str):
+            out += escape(word.removeprefix(held))
+            held = ""
+            continue
+        held = after.split(" ", 1)[0] if isinstance(after, str) else ""
+        if width(to_text(word)) > _WHOLE:
+            held = ""
+        cell = _cell(word)
+        out += f'<span class="u">{cell}{escape(held)}</span>' if held else cell
+    return out.strip()
 
 
 def table_rows(row: Row) -> list[str]:
