@@ -72,8 +72,8 @@ def of_bodies(kind: str, bodies: Sequence[str], *, several: bool = False) -> Wor
 
 def kinds_of(kinds: Sequence[str], body: str) -> Words:
     """``the speed and the direction of motion of A``."""
-    each = [f"the {called(kind, 1)}" for kind in kinds]
-    return words(listed(each), " of ", Named(body))
+    nouns = [f"the {called(kind, 1)}" for kind in kinds]
+    return words(listed(nouns), " of ", Named(body))
 
 
 def called(kind: str, number: int) -> str:

@@ -210,8 +210,8 @@ class Notes:
         if any(set(each.bodies) == set(names) for each in before):
             return None
         one, other = names
-        way = self._naming.layout(axis if sign == ">" else Negate(axis))
-        return {"one": one, "other": other, "way": way}
+        direction = self._naming.layout(axis if sign == ">" else Negate(axis))
+        return {"one": one, "other": other, "way": direction}
 
     @staticmethod
     def _is_out_of_range(note: Note) -> bool:

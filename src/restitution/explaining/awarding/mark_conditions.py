@@ -190,10 +190,10 @@ def _resolved_again(work: Work, line: Line) -> bool:
     """A component is two terms of a velocity that was found, at an impact that asks no other."""
     match line.relation:
         case Relation(((Link(_, _, Binary("+" | "-")), *_),)) if not _of_facts(work, line):
-            found = {ref for ref in line.premises if isinstance(ref, int)}
+            lines = {ref for ref in line.premises if isinstance(ref, int)}
             own = (each for each in work.derivation.lines if each.move.record == "component")
             others = [e for e in own if e.move.event == line.move.event and e != line]
-            return bool(found) and not others
+            return bool(lines) and not others
     return False
 
 

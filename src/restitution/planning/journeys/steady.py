@@ -67,8 +67,8 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
     if None in ends:
         return None
     early = [known.value for each in between if (known := scene.desk.known(time_tree(each)))]
-    found = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
-    if early and (found or all(each.is_number for each in early)):
+    in_lines = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
+    if early and (in_lines or all(each.is_number for each in early)):
         return None  # the sum is as short
     first, last = (coordinate(scene, body, each, axis) for each in (since, number))
     paces = [velocity(scene, body, stage, axis) for stage in (since, *between)]
