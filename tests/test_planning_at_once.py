@@ -74,7 +74,7 @@ def test_coordinates_with_roots_are_collected_in_a_line() -> None:
         "A hits B: along i - j\ngiven impulse = 3\nfind velocity(A)"
     )
     text = to_text(explain(solution))
-    assert "= ((7 − 3√2)/2 + 3/2)𝐢 + ((3√2 − 7)/2 + 3/2)𝐣" in text
+    assert "(3√2/2)(𝐢 − 𝐣) = ((10 − 3√2)/2)𝐢 + ((3√2 − 4)/2)𝐣" in text
 
 
 def test_equal_angles_are_shown_by_their_letters() -> None:

@@ -63,7 +63,7 @@ find velocity(A)
     words = printed(text)
     side = "Take the line of centres to be turned anticlockwise from 𝐢."
     assert words.count(side) == 1
-    assert "Then (√3/2)𝐢 + ½𝐣 is the unit vector along it, and −½𝐢 + (√3/2)𝐣" in words
+    assert "Let 𝐧 = (√3/2)𝐢 + ½𝐣 be the unit vector along the line of centres" in words
     assert words.index(side) < words.index("8 cos 30°")
 
 

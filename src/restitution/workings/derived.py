@@ -521,12 +521,12 @@ class _Writer:
             reasons=(*rows[-1].reasons, *self.leads.behind(line), *self.reasons.of(line)),
             asides=(*rows[-1].asides, *self.rows.asides(line)),
             number="" if behind is None else str(behind),
+            label=self.ends.label(line, self.said_again),
         )
         if decimals is not None:
             rows.append(decimals)
         end = self.ends.of(line)
-        answer = end is not None and not end.shown
-        rows[-1] = replace(rows[-1], answer=answer, label=self.ends.label(line, self.said_again))
+        rows[-1] = replace(rows[-1], answer=end is not None and not end.shown)
         item = self.ends.place(line)
         if resolved is not None:
             # Components under one heading belong together, whatever items need them.

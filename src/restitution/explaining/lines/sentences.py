@@ -640,6 +640,8 @@ SENTENCES: Mapping[SentenceId, str] = {
         "in 𝐢"
     ),
     "sided.wall": "Take {wall} to be turned anticlockwise from 𝐢.",
+    "sided.wall-unit": ("Then {along} is the unit vector perpendicular to {wall}, towards it."),
+    "sided.spheres-unit": "Then {along} is the unit vector along it.",
     "sided.wall-units": (
         "Then {along} is the unit vector perpendicular to {wall}, towards it, and {across} the "
         "one along it."

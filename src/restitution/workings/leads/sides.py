@@ -38,15 +38,25 @@ class Sides:
             pair = "sided.wall-units" if event.wall else "sided.spheres-units"
             slots = {"wall": event.bodies[1]} if event.wall else {}
             yield say(pair, along=one, across=other, **slots)
+        if len(units) == 1 and not self._naming.bold.has_unit(event.number):
+            (only,) = map(self._naming.layout, units)
+            one_unit = "sided.wall-unit" if event.wall else "sided.spheres-unit"
+            slots = {"wall": event.bodies[1]} if event.wall else {}
+            yield say(one_unit, along=only, **slots)
 
     def _units(self, number: int | None) -> tuple[Expression, ...]:
-        """The unit vectors, along the normal and perpendicular to it, of which a line is made."""
+        """The unit vectors, along the normal and perpendicular to it, of which a line is made.
+
+        The first alone where a velocity changes along the normal only.
+        """
         for line in self._derivation.lines:
-            if line.move.record != "assemble" or line.move.event != number:
+            if line.move.event != number or not isinstance(line.relation, Relation):
                 continue
-            assert isinstance(line.relation, Relation)
-            match line.relation.only[0].right:
-                case Binary("+" | "-", left, right):
+            match line.move.record, line.relation.options[0][0].right:
+                case "changed-velocity", Binary("+" | "-", _, change):
+                    unit = _unit(change)
+                    return () if unit is None else (unit,)
+                case "assemble", Binary("+" | "-", left, right):
                     units = tuple(map(_unit, (left, right)))
                     if all(units):
                         return tuple(each for each in units if each is not None)

@@ -25,6 +25,7 @@ from restitution.planning.writing.forms import factors
 
 _ZERO = Number(Fraction(0))
 # The sign of one factor is seen beside what is cited.
+_RATIOS = frozenset({"sin", "cos", "tan"})
 _SEVERAL = 2
 _ORDERS = frozenset(("<", "<=", ">", ">="))
 
@@ -57,7 +58,10 @@ def signs_of_factors(
 
 def _is_of_a_part(tree: Expression) -> bool:
     """Whether a ratio of a part of an angle is in a sum, as tan(α/3): of it no bound is seen."""
-    return any(isinstance(e, Apply) and isinstance(e.argument, Binary) for e in walk(tree))
+    return any(
+        isinstance(e, Apply) and e.function in _RATIOS and isinstance(e.argument, Binary)
+        for e in walk(tree)
+    )
 
 
 def _product(derivation: Derivation, line: Line) -> Expression | None:
