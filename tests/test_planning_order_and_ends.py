@@ -207,3 +207,12 @@ def test_ratios_of_angles_that_make_a_right_angle_follow_exactly() -> None:
         "find velocity(A) in terms of u, alpha"
     )
     assert "Since α + β = 90°: cos β = sin α" in text
+
+
+def test_an_item_in_terms_of_letters_has_its_number_where_they_stand() -> None:
+    text = text_of(
+        "sphere A: mass m, velocity u i\nsphere B: mass m, at rest\nA hits B: along 30°, e = e\n"
+        "find speed(B) in terms of e, u\nfind deflection(A)\ngiven e = 1/2\nfind energy_lost"
+    )
+    assert "(i) speed of B = √3(1 + e)u/4" in text
+    assert text.count("(i) ") == 1

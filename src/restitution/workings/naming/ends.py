@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    has_quantity,
     is_zero,
     letters,
     walk,
@@ -68,6 +69,7 @@ class Ends:
         self._asked: Mapping[str, Item | Show] = (
             dict(zip(self._parts, asked, strict=True)) if len(asked) == len(self._parts) else {}
         )
+        self._in_letters = dict(self._answers_in_letters(derivation))
 
     def part(self, line: Line) -> str | None:
         """The label of the part to which a line belongs."""
@@ -84,9 +86,38 @@ class Ends:
     def label(self, line: Line, said_again: Collection[str] = ()) -> str:
         """The numbers in the question of the items that end in a line: ``"(i)"``.
 
-        Those that are said again below have their numbers there.
+        Those that are said again below have their numbers there, and those asked in terms of
+        letters where these still stand.
         """
-        return self._label([e.item for e in self._at(line) if e.item not in said_again])
+        own = [e.item for e in self._at(line) if e.item not in said_again]
+        early = [item for item, number in self._in_letters.items() if number == line.number]
+        return self._label([*early, *(item for item in own if item not in self._in_letters)])
+
+    def _answers_in_letters(self, derivation: Derivation) -> Iterator[tuple[str, int]]:
+        """The lines above the ends of items in which they are in the letters that are asked.
+
+        A fact further down has given these letters values since.
+        """
+        every = [
+            frozenset(step.in_terms_of or ()) if isinstance(step, Find) else frozenset[str]()
+            for _, step in self._problem.steps()
+            for _ in _asked(step)
+        ]
+        terms = dict(zip(self._asked, every, strict=False))
+        for end in derivation.items:
+            asked = terms.get(end.item)
+            if not asked or end.shown or len(end.answer.options) != 1:
+                continue
+            left = letters(end.answer.only[-1].right)
+            for line in derivation.lines:
+                match line.relation:
+                    case Relation(((Link(subject, "="), *_) as links,)) if (
+                        subject == end.answer.only[0].left and line.number < end.line
+                    ):
+                        names = letters(links[-1].right)
+                        if left < names <= asked and not has_quantity(links[-1].right):
+                            yield end.item, line.number
+                            break
 
     def label_of(self, item: str | None) -> str:
         """The number of an item in the question, in brackets; empty where it has none."""
