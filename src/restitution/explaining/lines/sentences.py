@@ -49,6 +49,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "event.kick-number": "impulse {number} given to {body}",
     "event.after": "after {event}",
     "event.during": "at {event}",
+    "event.due": "due to {event}",
     "event.arrival": "when {body} reaches {target}",
     # --- principles -------------------------------------------------------------------------------
     "restitution.title": "Newton's experimental law",
@@ -935,6 +936,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.direction": "angle from {unit} to {velocity}",
     "derived.deflection": "angle of deflection of {of:and}",
     "derived.impulse": "impulse on {of:and}",
+    "derived.kick-size": "magnitude of {event}",
     "derived.impulse-given": "impulse given to {of:and}",
     "derived.impulse-size": "magnitude of the impulse",
     "derived.time": "time {event}",

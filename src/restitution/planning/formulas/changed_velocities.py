@@ -17,7 +17,7 @@ from restitution.planning.writing.unit_vectors import unit_tree, whole_direction
 from restitution.vector import Vector
 
 
-def by_its_change(scene: Scene, body: str, stage: int, frame: Frame) -> Formula | None:
+def by_change_along(scene: Scene, body: str, stage: int, frame: Frame) -> Formula | None:
     """A velocity as **u** + (change along **n**)**n**, which needs no component across the line.
 
     None where that component stands already or is wanted, where the line is along **i** or **j**
@@ -104,4 +104,4 @@ def vector_before(scene: Scene, body: str, stage: int) -> Source | None:
     return None if polar and all(source.value) else source
 
 
-__all__ = ["by_its_change", "vector_before"]
+__all__ = ["by_change_along", "vector_before"]

@@ -28,7 +28,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.formulas.assembling import put_together
-from restitution.planning.formulas.changed_velocities import by_its_change
+from restitution.planning.formulas.changed_velocities import by_change_along
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import blown, in_direction
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -154,7 +154,7 @@ def velocity_formula(scene: Scene, quantity: Quantity) -> Formula:
     if known is not None:
         return _once_more(scene, quantity, body, stage, known)
     frame = frame_after(scene, body, stage)
-    changed = by_its_change(scene, body, stage, frame)
+    changed = by_change_along(scene, body, stage, frame)
     if changed is not None:
         return replace(changed, quantity=quantity)
     along, across = parts(scene, body, stage, frame)

@@ -266,6 +266,9 @@ class Naming(Moments):
             case Quantity("restitution", (), _):
                 return self._during(say("derived.coefficient"), tree)
             case Quantity("impulse", (), _):
+                given = self.events.get(_number(tree.stage) or 0)
+                if given is not None and given.kind == "kick" and self.several:
+                    return say("derived.kick-size", event=self._event(given))
                 return self._during(say("derived.impulse-size"), tree)
             case Quantity("impulse", (Name(body),), int(number)) if (
                 number in self.events and self.events[number].kind == "kick"
@@ -598,7 +601,9 @@ class Naming(Moments):
         whole = tree.kind == "deflection"
         if number == self.now and not (whole or self._of_other_times(tree)):
             return words
-        during = say("event.during", event=self._event(self.events[number]))
+        event = self.events[number]
+        name = "event.due" if event.kind == "kick" else "event.during"
+        during = say(name, event=self._event(event))
         return say("derived.when", quantity=words, when=during)
 
     def _at(self, words: Sentence, stage: Stage) -> Sentence:
