@@ -60,7 +60,7 @@ from restitution.workings.reasons.rejected_roots import made_by_a_root
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
-from restitution.workings.reasons.together import merged, told_together
+from restitution.workings.reasons.together import merged, with_acute_angles_together
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
 _BY_TANGENT = "derived.acute-by-tangent"
@@ -108,7 +108,7 @@ class Reasons:
         """What a line rests on, to stand behind it, and which angle it tells to be acute."""
         angle = angle_acute_by(self._derivation, line)
         more = () if angle is None else (say("derived.so-acute", angle=self._naming.layout(angle)),)
-        return (*map(told_together, self._of(line)), *more)
+        return (*map(with_acute_angles_together, self._of(line)), *more)
 
     def _of(self, line: Line) -> tuple[Sentence, ...]:
         """What a line rests on."""

@@ -9,7 +9,7 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.workings.reasons.shape_reasons import UP
 
 
-def told_together(sentence: Sentence) -> Sentence:
+def with_acute_angles_together(sentence: Sentence) -> Sentence:
     """The same reasons, of which those that angles are acute are one."""
     slots = dict(sentence.slots)
     reasons = slots.get("reasons")
@@ -48,4 +48,4 @@ def _upwards(link: Link) -> Link:
     return Link(link.right, "<" if link.sign == ">" else "<=", link.left)
 
 
-__all__ = ["merged", "told_together"]
+__all__ = ["merged", "with_acute_angles_together"]
