@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 
@@ -326,23 +326,13 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
 
 def _lost_by_velocities(scene: Scene, quantity: Quantity, event: int) -> Formula:
     """What an impulse from outside takes: it changes the whole velocity."""
-    terms: list[Expression] = []
-    values: list[Any] = []
-    refs: list[Ref] = []
-    bodies = tuple(scene.spheres(event))
-    for body in bodies:
-        mass = scene.mass(body)
-        early, late = (
-            squares(scene, body, scene.last_event(body, number), known=True)
-            for number in (event - 1, event)
-        )
-        halves = [half(tree_of(mass.value), tree) for tree, _, _ in (early, late)]
-        terms.append(difference(*halves))
-        values.append(mass.value * (early[1] - late[1]) / 2)
-        refs += [*mass.refs, *early[2], *late[2]]
-    move = Move("define", "energy-lost", event, bodies)
-    value = tidy(expanded(sum(values)))
-    return Formula(move, itself, quantity, total(terms), value, together(refs))
+
+    def square_of(body: str, stage: int) -> _Square:
+        return squares(scene, body, scene.last_event(body, stage), known=True)
+
+    whole = _lost_by_squares(scene, quantity, event, square_of)
+    assert whole is not None
+    return whole
 
 
 def energy_change(scene: Scene, asked: Expression) -> Formula | None:
@@ -387,19 +377,43 @@ def _lost_by_speeds(
     known: Callable[[Scene, str, int], Source | None],
 ) -> Formula | None:
     """Where every speed is known, before and after: ½mu² − ½mv²; None otherwise."""
+
+    def square_of(body: str, stage: int) -> _Square | None:
+        speed = known(scene, body, stage)
+        if speed is None:
+            return None
+        return square(tree_of(speed.value)), speed.value**2, speed.refs
+
+    return _lost_by_squares(scene, quantity, event, square_of)
+
+
+_Square: TypeAlias = tuple[Expression, Any, tuple[Ref, ...]]
+"""The square of a speed, its value, and what says it."""
+
+
+def _lost_by_squares(
+    scene: Scene,
+    quantity: Quantity,
+    event: int,
+    square_of: Callable[[str, int], _Square | None],
+) -> Formula | None:
+    """What is lost, by the squares of the speeds before an event and after it.
+
+    None where one of the squares is not known.
+    """
     terms: list[Expression] = []
     values: list[Any] = []
-    refs: list[Any] = []
-    for body in scene.spheres(event):
+    refs: list[Ref] = []
+    bodies = tuple(scene.spheres(event))
+    for body in bodies:
         mass = scene.mass(body)
-        early, late = (known(scene, body, k) for k in (event - 1, event))
+        early, late = (square_of(body, stage) for stage in (event - 1, event))
         if early is None or late is None:
             return None
-        halves = [half(tree_of(mass.value), square(tree_of(e.value))) for e in (early, late)]
-        terms.append(difference(*halves))
-        values.append(mass.value * (early.value**2 - late.value**2) / 2)
-        refs += [*mass.refs, *early.refs, *late.refs]
-    move = Move("define", "energy-lost", event, scene.spheres(event))
+        terms.append(difference(*(half(tree_of(mass.value), each[0]) for each in (early, late))))
+        values.append(mass.value * (early[1] - late[1]) / 2)
+        refs += [*mass.refs, *early[2], *late[2]]
+    move = Move("define", "energy-lost", event, bodies)
     value = tidy(expanded(sum(values)))
     return Formula(move, itself, quantity, total(terms), value, together(refs))
 
