@@ -27,6 +27,7 @@ from restitution.workings.leads.meetings import closing_of
 from restitution.workings.naming.ends import Ends, claim_of_meeting
 from restitution.workings.naming.measured import as_answer
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.reasons.grounds import given_links
 
 _HOLDS: Mapping[str, Callable[[float], bool]] = {
     "=": lambda gap: gap == 0,
@@ -331,14 +332,9 @@ def _scalar_product(note: Note) -> tuple[Link, ...] | None:
 
 def _bounds_of_letters(derivation: Derivation, part: str | None) -> Iterator[Link]:
     """What is given of letters alone in a part, as ``0 < e`` and ``e < 1``."""
-    for fact in derivation.facts:
-        if fact.kind not in ("given", "range") or fact.part not in (None, part):
-            continue
-        if len(fact.relation.options) > 1:
-            continue
-        for link in fact.relation.only:
-            if not has_quantity(link.left) and not has_quantity(link.right):
-                yield link
+    for link in given_links(derivation, part):
+        if not has_quantity(link.left) and not has_quantity(link.right):
+            yield link
 
 
 def _differ(

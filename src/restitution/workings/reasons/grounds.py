@@ -359,14 +359,16 @@ def _roots(derivation: Derivation, line: Line) -> Iterator[Relation]:
         for node in walk(link.right)
         if isinstance(node, Apply) and node.function == "sqrt" and _has_difference(node.argument)
     }
+    for link in given_links(derivation, part):
+        if link.sign in _ORDER and letters(link.left) | letters(link.right) in names:
+            yield Relation(((link,),))
+
+
+def given_links(derivation: Derivation, part: str | None) -> Iterator[Link]:
+    """The equations and inequalities that are given in a part, but for those in alternatives."""
     for fact in derivation.facts:
-        if fact.kind not in ("given", "range") or fact.part not in (None, part):
-            continue
-        if len(fact.relation.options) > 1:
-            continue
-        for link in fact.relation.only:
-            if link.sign in _ORDER and letters(link.left) | letters(link.right) in names:
-                yield Relation(((link,),))
+        if fact.kind in ("given", "range") and fact.part in (None, part):
+            yield from fact.relation.only if len(fact.relation.options) == 1 else ()
 
 
 def _has_difference(tree: Expression) -> bool:
