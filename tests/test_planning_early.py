@@ -143,8 +143,20 @@ find alpha
 """
     working = to_text(explain(solve(parse(text))))
     assert "2 tan(β − arctan(1/3))" not in working
-    assert "tan β = 1" in working
+    assert "2 tan α" in working and "tan β = 1" not in working
     assert "α = arctan(1/2)" in working
+
+
+def test_a_value_in_terms_of_a_letter_keeps_it_above_the_fact_that_fixes_it() -> None:
+    """A fact below the question gives no number to it; one above it does."""
+    question = "find speed(A)/u in terms of alpha, e\n"
+    fact = "given tan(alpha) = 2\n"
+    below, above = (
+        solve(parse(SPHERES + text)).parts[None].items[0].answers[0].value
+        for text in (question + fact + "find energy(A)", fact + question)
+    )
+    assert {symbol.name for symbol in below.free_symbols} == {"alpha", "e"}
+    assert {symbol.name for symbol in above.free_symbols} == {"e"}
 
 
 @pytest.mark.parametrize(

@@ -88,8 +88,8 @@ def _without(
             break
         if same:
             ended.add(index)
-        in_terms = terms(part.part, index) is not None or (closes and _serves(alone, late))
-        if alone.kind == "show" if same else in_terms:
+        in_terms = terms(part.part, index) is not None
+        if in_terms or (alone.kind == "show" if same else closes and _serves(alone, late)):
             count = index
     ended = {each for each in ended if each <= count}
     ids = frozenset(each.id for each in late)

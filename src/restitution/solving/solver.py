@@ -9,6 +9,7 @@ from restitution.errors import TimeLimitError, require
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.checking import check
 from restitution.problem import Compare, Given, Problem, Relation, Show, trees_of_step
+from restitution.solving.asked_letters import in_asked_letters
 from restitution.solving.equations.part import Desk
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.obtuse import with_hints
@@ -51,7 +52,7 @@ def _solved(problem: Problem) -> Solution:
     # The motion alone is solved too, to be drawn.
     for part in asking or problem.parts[-1:]:
         worker = Worker(Desk(problem, part, carried))
-        parts[part.label] = worker.solve()
+        parts[part.label] = in_asked_letters(problem, worker.solve(), _solved)
         warnings += [warning for warning in worker.warnings if warning not in warnings]
         warnings += walls_passed(problem, parts[part.label])
         late = events_out_of_order(problem, parts[part.label])
