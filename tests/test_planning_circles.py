@@ -113,9 +113,70 @@ def test_from_the_rim_the_first_path_is_a_chord_too() -> None:
         """
     )
     assert lines(derivation, "chord")[1:3] == [
-        "distance(position(P, 0), position(P, 1)) = 2a (sqrt(3) u/2/u) = sqrt(3) a [rearrange]",
+        "distance(position(P, 0), position(P, 1)) = 2a cos(30°) = sqrt(3) a [rearrange]",
         "time(1) = sqrt(3) a/u",
     ]
+
+
+def test_from_the_rim_by_vectors_the_place_comes_before_the_components() -> None:
+    problem, derivation = planned(
+        """
+        wall C: circle centre (1, 2) radius 5
+        sphere P: at (-2, -2), velocity 7i + j
+        P hits C: e = 1/4
+        find position(P), velocity(P)
+        """
+    )
+    assert lines(derivation, "chord") == []
+    text = printed(problem, derivation)
+    assert "(7t − 3)² + (t − 4)² = 5²" in text
+    assert "t = 1 s, as t > 0" in text
+    assert text.index("the radius to P is parallel to 4𝐢 − 3𝐣") < text.index("𝐮_P · 𝐧 =")
+
+
+def test_from_the_rim_a_speed_needs_no_place() -> None:
+    _, derivation = planned(
+        """
+        wall C: circle centre (1, 2) radius 5
+        sphere P: at (-2, -2), velocity 7i + j
+        P hits C: e = 1/4
+        find speed(P), angle(velocity(P), C)
+        """
+    )
+    assert len(lines(derivation, "chord")) == 2
+    assert "position(P, 1)" not in " ".join(
+        write_relation(each.relation)
+        for each in derivation.lines
+        if isinstance(each.relation, Relation)
+    )
+
+
+def test_the_length_of_a_chord_is_by_the_angle_of_the_data() -> None:
+    _, derivation = planned(
+        """
+        wall C: circle centre (0, 0) radius a
+        sphere P: at (-a, 0), velocity u at alpha
+        P hits C
+        find time(1), speed(P)
+        """
+    )
+    assert "distance(position(P, 0), position(P, 1)) = 2a cos(alpha)" in lines(derivation, "chord")
+
+
+def test_an_angle_with_a_circle_is_with_the_tangent_where_the_velocity_begins() -> None:
+    problem = parse(
+        """
+        wall C: circle centre (0, 0) radius 5
+        sphere P: at (-3, 0), velocity 4j
+        P hits C: e = 1/2
+        P hits C: e = 1/2
+        find tan(angle(velocity(P, 0), C)), tan(angle(velocity(P, 1), C)), deflection(P, 1)
+        """
+    )
+    # At (−3, 4) the radius has the slope −4/3, and the path is along j.
+    answers = [each.answers[0].value for each in solve(problem).parts[None].items]
+    assert [str(each) for each in answers[:2]] == ["4/3", "2/3"]
+    assert "The steps from here" not in to_text(explain(solve(problem)))
 
 
 def test_the_way_back_to_a_point_of_the_wall_is_a_chord() -> None:

@@ -37,7 +37,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.assembling import put_together
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.writing.circles import chord_from, from_centre
-from restitution.planning.writing.degrees import by_degrees, share_by_degrees
+from restitution.planning.writing.degrees import by_degrees, on_a_chord_by_degrees, share_by_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     ONE,
@@ -168,7 +168,9 @@ def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) ->
         direction = -unit if kind == "along" else unit.turned_left()
         value, more = scene.put(velocity.value.dot(direction))
         refs = together(refs, place.refs, velocity.refs, more)
-        form, value = _scalar_product(velocity.value, direction), neat(value)
+        share = on_a_chord_by_degrees(scene, kind, body, velocity.value, direction)
+        form = _scalar_product(velocity.value, direction) if share is None else share
+        value = neat(value)
         by = "put" if more else "rearrange"
     quantity = frame.component(kind, body, since)
     steps: list[tuple[Expression, MoveId | None]] = [(tree_of(value), None)]

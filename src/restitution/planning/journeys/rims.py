@@ -21,6 +21,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.impacts import after, in_direction
 from restitution.planning.writing.circles import chord_from, circle_of, from_centre
+from restitution.planning.writing.degrees import share_in_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.writing.flights import added
 from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
@@ -119,7 +120,7 @@ def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> S
         towards, used = scene.put(source.value)
         refs += [*source.whole, *used]
     tree = product(tree_of(sp.Integer(2)), tree_of(radius))
-    angle = _cosine_in_degrees(scene, source.value, speed.value)
+    angle = _cosine(scene, body, since, source.value, speed.value)
     if angle is not None:
         tree = product(tree, angle)
     elif towards != speed.value:
@@ -150,6 +151,22 @@ def _cosine_in_degrees(scene: Scene, component: sp.Expr, speed: sp.Expr) -> Expr
     if known is None or not (sp.sympify(known.value, strict=True) / sp.pi).is_Rational:
         return None
     return Apply("cos", tree_of(known.value, angle=True))
+
+
+def _cosine(
+    scene: Scene, body: str, since: int, component: sp.Expr, speed: sp.Expr
+) -> Expression | None:
+    """The cosine of the angle with a radius by that angle; None where it is no angle of the data.
+
+    ``component`` is that of the velocity towards the wall, ``since`` the event before the chord.
+    """
+    by_a_letter = _cosine_in_degrees(scene, component, speed)
+    if by_a_letter is not None:
+        return by_a_letter
+    ratio = tidy(component / speed)
+    if isinstance(ratio, sp.cos | sp.sin) and ratio.args[0].is_Symbol:
+        return tree_of(ratio)
+    return None if since else share_in_degrees(scene, body, ratio)
 
 
 def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:

@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
+from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link
-from restitution.expression.tree import Binary, Expression, Number, Pair, Quantity
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Number,
+    Pair,
+    Polar,
+    Quantity,
+    walk,
+)
 from restitution.planning.writing.place_trees import place_tree
 from restitution.planning.writing.scene import Scene
-from restitution.problem import Arrival
+from restitution.problem import Arrival, trees
 from restitution.vector import Vector
 
 
@@ -61,7 +73,46 @@ def chord_from(scene: Scene, body: str, number: int) -> int | None:
         return None
     radius_vector = from_centre(scene, number, scene.vector(fact.relation.only[0].right))
     radius = scene.scalar(circle[1])
-    return 0 if scene.model.identically_zero(radius_vector.dot(radius_vector) - radius**2) else None
+    if not scene.model.identically_zero(radius_vector.dot(radius_vector) - radius**2):
+        return None
+    return None if _is_told_by_places(scene, body, radius_vector) else 0
+
+
+def _is_told_by_places(scene: Scene, body: str, radius_vector: Vector) -> bool:
+    """Whether a way from a point of a circle is one of numbers, and directions are asked.
+
+    The place at its end has to be found then, and gives the components there. The angle with the
+    radius helps where it is one of the data, or 0.
+    """
+    velocity = scene.initial(body).value
+    story = scene.model.story
+    cosine = tidy(-velocity.dot(radius_vector) / (story.size(velocity) * story.size(radius_vector)))
+    if cosine.free_symbols or cosine.has(sp.cos, sp.sin) or cosine == 1:
+        return False
+    told = scene.facts.get(f"velocity {body}")
+    in_degrees = told is not None and isinstance(told.relation.only[0].right, Polar)
+    if in_degrees and cosine in _COSINES:
+        return False
+    told_by = [each for tree in trees(scene.problem) for each in walk(tree)]
+    of_the_wall = {
+        side
+        for each in told_by
+        if isinstance(each, Quantity) and each.kind == "angle" and _has_a_wall(each)
+        for side in each.arguments
+    }
+    return any(
+        isinstance(each, Quantity) and each.kind in _DIRECTED and each not in of_the_wall
+        for each in told_by
+    )
+
+
+def _has_a_wall(angle: Quantity) -> bool:
+    """Whether an angle is one with a wall, which every chord makes at both its ends."""
+    return any(isinstance(side, Name) for side in angle.arguments)
+
+
+_COSINES = (sp.sqrt(3) / 2, sp.sqrt(2) / 2, sp.S.Half)
+_DIRECTED = {"position", "velocity", "direction", "line_of_centres"}
 
 
 def chord_to_a_point(scene: Scene, body: str, number: int) -> int | None:

@@ -132,4 +132,38 @@ def share_by_degrees(ratio: sp.Expr, function: str) -> Expression | None:
     return Apply(function, Degrees(Fraction(int(angle))))
 
 
-__all__ = ["angles_in", "by_degrees", "reference_of", "share_by_degrees"]
+def share_in_degrees(scene: Scene, body: str, ratio: sp.Expr) -> Expression | None:
+    """The size of a cosine at the start by the angle in degrees that the velocity is given by."""
+    fact = scene.facts.get(f"velocity {body}")
+    share = share_by_degrees(ratio, "cos")
+    if fact is None or share is None:
+        return None
+    return share if set(walk(share)) & angles_in(fact.relation.only[0].right) else None
+
+
+def on_a_chord_by_degrees(
+    scene: Scene, kind: str, body: str, velocity: Vector, direction: Vector
+) -> Expression | None:
+    """A component on a chord by its angle with the radius, one of the data in degrees: 3 cos 30°.
+
+    ``direction`` is that of the component, along the radius at the start or across it. None where
+    there is no such angle.
+    """
+    speed, value = tidy(scene.model.story.size(velocity)), tidy(velocity.dot(direction))
+    towards = value if kind == "along" else tidy(velocity.cross(direction))
+    match share_in_degrees(scene, body, tidy(towards / speed)):
+        case Apply(_, angle):
+            function = "cos" if kind == "along" else "sin"
+            own = product(tree_of(speed), Apply(function, angle))
+            return negative(own) if scene.model.sign(value) < 0 else own
+    return None
+
+
+__all__ = [
+    "angles_in",
+    "by_degrees",
+    "on_a_chord_by_degrees",
+    "reference_of",
+    "share_by_degrees",
+    "share_in_degrees",
+]

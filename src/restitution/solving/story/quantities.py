@@ -9,6 +9,7 @@ from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.expression.evaluate import Angle, Scalar, Value
 from restitution.expression.tree import AtTime, Expression, Name, Quantity, letters, line_and_column
 from restitution.problem import Arrival, Impact
+from restitution.shapes import Circle
 from restitution.solving.story.happenings import Happening
 from restitution.solving.story.state import State
 from restitution.vector import Vector
@@ -173,12 +174,32 @@ def reason_of_rest(tree: Expression) -> str:
 
 
 def _angle(state: State, left: Expression, right: Expression, now: int) -> Angle:
-    a, b = state.direction(left, now), state.direction(right, now)
+    a, b = (
+        _tangent_at_its_hit(state, one, other) or state.direction(one, now)
+        for one, other in ((left, right), (right, left))
+    )
     angle = angle_between(state, a, b, [reason_of_rest(left), reason_of_rest(right)])
     if not (is_line(state, left) or is_line(state, right)):
         return angle
     x = state.field.abs(angle.x)
     return Angle(x, angle.y, lambda: state.field.arctan2(angle.y, x))
+
+
+def _tangent_at_its_hit(state: State, wall: Expression, velocity: Expression) -> Vector | None:
+    """The tangent of a circular wall where a body gets the velocity of which an angle speaks.
+
+    Of the velocity at the start it is where the body first hits that wall. None of anything else:
+    then it is where the wall was struck last.
+    """
+    match wall, velocity:
+        case Name(name), Quantity("velocity", (Name(body),), int(stage)) if name in state.walls:
+            if not isinstance(state.walls[name].shape, Circle):
+                return None
+            hits = [each for each in state.happenings if {name, body} <= set(each.bodies)]
+            before = [each for each in hits if each.number <= stage]
+            hit = before[-1] if before else next(iter(hits), None)
+            return None if hit is None or hit.centres is None else hit.centres.turned_left()
+    return None
 
 
 def is_line(state: State, tree: Expression) -> bool:
