@@ -128,7 +128,8 @@ def test_walls_in_an_order_that_cannot_be() -> None:
         "find position(P)"
     )
     shown = working(text + "\nP hits F: e = 1/2\nfind speed(P)")
-    assert "𝐯₂ = (−1, 1) m s⁻¹ A1 So P moves away from F: what is described" in shown
+    assert "𝐯₂ = (−𝐢 + 𝐣) m s⁻¹ A1ft So P moves away from F: what is described" in shown
+    assert "(i) position of P at the second impact = (6, 2) m A1" in shown
 
 
 def test_walls_in_an_order_that_cannot_be_without_places() -> None:
@@ -225,3 +226,38 @@ def test_an_offset_under_a_root_is_no_square_alone() -> None:
     )
     assert "3d√(4a² − d²)/(4a² + 3d²) = √3" in shown
     assert shown.endswith("So what is described cannot happen.")
+
+
+BEYOND_ITS_END = """
+wall V: along i, through (0, 0)
+wall W: from (1, 3) to (4, 3)
+sphere P: mass m, at (0, 4), velocity {velocity}
+P hits V: e = {e}
+find time(1), velocity(P)
+show speed(P, 0) = 5
+find range of speed(P)
+P hits W: e = 1/2
+find velocity(P){more}
+"""
+
+
+def test_what_is_asked_above_an_event_that_cannot_happen_is_answered() -> None:
+    """P meets the line of W at x = 3 + 9/2."""
+    text = BEYOND_ITS_END.format(velocity="3i - 4j", e="1/2", more="")
+    solution = solve(parse(text))
+    items = solution.parts[None].items
+    assert [each.error is None for each in items] == [True, True, True, False, False]
+    assert items[0].exact == 1
+    assert items[1].exact == (3, 2)
+    shown = working(text)
+    assert "(i) t₁ = 4/4 = 1 s M1 A1" in shown
+    assert "𝐯_P = (3𝐢 + 2𝐣) m s⁻¹ A1" in shown
+    assert "What is described cannot happen, as P does not meet W between its ends" in shown
+    assert shown.index("𝐯_P = (3𝐢 + 2𝐣)") < shown.index("What is described cannot happen")
+
+
+def test_what_hangs_on_a_letter_that_is_not_found_is_not_answered() -> None:
+    text = BEYOND_ITS_END.format(velocity="30i - 4j", e="e", more="\nfind e")
+    items = solve(parse(text)).parts[None].items
+    # the speed before it hangs on no letter, but is not 5
+    assert [each.error is None for each in items] == [True, False, False, False, False, False]

@@ -1,4 +1,4 @@
-"""Items that stand above a given fact of their part, and hold without it."""
+"""Items that stand above a given fact of their part, or an event, and hold without it."""
 
 from __future__ import annotations
 
@@ -54,6 +54,18 @@ def early_items(solution: Solution, part: PartSolution) -> Iterator[Early]:
         if len(early.items) < count - asked:
             return
         asked = count
+
+
+def above_event(problem: Problem, part: PartSolution) -> Early | None:
+    """The items above an event that cannot happen, if any have an answer without it."""
+    before = part.before
+    if before is None:
+        return None
+    number = problem.parts.index(part.part)
+    without = replace(problem, parts=(*problem.parts[:number], before.part))
+    late = frozenset(each.id for each in _late(problem, without, before.part))
+    items = range(1, len(before.items) + 1)
+    return Early(without, before, late, items, frozenset(items))
 
 
 def _count(step: object) -> int:

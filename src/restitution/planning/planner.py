@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
-
-import sympy as sp
 
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
@@ -24,15 +21,11 @@ from restitution.explaining.following.premises import (
 )
 from restitution.explaining.lines.derivation import (
     Derivation,
-    ItemEnd,
     Line,
-    Link,
     Meaning,
     Relation,
-    equation,
 )
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -51,7 +44,13 @@ from restitution.planning.axes.open_lines import write_open_lines
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.clashes import write_clash
 from restitution.planning.closing.wanted_letters import with_wanted_letters
-from restitution.planning.early import Early, early_items, terms
+from restitution.planning.early import Early, above_event, early_items, terms
+from restitution.planning.ends_required import (
+    require_answer,
+    require_form,
+    require_found,
+    require_letters,
+)
 from restitution.planning.idle_facts import with_facts_that_agree, write_idle_facts
 from restitution.planning.inequalities.extrema import only_answer, write_extremum
 from restitution.planning.inequalities.forms_of_ranges import is_in_a_form, write_form
@@ -83,7 +82,6 @@ from restitution.planning.writing.direct_ratios import with_direct_ratios
 from restitution.planning.writing.direct_tangents import with_direct_tangents
 from restitution.planning.writing.either_side import on_one_side, write_other_side
 from restitution.planning.writing.facts_once import with_facts_once
-from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.gathering import (
     gathered,
     numbered_anew,
@@ -238,16 +236,11 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     if not part.items:
         return desk
     desk.part, desk.apart = part.part.label, len(part.branches) > 1
-    for write in (write_clash, write_out_of_range, write_unreached, write_idle_facts):
-        if (refuted := write(solution, part, desk, _names(part))) is not None:
-            return refuted
-    if not part.branches or all(isinstance(item.error, MissingError) for item in part.items):
-        for index, each in enumerate(part.items, 1):
-            if each.error is None:
-                raise NotPlannedError("no solution")
-            note_of(desk, each, _name(part, index))
-        return desk
+    if (above := above_event(solution.problem, part)) is not None:
+        return _write_above_event(solution, part, above, desk, partial)
     names = _names(part)
+    if (refuted := _without_answers(solution, part, desk, names)) is not None:
+        return refuted
     early, ended = _write_early(solution, part, desk)
     whole: tuple[Desk, int] | None = None
     if early is not desk:
@@ -263,8 +256,49 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     return whole[0]
 
 
+def _without_answers(
+    solution: Solution, part: PartSolution, desk: Desk, names: list[str]
+) -> Desk | None:
+    """The desk with why the items of a part have no answers; None for a part with a solution.
+
+    ``names`` are those of the items.
+    """
+    for write in (write_clash, write_out_of_range, write_unreached, write_idle_facts):
+        if (refuted := write(solution, part, desk, names)) is not None:
+            return refuted
+    if part.branches and not all(isinstance(item.error, MissingError) for item in part.items):
+        return None
+    for name, each in zip(names, part.items, strict=True):
+        if each.error is None:
+            raise NotPlannedError("no solution")
+        note_of(desk, each, name)
+    return desk
+
+
+def _write_above_event(
+    solution: Solution, part: PartSolution, early: Early, desk: Desk, partial: bool
+) -> Desk:
+    """The desk with the items above an event that cannot happen, and why the others have no end."""
+    named = list(zip(_names(part), part.items, strict=True))
+    left = replace(part, items=tuple(each for _, each in named if each.error is not None))
+    above = [name for name, each in named if each.error is None]
+    desk.apart, withheld = len(early.part.branches) > 1, desk.withheld
+    desk.withheld = early.late
+    desk, _ = _as_far(solution, part, desk, above, partial, early)
+    desk.withheld = withheld
+    names = [name for name, each in named if each.error is not None]
+    refused = _without_answers(solution, left, desk, names)
+    assert refused is not None
+    return refused
+
+
 def _as_far(
-    solution: Solution, part: PartSolution, desk: Desk, names: list[str], partial: bool
+    solution: Solution,
+    part: PartSolution,
+    desk: Desk,
+    names: list[str],
+    partial: bool,
+    early: Early | None = None,
 ) -> tuple[Desk, int]:
     """The desk with these items of a part, and how far their ways are from a plan of each."""
     if not names:
@@ -274,14 +308,14 @@ def _as_far(
     if in_terms is not None:
         return in_terms, 0
     if not partial:
-        return joined(desk, _drafts(solution, part, desk, statuses, _PLANNED)), 0
+        return joined(desk, _drafts(solution, part, desk, statuses, _PLANNED, early=early)), 0
     for least in (_PLANNED, _SOLVED):
         statuses = {name: max(status, least) for name, status in statuses.items()}
         before = None
         while statuses != before:
             # Every solution is written in the way in which the last one could be.
             before = dict(statuses)
-            drafts = _drafts(solution, part, desk, statuses, _NOTED)
+            drafts = _drafts(solution, part, desk, statuses, _NOTED, early=early)
             if len(drafts) == 1:
                 return drafts[0], sum(statuses.values())
         try:
@@ -289,7 +323,8 @@ def _as_far(
         except NotPlannedError:
             continue
     statuses = dict.fromkeys(names, _NOTED)
-    return _drafts(solution, part, desk, statuses, _NOTED)[0], sum(statuses.values())
+    drafts = _drafts(solution, part, desk, statuses, _NOTED, early=early)
+    return drafts[0], sum(statuses.values())
 
 
 def _write_early(solution: Solution, part: PartSolution, desk: Desk) -> tuple[Desk, set[str]]:
@@ -554,10 +589,10 @@ def _write_item(
             if not write_with_facts(scene, solver, name):
                 write_item(scene, solver, asked, name)
             if place_trees.serves(asked):
-                _require_form(scene, result)
-            _require_found(scene, asked)
-            _require_answer(scene, result)
-            _require_letters(scene, result)
+                require_form(scene, result)
+            require_found(scene, asked)
+            require_answer(scene, result)
+            require_letters(scene, result)
 
 
 def _write_range(
@@ -587,109 +622,17 @@ def _write_one_value(
     mark = solver.mark()
     try:
         write_item(scene, solver, asked, name)
-        _require_found(scene, asked)
+        require_found(scene, asked)
     except NotPlannedError:
         solver.back(mark)
         return False
     return True
 
 
-def _require_found(scene: Scene, asked: Expression) -> None:
-    """Refuses an answer with a letter that the solution finds."""
-    own = letters(asked)
-    open_letters = {each.name for each in scene.model.final if each not in scene.free} - own
-    for links in scene.desk.ends[-1].answer.options:
-        if any(open_letters & letters(link.right) for link in links):
-            raise NotPlannedError(f"an answer with {', '.join(sorted(open_letters))}")
-
-
-def _measured(value: Any) -> Any:
-    """A value; of an angle that in radians."""
-    return value.measure() if isinstance(value, Angle) else value
-
-
-def _require_answer(scene: Scene, result: ItemResult) -> None:
-    """Refuses an answer that is not that of the solver for all letters which a solution admits.
-
-    That its lines are true is seen at the numbers of the solution, where signs may be others.
-    """
-    number, options = scene.model.branch.number, scene.desk.ends[-1].answer.options
-    answer = next((each for each in result.answers if each.solution == number), None)
-    if answer is None or len(options) != 1 or options[0][-1].sign != "=":
-        return
-    written, wanted = (
-        value if isinstance(value, tuple) else (value,)
-        for value in (_measured(scene.value(options[0][-1].right)), answer.value)
-    )
-    if len(written) != len(wanted):
-        return  # nothing, for a vector
-    for one, other in zip(written, wanted, strict=True):
-        if other.free_symbols and scene.model.differ(sp.sympify(one, strict=True), other):
-            raise NotPlannedError("an answer that is another for some values of the letters")
-
-
-def _require_letters(scene: Scene, result: ItemResult) -> None:
-    """Refuses an answer in letters that are not those of the solver's, which were asked for."""
-    asked = {
-        symbol.name
-        for answer in result.answers
-        for part in (answer.value if isinstance(answer.value, tuple) else (answer.value,))
-        for symbol in part.free_symbols
-    }
-    for links in scene.desk.ends[-1].answer.options:
-        for link in links:
-            named = {name for name in letters(link.right) - asked if f"let {name}" in scene.facts}
-            if named:
-                raise NotPlannedError(f"an answer in {', '.join(sorted(named))}")
-            value = _measured(scene.value(link.right))
-            parts = value if isinstance(value, tuple) else (value,)
-            others = {
-                symbol.name
-                for each in map(sp.sympify, parts)
-                for symbol in each.free_symbols
-                if symbol.name not in asked and symbol.name in letters(link.right)
-                # What cancels in the value is no letter of the answer.
-                if not scene.model.identically_zero(sp.diff(each, symbol))
-            }
-            if others:
-                raise NotPlannedError(f"an answer in {', '.join(sorted(others))}")
-
-
-def _require_form(scene: Scene, result: ItemResult) -> None:
-    """Refuses a place or a length whose ratios of angles are not those of the answer.
-
-    One in tangents, of an answer in sines and cosines, ends in the answer.
-    """
-    end = scene.desk.ends[-1]
-    values = {answer.value for answer in result.answers if not isinstance(answer.value, tuple)}
-    if len(values) != 1 or len(end.answer.options) != 1 or result.kind != "value":
-        return
-    (value,) = values
-    kinds = {node.function for node in walk(end.answer.only[0].right) if isinstance(node, Apply)}
-    ratios = {type(atom).__name__ for atom in value.atoms(*_RATIOS)}
-    if "tan" in kinds and ratios == {"sin", "cos"}:
-        _end_in(scene, end, value)
-    elif kinds & _NAMES != ratios:
-        raise NotPlannedError("an answer in another form")
-
-
-def _end_in(scene: Scene, end: ItemEnd, value: Any) -> None:
-    """Ends the last line of an item in the form of its answer, sines and cosines for a tangent."""
-    line = scene.desk.line(end.line)
-    assert isinstance(line.relation, Relation)
-    last = Link(line.relation.only[-1].right, "=", tree_of(value), "rearrange")
-    whole = replace(line, relation=Relation(((*line.relation.only, last),)))
-    subject = end.answer.only[0].left
-    scene.desk.lines[end.line - 1] = whole
-    scene.desk.ends[-1] = replace(end, answer=equation(subject, last.right))
-
-
 # The ways in which an item may be written, in this order: by a plan; by a plan in which equations
 # that no shape fits are solved in one line; as far as it goes, with a note of the answer.
 _PLANNED, _SOLVED, _NOTED = range(3)
 
-_RATIOS = (sp.sin, sp.cos, sp.tan)
-_NAMES = {"sin", "cos", "tan"}
 # A longer story is no exam question, and every pair of its events would be looked at.
 _MOST_EVENTS = 12
 _MOST_ITEMS = 40

@@ -47,6 +47,7 @@ from restitution.problem import (
     Show,
     Value,
 )
+from restitution.solving.above_events import answered_above
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.numbers import Sample, at, sample
 from restitution.solving.equations import clash
@@ -158,7 +159,15 @@ class Worker:
                     )
             elif isinstance(step, Show):
                 results.append(self._kept(partial(self._show, step, now)))
-        return self._whole(tuple(results))
+        whole = self._whole(tuple(results))
+        if whole.branches or not isinstance(whole.error, ImpossibleError):
+            return whole
+        items, before = answered_above(self.problem, self.part, whole.items, self._solved_apart)
+        return whole if before is None else replace(whole, items=items, before=before)
+
+    def _solved_apart(self, problem: Problem, part: Part) -> PartSolution:
+        """A part of another problem, under what earlier parts have found here."""
+        return Worker(Desk(problem, part, self.desk.carried)).solve()
 
     def _kept(self, make: Callable[[], ItemResult]) -> ItemResult:
         """An item, unless something of it was broken off and passed over."""

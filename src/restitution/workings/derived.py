@@ -353,10 +353,11 @@ class _Writer:
 
     def _noted(self, notes: Sequence[Note]) -> Iterator[Step]:
         """Why items have no answer, or why a claim is not true."""
-        for note, sentence in self.notes.sentences(notes):
+        for (note, *others), sentence in self.notes.sentences(notes):
             self.afresh()
             points = tuple(_because(mark) for mark in note.marks)
-            item, label = self.ends.place_of(note.item), self.ends.label_of(note.item)
+            item = self.ends.place_of(note.item)
+            label = self.ends.label_of(note.item, *(each.item for each in others))
             if note.kind in ("unwritten", "standing") and note.claim is not None:
                 line = Line(0, note.item, Move("answer"), (), note.claim)
                 *rows, last = self.rows.of(line, (), True)

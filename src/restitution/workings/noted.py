@@ -63,7 +63,7 @@ class Notes:
             places.setdefault(max(before, default=0), []).append(note)
         return places
 
-    def sentences(self, notes: Sequence[Note]) -> Iterator[tuple[Note, Sentence]]:
+    def sentences(self, notes: Sequence[Note]) -> Iterator[tuple[list[Note], Sentence]]:
         """Notes in words; those with one reason in one sentence."""
 
         def reason(note: Note) -> object:
@@ -75,7 +75,7 @@ class Notes:
 
         for _, group in groupby(notes, reason):
             own = list(group)
-            yield own[0], self._of_several(own)
+            yield own, self._of_several(own)
 
     def _of_several(self, notes: Sequence[Note]) -> Sentence:
         (first, *_) = notes

@@ -175,7 +175,8 @@ class PartSolution:
     """One part solved.
 
     ``beyond`` is all that its equations give, where there is no solution because each time a
-    letter is out of its range.
+    letter is out of its range. ``before`` is the part up to an event that cannot happen, by whose
+    solutions the items above that event are answered.
     """
 
     part: Part
@@ -186,6 +187,7 @@ class PartSolution:
     open_story: Story | None = None
     error: RestitutionError | None = None
     beyond: tuple[Branch, ...] = ()
+    before: PartSolution | None = None
 
     def __getitem__(self, text: str) -> ItemResult:
         for item in reversed(self.items):

@@ -119,9 +119,9 @@ class Ends:
                             yield end.item, line.number
                             break
 
-    def label_of(self, item: str | None) -> str:
-        """The number of an item in the question, in brackets; empty where it has none."""
-        return self._label([item or ""])
+    def label_of(self, *items: str | None) -> str:
+        """The numbers of items in the question, in brackets; empty where they have none."""
+        return self._label([item or "" for item in items])
 
     def _label(self, items: Sequence[str]) -> str:
         numbers = dict.fromkeys(self._numbers.get(item, "") for item in items)
