@@ -135,9 +135,10 @@ def test_later_parts_use_earlier_results() -> None:
     )
     first, second = text.split("(b)")
     assert "Conservation of momentum" in first
-    assert "From part (a):" in second
+    assert "with w from part (a):" in second
     assert "Conservation of momentum" not in second
-    assert "w = ⅓u cos θ" in second  # the value of part (a), before it is put in
+    assert "w = ⅓u cos θ" not in second  # the value of part (a) is put in at once
+    assert "3m(⅓u cos θ)²" in second
     assert "cos²θ = ¼" in second
 
 

@@ -8,7 +8,7 @@ from restitution.language import parse
 from restitution.solving import solve
 from restitution.wording import question
 from restitution.wording.text import to_text as to_words
-from restitution.workings import explain, to_text
+from restitution.workings import explain, to_html, to_latex, to_markdown, to_text
 
 # The speed of B is found in letters first; each part has values of its own.
 IN_PARTS = """
@@ -26,6 +26,18 @@ sphere A: mass 3m, velocity u i
 sphere B: mass 2m, at rest
 A hits B: along i, e = 1/4
 find velocity(A), speed(B)/u
+"""
+A_SECOND_IMPACT = """
+sphere A: mass 4m, velocity u i
+sphere B: mass m, at rest
+wall W: along j
+A hits B: along i, e = 3/4
+part a
+find velocity(A), velocity(B)
+part b
+B hits W: e = 1/2
+A hits B: along i, e = 3/4
+find velocity(A)
 """
 TURNED_AT_A_WALL = """
 wall W: along i
@@ -91,10 +103,47 @@ given direction(A) = 90°
 find e
 """
     )
-    assert "Substituting for w and v in (1): mu cos α = 4m(⅕(1 + e)u cos α)" in said
+    assert "Substituting for w from part (a) and v in (1): mu cos α = 4m(⅕(1 + e)u cos α)" in said
 
 
-def test_both_components_of_a_velocity_are_said_again() -> None:
+def test_values_of_another_part_are_named_where_they_are_put_in() -> None:
+    said = printed(
+        """
+sphere A: mass m, velocity 4u i
+sphere B: mass k m, velocity -u i
+A hits B: along i, e = 1/5
+part a
+given velocity(A) in the direction of -i
+find range of k
+part b
+given velocity(B) in the direction of -i
+find range of k
+part c
+find velocity(A), velocity(B), energy(A)
+"""
+    )
+    assert said.count("v = 2(2 − k)u/(1 + k)") == 1
+    assert "(b) Substituting for v from part (a) in (2): w − 2(2 − k)u/(1 + k) =" in said
+    assert "The velocity, from its components, with v from part (a): 𝐯_A = (2(2 − k)u/(1" in said
+    assert "The velocity, from its components, with w from part (b): 𝐯_B = ((5 − k)u/(1" in said
+    assert "From part" not in said and said.count("from part (a)") == 2
+
+
+def test_a_source_stands_in_each_form_behind_the_name_of_the_law() -> None:
+    working = explain(solve(parse(A_SECOND_IMPACT)))
+    named = "Conservation of momentum along the line of centres"
+    assert f"{named}, with v₁ from part (a):" in " ".join(to_text(working).split())
+    assert f"*{named}*, with $v_{{1}}$ from part (a):" in to_markdown(working)
+    assert rf"\emph{{{named}}}, with $v_{{1}}$ from part (a):" in to_latex(working)
+    assert f'<span class="principle">{named},</span> with' in to_html(working)
+    steps = [each for part in working.parts for each in part.steps if each.source is not None]
+    assert [(each.principle, each.sign) for each in steps] == [
+        ("Newton's experimental law", ","),
+        (named, ","),
+    ]
+
+
+def test_both_components_of_a_velocity_are_named_together() -> None:
     said = printed(
         """
 wall X: along i
@@ -109,8 +158,7 @@ P hits Y: e = 1/2
 find speed(P)
 """
     )
-    again = "From part (a): component of 𝐯₁ along 𝐢 = 3u/5 component of 𝐯₁ along 𝐣 = 2u/5"
-    assert again in said
+    assert "Components before the impact, with the components of 𝐯₁ from part (a):" in said
 
 
 def test_a_speed_in_letters_takes_the_values_that_are_found() -> None:

@@ -173,7 +173,7 @@ SAYS = {
     "two angles with the sum 90°": (
         WALL.format(e=": e = 1/3")
         + "let beta = angle(velocity(P), W)\ngiven alpha + beta = 90°\nfind alpha",
-        ["Since α + β = 90°:\n    β = 90° − α", "tan α tan β = 1", "tan²α = 3", "α = 60°"],
+        ["Since α + β = 90°:\n    tan α tan β = 1", "tan²α = 3", "α = 60°"],
     ),
     # tan β = tan α/3 with α = 2β: 1 − tan²β = 2/3.
     "an angle that is twice another": (
@@ -230,7 +230,12 @@ SAYS = {
             "A hits B: along i\npart a\nfind velocity(B)\n"
             "part b\ngiven e = 1/2\nfind velocity(A)"
         ),
-        ["(b)", "w = 2 + 4e", "Since e = ½:\n    w = 4", "4 − v = ½(4 + 2)", "v = 1"],
+        [
+            "(b)",
+            "Since e = ½, with w = 2 + 4e from part (a):\n    w = 4",
+            "4 − v = ½(4 + 2)",
+            "v = 1",
+        ],
     ),
     # 9 = 3(w + 2) gives w = 1, and the two laws v and x.
     "a component of the data by an impulse": (
@@ -259,7 +264,7 @@ SAYS = {
             "Substituting in (1):\n    component of 𝐯_P along 𝐣 = 1",
             "(b)\n\nFrom part (a):\n    e = ¼",
             "(c)",
-            "From part (a):\n    𝐯_P = (3𝐢 + 𝐣) m s⁻¹",
+            "by the scalar product, with 𝐯_P from part (a):",
             "cos δ = (3 × 3 − 4)/(√(3² + 4²)√(3² + 1²)) = √10/10",
         ],
     ),

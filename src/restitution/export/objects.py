@@ -363,6 +363,7 @@ class StepContent(TypedDict):
 
     kind: str
     principle: str | None
+    sign: str
     about: Any
     said: Any
     """A tree, or null."""

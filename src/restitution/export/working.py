@@ -325,6 +325,7 @@ def _step(step: Step) -> StepContent:
     return {
         "kind": step.kind,
         "principle": step.principle,
+        "sign": step.sign,
         "about": about(step),
         "said": tree(words) if words else None,
         "mark": step.mark,

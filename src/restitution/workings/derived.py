@@ -22,22 +22,18 @@ from restitution.explaining.lines.derivation import (
     Derivation,
     ItemEnd,
     Line,
-    Link,
     Meaning,
     Move,
     Note,
     Relation,
 )
-from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Expression,
-    Letter,
     Quantity,
     has_quantity,
-    is_zero,
     letters,
     walk,
 )
@@ -45,6 +41,7 @@ from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.conditions import first_lines_of_letters, is_same
+from restitution.workings.leads.carried import Carried
 from restitution.workings.leads.given_leads import GivenLeads
 from restitution.workings.leads.introductions import Introductions
 from restitution.workings.leads.meetings import meetings
@@ -153,6 +150,7 @@ class _Writer:
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)
         self.touching = Touching(derivation, self.naming)
+        self.carried = Carried(derivation, self.naming, self.measures, self.sources, self.ends)
         self.staying = Staying(
             derivation, self.naming, self.measures, self.sources, self.ends, self.rows.instead_of
         )
@@ -161,7 +159,6 @@ class _Writer:
         self.group: int | None = None
         self.entered: set[int] = set()
         self.stay: list[Line] = []
-        self.recalled: set[tuple[str | None, int]] = set()
         self.said_again: set[str] = set()
 
     def part(self, label: str | None) -> tuple[Step, ...]:
@@ -212,8 +209,8 @@ class _Writer:
                 self.naming.bold.gather(line.move.event or 0)
                 if not lets:
                     yield from self._introduced()
-            if not waiting:
-                yield from self._recalled(tuple(_resolved_with(shown[index:])))
+            if not waiting and self.carried.gather(_resolved_with(shown[index:])):
+                self.afresh()
             early = _before_their_line(lets, shown[index:])
             if lets and not early:
                 introductions = tuple(self.introductions.of(lets))
@@ -377,41 +374,6 @@ class _Writer:
         if introduced:
             yield Step("setting", sentences=introduced)
 
-    def _recalled(self, lines: Sequence[Line]) -> Iterator[Step]:
-        """The values of earlier parts on which lines rest, where these do not name them."""
-        values: dict[str | None, list[Line]] = {}
-        beside: list[Line] = []
-        for line in lines:
-            part, source = self.ends.part(line), self.sources.of(line)
-            named = () if source is None else source.numbered
-            for ref in line.premises:
-                own = self.derivation.line(ref) if isinstance(ref, int) else None
-                if own is None or ref in named or (part, ref) in self.recalled:
-                    continue
-                label = self.ends.part(own)
-                if label == part or not self._is_recalled(own):
-                    continue
-                if label is None and part == self._first_label():
-                    continue  # it stands just above
-                if own.move.record == "unchanged":
-                    beside.append(own)
-                    continue
-                self.recalled.add((part, own.number))
-                values.setdefault(label, []).append(own)
-        for label, recalled in values.items():
-            # A component that stays is said again beside the other one of that velocity alone.
-            both = {each.number: each for each in (*recalled, *_others(beside, recalled))}
-            self.recalled |= {(self.ends.part(lines[0]), each) for each in both}
-            rows = [self._again(both[each]) for each in sorted(both)]
-            where = say("carried.part", label=label) if label else say("carried.above")
-            self.afresh()
-            item = self.ends.place(lines[0])
-            yield Step("result", tuple(rows), sentences=(where,), item=item)
-
-    def _first_label(self) -> str | None:
-        """The label of the first lettered part that has a working."""
-        return next(filter(None, map(self.ends.part, self.derivation.lines)), None)
-
     def _again(self, line: Line) -> Row:
         """What a line says of its left side, as a row."""
         assert isinstance(line.relation, Relation)
@@ -420,21 +382,6 @@ class _Writer:
         if is_plain(value) and value != lay.Number("0"):
             value = with_unit(value, self.measures.unit(left))
         return Row((self.naming.layout(left), value), ("=",))
-
-    @staticmethod
-    def _is_recalled(line: Line) -> bool:
-        """Whether a line gives a value that was worked out, and no plain datum."""
-        relation = line.relation
-        return (
-            isinstance(relation, Relation)
-            and len(relation.options) == 1
-            and len(chains(relation.only)) == 1
-            and relation.only[-1].sign == "="
-            and not is_zero(relation.only[-1].right)
-            and isinstance(relation.only[0].left, Letter | Quantity)
-            and line.shown != "silent"
-            and line.move.id not in ("triangle", "fact")
-        )
 
     def _whole(self, step: Step, line: Line) -> Step:
         """A step whose first row goes on from the row above, with its left side after all."""
@@ -488,7 +435,9 @@ class _Writer:
         self.title = title
         points: Marks = tuple(_because(mark) for line in lines for mark in line.marks)
         own = None if again else title
-        return Step("principle", (), own, (sentence,), points, item=self.ends.place(lines[0]))
+        sentences, source = self.carried.beside(own, () if own else (sentence,))
+        item = self.ends.place(lines[0])
+        return Step("principle", (), own, sentences or (sentence,), points, item, source=source)
 
     def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
@@ -511,7 +460,8 @@ class _Writer:
             self.title = title or resolved
         again = bool(sentences) and sentences == self.before and not given
         self.before = sentences
-        sentences = () if again else sentences
+        title = None if named else title
+        sentences, source = self.carried.beside(title, () if again else sentences, _subject(line))
         decimals = self.rows.decimals(line)
         numbers = self.sources.numbers
         behind = next((numbers[e.number] for e in (line, *waiting) if e.number in numbers), None)
@@ -533,7 +483,7 @@ class _Writer:
             # Components under one heading belong together, whatever items need them.
             item = self.group if not sentences else item
             self.group = item
-        return Step(kind, tuple(rows), None if named else title, sentences, item=item)
+        return Step(kind, tuple(rows), title, sentences, item=item, source=source)
 
 
 def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
@@ -617,19 +567,10 @@ def _is_axis(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
 
 
-def _others(beside: Sequence[Line], recalled: Sequence[Line]) -> Iterator[Line]:
-    """Of components, those of velocities that have another one among lines."""
-    velocities = {velocity for each in recalled for velocity in _resolved(each)}
-    for each in beside:
-        if not velocities.isdisjoint(_resolved(each)):
-            yield each
-
-
-def _resolved(line: Line) -> Iterator[Expression]:
-    """The velocity of which a line says a component."""
-    match line.relation:
-        case Relation(((Link(Quantity("along" | "across", (velocity, _))), *_),)):
-            yield velocity
+def _subject(line: Line) -> Expression | None:
+    """Of which quantity or letter a line says the value."""
+    relation = line.relation
+    return relation.options[0][0].left if isinstance(relation, Relation) else None
 
 
 def _because(mark: Mark) -> Mark:

@@ -621,6 +621,14 @@ SENTENCES: Mapping[SentenceId, str] = {
     # --- equations solved -------------------------------------------------------------------------
     "carried.part": "From part ({label}):",
     "carried.above": "From above:",
+    "carried.from-part": "{values:and} from part ({label})",
+    "carried.from-above": "{values:and} from above",
+    "carried.components": "the components of {velocity}",
+    "carried.with": "with {sources:and}:",
+    "carried.with-alone": "With {sources:and}:",
+    "carried.with-anew": "With {sources:and}:",
+    "carried.in": "in part ({label}):",
+    "carried.in-above": "above:",
     # --- places and times -------------------------------------------------------------------------
     "turned-velocity.title": "The velocity, from its magnitude and direction",
     "turned-velocity.why": (

@@ -125,7 +125,7 @@ def _step(step: Step) -> list[str]:
     if step.kind == "heading":
         return [f"<h3>{words}</h3>"]
     if step.principle:
-        words = f'<span class="principle">{escape(step.principle)}:</span> {words}'
+        words = f'<span class="principle">{escape(step.principle)}{step.sign}</span> {words}'
     out: list[str] = []
     if words:
         mark = f'<span class="mark">{escape(step.mark)}</span>' if step.mark else ""

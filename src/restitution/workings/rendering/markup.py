@@ -93,7 +93,7 @@ def _markdown_step(step: Step) -> list[str]:
     if step.kind == "heading":
         return [f"**{text}**" if not _has_math(step.words) else text]
     if step.principle:
-        named = f"*{_markdown(step.principle)}*:"
+        named = f"*{_markdown(step.principle)}*{step.sign}"
         text = f"{named} {text}" if text else named
     if step.mark:
         text = f"{text} **[{_markdown(step.mark)}]**"
@@ -140,7 +140,7 @@ def _latex_part(part: PartExplanation) -> list[str]:
             blocks.append(rf"\textbf{{{text}}}")
             continue
         if step.principle:
-            named = rf"\emph{{{_text(step.principle)}}}:"
+            named = rf"\emph{{{_text(step.principle)}}}{step.sign}"
             text = f"{named} {text}" if text else named
         if step.mark:
             text = rf"{text} \hspace*{{\fill}}\textbf{{{_text(step.mark)}}}"

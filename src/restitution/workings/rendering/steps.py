@@ -6,6 +6,7 @@ How it looks is for the renderers.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
@@ -16,13 +17,15 @@ from restitution.render.layout import Layout
 from restitution.render.text import NO_BREAK
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from restitution.drawing.scene import Scene
     from restitution.expression.tree import Expression
     from restitution.solving.equations.solution import Solution
 
 StepKind = Literal["setting", "principle", "solve", "fact", "result", "note", "heading", "picture"]
+
+
+# What stands before a source.
+_BEFORE: Mapping[str, str] = {"carried.with": ",", "carried.with-anew": "."}
 
 
 @dataclass(frozen=True)
@@ -71,9 +74,11 @@ class Row:
 class Step:
     """One step of the working.
 
-    ``title`` names the law used, ``sentences`` stand before the equations; ``item`` counts the
-    items of the part from 0. The ``event`` is that of a heading or of a picture. In front of
-    sentences that end an item stands its ``label``, the number of the item in the question.
+    ``title`` names the law used, ``sentences`` stand before the equations; behind the title, or
+    behind sentences that have none, stands the ``source`` of what is put in from another part.
+    ``item`` counts the items of the part from 0. The ``event`` is that of a heading or of a
+    picture. In front of sentences that end an item stands its ``label``, the number of the item in
+    the question.
     """
 
     kind: StepKind
@@ -85,6 +90,7 @@ class Step:
     event: int | None = field(default=None, compare=False, repr=False)
     picture: Scene | None = None
     label: str = field(default="", compare=False, repr=False)
+    source: Sentence | None = None
 
     @property
     def principle(self) -> str | None:
@@ -92,9 +98,18 @@ class Step:
         return None if self.title is None else str(self.title)
 
     @property
+    def sign(self) -> str:
+        """What stands right behind the name of the law, or behind the sentences before a source."""
+        return ":" if self.source is None else _BEFORE.get(self.source.id, "")
+
+    @property
     def words(self) -> Words:
         """What stands before the equations."""
         words = words_of(self.sentences)
+        if self.source is not None and self.title is not None:
+            words = words_of((self.source, *self.sentences))
+        elif self.source is not None:
+            words = (*_left_open(words, self.sign), *self.source.words)
         return (f"{self.label} ", *words) if self.label else words
 
     @property
@@ -110,6 +125,16 @@ class Step:
     def mark(self) -> str:
         """The marks of its words as they stand beside them; those of its lines are theirs."""
         return written(self.points)
+
+
+def _left_open(words: Words, sign: str) -> Words:
+    """Words with a sign in the place of the colon at their end, before others that follow."""
+    if not words:
+        return words
+    *before, last = words
+    if isinstance(last, str):
+        return (*before, f"{last.removesuffix(':').removesuffix(sign)}{sign} ")
+    return (*words, f"{sign} ")
 
 
 @dataclass(frozen=True)

@@ -112,7 +112,8 @@ def _step(step: Step, width: int, margin: int) -> list[_Line]:
         return [_Line(), *_strong(wrapped(inline(step.words), width))]
     intro = inline(step.words)
     if step.principle:
-        intro = f"{step.principle}: {intro}" if intro else f"{step.principle}:"
+        named = f"{step.principle}{step.sign}"
+        intro = f"{named} {intro}" if intro else named
     if intro:
         lines += _plain(wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0)))
         lines[-1] = replace(lines[-1], mark=step.mark)

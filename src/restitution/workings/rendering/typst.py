@@ -63,7 +63,7 @@ def _step(step: Step) -> list[str]:
     if step.kind == "heading":
         return [f"#block(above: 1.1em, sticky: true)[#strong[{text}]]"]
     if step.principle:
-        text = f"#emph[{words(step.principle)}:] {text}"
+        text = f"#emph[{words(step.principle)}{step.sign}] {text}"
     blocks: list[str] = []
     if text.strip():
         line = f"#working-line([{text}], {literal(step.mark)})"

@@ -40,7 +40,7 @@ function stepped(step, put, level) {
   if (step.kind === "heading") return [put(html(level, {}, said), false)];
   const nodes = [];
   const named = step.principle &&
-    html("em", { class: "principle" }, `${step.principle}:`, said && " ");
+    html("em", { class: "principle" }, `${step.principle}${step.sign}`, said && " ");
   if (named || said) {
     const mark = step.mark && html("span", { class: "mark" }, step.mark);
     const { asking, more } = step.about ? why(step.principle ?? said.textContent, step.about) : {};

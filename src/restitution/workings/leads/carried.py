@@ -1,0 +1,212 @@
+"""What lines take from other parts of a working: named, with its part, in the words before them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.layouts import chains
+from restitution.explaining.lines.saying import Sentence, Slot, say
+from restitution.explaining.lines.sentences import SentenceId
+from restitution.expression.tree import Expression, Letter, Quantity, is_zero, letters
+from restitution.render import layout as lay
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.measured import Measures, is_plain, with_unit
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import Sources
+
+# These name what is put in.
+_PUTTING: frozenset[SentenceId] = frozenset(
+    {
+        "derived.put",
+        "derived.put-in",
+        "derived.since-put",
+        "derived.since-put-in",
+        "derived.moves-put",
+    }
+)
+# No sentences: what goes with them stands behind a comma.
+_PHRASES: frozenset[SentenceId] = _PUTTING | {
+    "derived.add",
+    "derived.by-from",
+    "derived.combine",
+    "derived.divide",
+    "derived.put-last",
+    "derived.since",
+    "derived.since-by",
+    "derived.since-in",
+    "derived.solve",
+    "derived.square-add",
+    "so",
+}
+_BY_COMPONENTS: frozenset[SentenceId] = frozenset(
+    {"derived-speed.title", "derived-assembled.title"}
+)
+
+
+class Carried:
+    """The values of earlier parts on which lines rest, where these do not cite them by numbers.
+
+    Each is named once in a part, before the first row that takes it. Its value stands in that row.
+    """
+
+    def __init__(
+        self,
+        derivation: Derivation,
+        naming: Naming,
+        measures: Measures,
+        sources: Sources,
+        ends: Ends,
+    ) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._measures = measures
+        self._sources = sources
+        self._ends = ends
+        self._named: set[tuple[str | None, int]] = set()
+        self._waiting: dict[int, Line] = {}
+        self._subject: Expression | None = None
+        labels = map(ends.part, derivation.lines)
+        self._first = next(filter(None, labels), None)
+
+    def gather(self, lines: Iterable[Line]) -> bool:
+        """Whether lines take values of other parts; these wait for the words before the row."""
+        found: dict[int, Line] = {}
+        beside: list[Line] = []
+        part: str | None = None
+        for line in lines:
+            part, source = self._ends.part(line), self._sources.of(line)
+            cited = () if source is None else source.numbered
+            for ref in line.premises:
+                own = self._derivation.line(ref) if isinstance(ref, int) else None
+                if own is None or ref in cited or (part, ref) in self._named:
+                    continue
+                label = self._ends.part(own)
+                if label == part or not _is_a_value(own):
+                    continue
+                if label is None and part == self._first:
+                    continue  # it stands just above
+                if own.move.record == "unchanged":
+                    beside.append(own)
+                else:
+                    found[own.number] = own
+        # A component that stays is named beside the other one of that velocity alone.
+        found |= {each.number: each for each in _others(beside, tuple(found.values()))}
+        self._named |= {(part, number) for number in found}
+        self._waiting |= found
+        return bool(found)
+
+    def beside(
+        self,
+        title: Sentence | None,
+        sentences: Sequence[Sentence],
+        subject: Expression | None = None,
+    ) -> tuple[tuple[Sentence, ...], Sentence | None]:
+        """The words before a row, and behind them where the values come from that wait.
+
+        Of the row's own ``subject`` the value is said too, as the row has another.
+        """
+        lines = [self._waiting[number] for number in sorted(self._waiting)]
+        self._waiting = {}
+        self._subject = subject
+        *above, last = sentences or (None,)
+        if lines and last is not None and last.id in _PUTTING:
+            last, lines = self._put(last, lines)
+        spoken = tuple(filter(None, (*above, last)))
+        if not lines:
+            return spoken, None
+        if title is not None and title.id in _BY_COMPONENTS and self._are_components(lines):
+            label = self._ends.part(lines[0])
+            return spoken, say("carried.in", label=label) if label else say("carried.in-above")
+        sources = tuple(self._sources_of(lines))
+        if not spoken:
+            return spoken, say("carried.with" if title else "carried.with-alone", sources=sources)
+        phrase = last is not None and (last.id in _PHRASES or last.topic.startswith("resolved"))
+        return spoken, say("carried.with" if phrase else "carried.with-anew", sources=sources)
+
+    def _are_components(self, lines: Sequence[Line]) -> bool:
+        """Whether lines of one part say components, by these names."""
+        parts = {self._ends.part(each) for each in lines}
+        return len(parts) == 1 and all(tuple(_resolved(each)) for each in lines)
+
+    def _put(self, sentence: Sentence, lines: list[Line]) -> tuple[Sentence, list[Line]]:
+        """A sentence that names what is put in with the part from which that is; and the rest."""
+        put = dict(sentence.slots)["letters"]
+        assert isinstance(put, tuple)
+        there = [each for each in lines if self._name(each) in put]
+        if not there:
+            return sentence, lines
+        names = [self._name(each) for each in there]
+        whole = (*self._sources_of(there), *(each for each in put if each not in names))
+        slots = ((name, whole if name == "letters" else slot) for name, slot in sentence.slots)
+        rest = [each for each in lines if each not in there]
+        return replace(sentence, slots=tuple(slots)), rest
+
+    def _sources_of(self, lines: Sequence[Line]) -> Iterator[Sentence]:
+        """What stands in which part, part by part."""
+        parts: dict[str | None, list[Line]] = {}
+        for each in lines:
+            parts.setdefault(self._ends.part(each), []).append(each)
+        for label, own in parts.items():
+            values = tuple(self._values(own))
+            if label is None:
+                yield say("carried.from-above", values=values)
+            else:
+                yield say("carried.from-part", values=values, label=label)
+
+    def _values(self, lines: Sequence[Line]) -> Iterator[Slot]:
+        """What lines say the value of: components of a velocity as one, numbers by an equation."""
+        resolved = [velocity for each in lines for velocity in _resolved(each)]
+        for velocity in dict.fromkeys(resolved):
+            if resolved.count(velocity) > 1:
+                yield say("carried.components", velocity=self._naming.layout(velocity))
+        for line in lines:
+            if any(resolved.count(velocity) > 1 for velocity in _resolved(line)):
+                continue
+            assert isinstance(line.relation, Relation)
+            left, right = line.relation.only[0].left, line.relation.only[-1].right
+            value = self._naming.layout(right)
+            own = left == self._subject
+            if not (own or (isinstance(left, Letter) and not letters(right) and is_plain(value))):
+                yield self._name(line)
+                continue
+            value = with_unit(value, self._measures.unit(left)) if is_plain(value) else value
+            yield lay.Relation((self._naming.layout(left), value), ("=",))
+
+    def _name(self, line: Line) -> Sentence | lay.Layout:
+        """What a line says the value of: a letter, or words with an article."""
+        assert isinstance(line.relation, Relation)
+        formula = self._naming.layout(line.relation.only[0].left)
+        words = isinstance(formula, lay.Words | lay.Phrase)
+        return say("derived.the", quantity=formula) if words else formula
+
+
+def _is_a_value(line: Line) -> bool:
+    """Whether a line gives a value that was worked out, and no plain datum."""
+    relation = line.relation
+    return (
+        isinstance(relation, Relation)
+        and len(relation.options) == 1
+        and len(chains(relation.only)) == 1
+        and relation.only[-1].sign == "="
+        and not is_zero(relation.only[-1].right)
+        and isinstance(relation.only[0].left, Letter | Quantity)
+        and line.shown != "silent"
+        and line.move.id not in ("triangle", "fact")
+    )
+
+
+def _others(beside: Sequence[Line], found: Sequence[Line]) -> Iterator[Line]:
+    """Of components, those of velocities that have another one among lines."""
+    velocities = {velocity for each in found for velocity in _resolved(each)}
+    for each in beside:
+        if not velocities.isdisjoint(_resolved(each)):
+            yield each
+
+
+def _resolved(line: Line) -> Iterator[Expression]:
+    """The velocity of which a line says a component."""
+    match line.relation:
+        case Relation(((Link(Quantity("along" | "across", (velocity, _))), *_),)):
+            yield velocity
