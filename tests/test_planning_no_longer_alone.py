@@ -35,7 +35,7 @@ Q hits R: e = 1/2
 given energy_lost = 1/4 energy(0)
 find h
 """,
-        ("t = √(b² − h²)/(3w), as t > 0", "h² = 2b²/3"),
+        ("x = √(b² − h²), as Q is moving", "h² = 2b²/3"),
     ),
     "items in letters of which one tells the other": (
         """

@@ -86,7 +86,7 @@ def test_a_place_that_was_worked_out_as_a_vector_stays_one() -> None:
 wall C: circle centre (0, 0) radius a
 sphere P: at (a/2, 0), velocity u at 90°
 P hits C: e = 1/2
-find position(P)
+find time(1), position(P)
 """
     assert "position of P at the impact = (a/2)𝐢 + (√3 a/2)𝐣" in printed(text)
 

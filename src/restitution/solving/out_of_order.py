@@ -20,10 +20,14 @@ def events_out_of_order(problem: Problem, part: PartSolution) -> Iterator[str]:
     if len(part.branches) != 1:
         return
     (branch,) = part.branches
+    try:
+        story = branch.story
+    except RestitutionError:  # a place in it cannot be told exactly
+        return
     latest: tuple[Event, sp.Expr] | None = None
-    for number, event in enumerate(problem.events[: len(branch.story.happenings)], 1):
+    for number, event in enumerate(problem.events[: len(story.happenings)], 1):
         try:
-            time = branch.story.evaluator(number).scalar(Quantity("time", (), number))
+            time = story.evaluator(number).scalar(Quantity("time", (), number))
         except RestitutionError:
             continue
         own = sp.sympify(time, strict=True)

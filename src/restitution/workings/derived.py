@@ -331,7 +331,7 @@ class _Writer:
         Of bodies on one line nothing is said of the components that stay.
         """
         line = lines[index]
-        if self.staying.is_nothing(line):
+        if self.staying.is_nothing(line) or self._is_named_by_its_unit(line):
             return True
         if not self.staying.stays(line):
             return False
@@ -341,6 +341,18 @@ class _Writer:
         while last + 1 < len(lines) and self._stays_with(lines, last):
             last += 1
         return all(map(self.staying.is_idle, lines[first : last + 1]))
+
+    def _is_named_by_its_unit(self, line: Line) -> bool:
+        """Whether a line gives the radius of a circular wall that gets a unit vector below it."""
+        match line.relation:
+            case Relation(((Link(Quantity("line_of_centres", (), int(number)), "parallel to"),),)):
+                return (
+                    self.naming.bold.is_radius_with_a_unit(number)
+                    and not line.marks
+                    and line.number not in self.sources.numbers
+                    and self.ends.of(line) is None
+                )
+        return False
 
     def _stays_with(self, lines: Sequence[Line], index: int) -> bool:
         """Whether a line and the next one tell of components that stay in one impact."""

@@ -440,12 +440,11 @@ class FactsOf(Arrangement):
         yield self._fact(
             f"axis {number}", axis, radius_vector, step.place, "parallel to", "geometry"
         )
-        if side > 0:
-            velocity = Quantity("velocity", (Name(step.first),), number - 1)
-            towards = settled(Quantity("dot", (velocity, radius_vector)), self.events)
-            zero = Number(Fraction(0))
-            yield self._fact(f"towards {number}", towards, zero, step.place, ">", "geometry")
-        else:
+        velocity = Quantity("velocity", (Name(step.first),), number - 1)
+        towards = settled(Quantity("dot", (velocity, radius_vector)), self.events)
+        zero = Number(Fraction(0))
+        yield self._fact(f"towards {number}", towards, zero, step.place, ">", "geometry")
+        if side < 0:
             since = self.latest([step.first], number - 1)
             early = Quantity("time", (), since) if since else Number(Fraction(0))
             time = Quantity("time", (), number)

@@ -1149,6 +1149,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.origin-taken": (
         "Position = velocity × time, for {body}, with the origin where {body} is at the impact"
     ),
+    "flight.level": "{body} moves parallel to the {axis}-axis",
     "flight.origin": "Position = velocity × time, from the origin",
     "flight.origin-of": "Position = velocity × time, for {body} from the origin",
     "flight.origin-since": (

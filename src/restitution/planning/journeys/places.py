@@ -45,7 +45,12 @@ from restitution.planning.formulas.whereabouts import (
 )
 from restitution.planning.journeys.aims import striker, write_aim
 from restitution.planning.journeys.encounters import with_the_gap
-from restitution.planning.journeys.rims import Approach, time_of_touching, time_on_a_chord
+from restitution.planning.journeys.rims import (
+    Approach,
+    place_on_a_level,
+    time_of_touching,
+    time_on_a_chord,
+)
 from restitution.planning.writing.circles import chord_from, chord_to_a_point, circle_of
 from restitution.planning.writing.degrees import angles_in, share_by_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -235,6 +240,8 @@ def place_moved(scene: Scene, body: str, stage: int) -> Source:
     if known is not None:
         return known
     since = last_move(scene, body, stage)
+    if (level := _on_a_level(scene, body, stage)) is not None:
+        return level
     if not rests(scene, body, stage):
         leg(scene, stage)
     open_ = _open_line(scene, body, stage)
@@ -278,6 +285,35 @@ def write_place(
     if own != tree:
         number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
     return number
+
+
+def _on_a_level(scene: Scene, body: str, number: int) -> Source | None:
+    """Where a body that moves parallel to an axis comes to a circular wall, without the time.
+
+    From inside, where the time is asked, that is found first: it has one positive root.
+    """
+    inside = f"order {number}" in scene.facts
+    if scene.speaks_of_times and inside:
+        return None
+    if circle_of(scene, number) is None or len(scene.spheres(number)) > 1:
+        return None
+    if _open_line(scene, body, number) is not None:
+        return None  # the place is by the time already
+    since = last_move(scene, body, number)
+    still: list[Axis] = [axis for axis in AXES if keeps_still(scene, body, since, axis)]
+    if len(still) != 1 or chord_from(scene, body, number) is not None:
+        return None
+    known = standing(scene, place_tree(body, number))
+    if known is not None:
+        return known
+    along: Axis = "j" if still == ["i"] else "i"
+    mark = scene.desk.mark()
+    level = coordinate_moved(scene, body, number, still[0])
+    pace = velocity(scene, body, since, along)
+    own = place_on_a_level(scene, body, number, along, level, pace)
+    if own is None:
+        scene.desk.back(mark)
+    return own
 
 
 def _know_place(scene: Scene, body: str, stage: int, value: Vector, number: int) -> Source:
@@ -344,6 +380,8 @@ def place(scene: Scene, body: str, stage: int) -> Source:
     if known is not None:
         return known
     if all(coordinate_given(scene, body, stage, axis) is None for axis in AXES):
+        if (level := _on_a_level(scene, body, stage)) is not None:
+            return level
         if not rests(scene, body, stage):
             leg(scene, stage)
         along, beside = (_with_its_time(scene, body, stage, axis) for axis in AXES)
@@ -614,6 +652,9 @@ def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:
     refs = _begin(scene, since)
     if chord_from(scene, body, number) is not None:
         return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
+    level = None if f"order {number}" in scene.facts else _on_a_level(scene, body, number)
+    if level is not None:
+        return leg_along(scene, body, number, "j" if keeps_still(scene, body, since, "i") else "i")
     early = time_of(scene, since) if since != start(scene)[0] else Source(sp.Integer(0), refs)
     first, pace = spot(scene, body, since), velocity_then(scene, body, since)
     return start(scene)[0], time_of_touching(scene, number, [Approach(body, first, pace, early)])

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -20,13 +20,14 @@ from restitution.expression.tree import (
     Quantity,
 )
 from restitution.planning.formulas.impacts import after, in_direction
+from restitution.planning.formulas.named_angles import letters_taken
 from restitution.planning.writing.circles import chord_from, circle_of, from_centre
 from restitution.planning.writing.degrees import share_in_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.writing.flights import added
 from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
 from restitution.planning.writing.frames import Frame
-from restitution.planning.writing.place_trees import place_tree, time_tree
+from restitution.planning.writing.place_trees import Axis, coordinate_tree, place_tree, time_tree
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
@@ -92,6 +93,63 @@ def _as_before(
     if refs is None:
         return None
     return scene.desk.know(flight, known.value, (scene.desk.write(move, refs, relation),))
+
+
+def place_on_a_level(
+    scene: Scene, body: str, number: int, axis: Axis, level: Source, pace: Source
+) -> Source | None:
+    """Where a body hits a circular wall that moves parallel to an axis: by the circle alone.
+
+    ``level`` is its other coordinate, which stays, ``pace`` its velocity along the axis. Of the two
+    points of the circle it is the one at which it moves towards the wall. None where the letter for
+    the coordinate is taken, or the follower does not see which point it is.
+    """
+    circle, letter = circle_of(scene, number), Letter(_COORDINATES[axis])
+    if circle is None or letter.name in letters_taken(scene):
+        return None
+    mark = scene.desk.mark()
+    place = scene.value(place_tree(body, number))
+    seen = from_centre(scene, number, place)
+    centre = place - seen
+    x, y, middle, across = (
+        (place.x, seen.y, centre.x, tidy(level.value - centre.y))
+        if axis == "i"
+        else (place.y, seen.x, centre.y, tidy(level.value - centre.x))
+    )
+    let = scene.desk.write(
+        Move("let"), (), Meaning(letter.name, coordinate_tree(body, number, axis))
+    )
+    own, height = square(difference(letter, tree_of(middle))), square(swept(tree_of(across)))
+    sides = (own, height) if axis == "i" else (height, own)
+    radius, more = scene.put(scene.scalar(circle[1]))
+    left = own if across == 0 else total(sides)
+    fact = Relation(((Link(swept(left), "=", square(tree_of(radius))),),))
+    line = scene.judge.write((Move("fact"),), (f"contact {number}", let, *level.refs, *more), fact)
+    values = [tidy(scene.put(each)[0]) for each in (x, 2 * middle - x)]
+    known = background(scene, {e.name for each in (*values, y) for e in each.free_symbols})
+    for move, right in ((Move("roots"), values), (Move("reject"), values[:1])):
+        relation = Relation(tuple((Link(letter, "=", tree_of(each)),) for each in right))
+        why = (*pace.refs, f"towards {number}", *level.refs, let) if len(right) == 1 else ()
+        refs = line and scene.judge.enough(move, (line,), relation, (*why, *known))
+        if not refs:
+            scene.desk.back(mark)
+            return None
+        line = scene.desk.write(move, refs, relation)
+    assert line is not None
+    scene.desk.know(coordinate_tree(body, number, axis), values[0], (line, let))
+    both = Vector(values[0], level.value) if axis == "i" else Vector(level.value, values[0])
+    whole = scene.judge.write(
+        (Move("define", "assemble", number, (body,)),),
+        (line, let, *level.refs),
+        chain(place_tree(body, number), (tree_of(both), None)),
+    )
+    if whole is None:
+        scene.desk.back(mark)
+        return None
+    return scene.desk.know(place_tree(body, number), both, (whole,))
+
+
+_COORDINATES: Mapping[Axis, str] = {"i": "x", "j": "y"}
 
 
 def _put(scene: Scene, source: Source) -> sp.Expr:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
+from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import is_displacement, is_time
 
@@ -51,6 +52,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
             if event := _left_at(derivation, line, left):
                 return say("flight.origin-since", body=body, event=naming.moment(event.number))
             return say("flight.origin") if one else say("flight.origin-of", body=body)
+    if (axis := _level_of(derivation, line, left)) is not None:
+        return say("flight.level", body=body, axis=axis)
     if _is_place(left) and not _by_the_way(derivation, line):
         assert isinstance(left, Quantity)
         axis, event = _axis_from_zero(derivation, line, left), _left_at(derivation, line, left)
@@ -63,6 +66,22 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     if _tells_a_time(derivation, line):
         return say("flight.title") if one else say("flight.title-of", body=body)
     return say("flight.same-time")
+
+
+def _level_of(derivation: Derivation, line: Line, left: Expression) -> str | None:
+    """The axis, x or y, to which a body moves parallel: its other coordinate is as it was given."""
+    match left:
+        case Quantity("along", (Quantity("position", (Name(body),)), Unit(axis))):
+            fact = derivation.fact(" ".join(("position", body)))
+        case _:
+            return None
+    assert isinstance(line.relation, Relation)
+    place = None if fact is None else vector_worth(fact.relation.only[0].right)
+    if place is None or _speaks_of_a_time(derivation, line):
+        return None
+    own = place.x if axis == "i" else place.y
+    stays = worth(line.relation.only[0].right) == own
+    return ("y" if axis == "i" else "x") if stays else None
 
 
 def _left_at(derivation: Derivation, line: Line, place: Quantity) -> Event | None:

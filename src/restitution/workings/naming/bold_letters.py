@@ -213,6 +213,11 @@ class BoldLetters:
             for body in other.bodies
         )
 
+    def is_radius_with_a_unit(self, number: int) -> bool:
+        """Whether the line of an event is a radius of a circle that has a unit vector."""
+        event, units = self._events[number], frozenset() if self.used is None else self.used.units
+        return event.wall and event.bodies[1] in self.circles and (number, "along") in units
+
     def _free(self, kind: str) -> str | None:
         """The letter of a unit vector: another one where the first stands for a time."""
         return next((each for each in _LETTERS[kind] if each not in self.taken), None)
