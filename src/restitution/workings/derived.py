@@ -22,6 +22,7 @@ from restitution.explaining.lines.derivation import (
     Derivation,
     ItemEnd,
     Line,
+    Link,
     Meaning,
     Move,
     Note,
