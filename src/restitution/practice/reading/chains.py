@@ -346,6 +346,12 @@ class Chains:
             read[0] = _vectors_of(name.name, self.problem)  # A = 3i - j
         elif name is not None and of_body and is_numeric(read[1][0].tree):
             read[0] = (*worths_of(name.name, read[1][0].tree), *read[0])  # B = 2/3 × 3 = 2
+        elif name is not None and name.kind == "name" and is_numeric(read[1][0].tree):
+            # angle between the path and BC = 80 - 26 = 54: a wall is no number
+            sides, read, signs = sides[1:], read[1:], signs[1:]
+            name = None
+        if not signs:
+            return
         short = len(signs) > 1 and is_letter(read[0][0].tree) and is_function(read[1][0].tree)
         if short and self.declaration(segment, sides[:2], read[:2], signs[:1]):
             # y = tan δ = 5t/(1 + 6t²) says first what y is.

@@ -30,6 +30,7 @@ _BEFORE_AXIS = frozenset(
 )
 _BEHIND_AXIS = frozenset(
     ("component", "components", "comp", "comps", "direction", "dir", "dirn", "axis", "cpt")
+    + ("distance",)
 )
 _STARTS = frozenset(
     ("total", "overall", "combined", "resultant", "relative", "rel", "horizontal", "vertical")

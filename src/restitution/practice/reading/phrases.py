@@ -55,7 +55,8 @@ MAX_CANDIDATES = 40
 # What people compare with the start under any heading.
 _OF_THE_WHOLE = frozenset(("energy", "loss", "gain", "ratio"))
 _MOVING = frozenset(("speed", "velocity"))
-_VAGUE = frozenset(("magnitude", "angle", "ratio"))
+_VAGUE = frozenset(("magnitude", "angle", "ratio", "gradient"))
+_UNITS = Unit("j"), Unit("i")
 _DIRECTION = re.compile(
     r"\b(along|of|to|direction)\s+((?:\(?\s*-?\s*[\d√./()\s]*[ij][\s)/\d√.+-]*){2,})", re.IGNORECASE
 )
@@ -68,6 +69,8 @@ def names_quantity(words: Sequence[str], problem: Problem) -> bool:
         return bool(features.names)
     if features.heads == {"gain"}:
         return False
+    if features.heads == {"gradient"} and not (features.names or features.stage):
+        return features.wall or features.direction is not None  # of what, it has to say
     return bool(features.heads or features.direction or features.axis is not None)
 
 
@@ -203,6 +206,8 @@ class _Reader(Moments):
         for event in self.numbers():
             if self.features.mass_centre:
                 yield from self.mass_centre(event)
+            elif "gradient" in heads:
+                yield from self.gradient(event)
             elif "ratio" in heads:
                 yield from self.ratio(event)
             elif "deflection" in heads:
@@ -269,15 +274,35 @@ class _Reader(Moments):
                 yield Binary("-", time, Quantity("time", (), earlier))
 
     def travelled(self) -> Iterator[Expression]:
-        """The distances that a sphere moves between two events, where its place is known."""
+        """The distances that a sphere moves between two events, where its place is known.
+
+        Along i or j, if the phrase names it: ``j distance``.
+        """
+        axis = self.features.axis
         placed = {each.name for each in self.problem.spheres if each.position is not None}
-        for body in placed & set(self.features.names):
-            if not self.features.wall and len(self.features.names) == 1:
+        named = set(self.features.names) or (set(self.spheres) if axis is not None else set())
+        for body in placed & named:
+            if not self.features.wall and len(named) == 1:
                 at = [Quantity("position", (Name(body),), n) for n in range(len(self.events) + 1)]
                 for later, earlier in combinations(reversed(at), 2):
-                    yield Apply("abs", Binary("-", later, earlier))
+                    moved = Binary("-", later, earlier)
+                    yield Apply("abs", moved if axis is None else Quantity("along", (moved, axis)))
 
     # -- quantities ---------------------------------------------------------------------------
+
+    def gradient(self, event: int) -> Iterator[Expression]:
+        """Gradients: of an impulse or a line of centres, of a wall or a tangent, of velocities."""
+        up, across = (Quantity("along", (self.line(event), each)) for each in _UNITS)
+        centres = "impulse" in self.features.heads or self.features.direction == "along centres"
+        of_wall = self.features.wall or not set(self.features.names).isdisjoint(self.walls)
+        if centres or (self.features.direction and not of_wall):
+            yield Binary("/", up, across)
+        if of_wall or (self.features.direction and not centres):
+            yield Negate(Binary("/", across, up))
+        for body in () if of_wall or self.features.direction or centres else self.bodies(event):
+            velocity = self.of("velocity", body, event)
+            rise, run = (Quantity("along", (velocity, each)) for each in _UNITS)
+            yield Binary("/", rise, run)
 
     def speed(self, event: int) -> Iterator[Expression]:
         """Speeds; the speed of a component next."""

@@ -43,7 +43,8 @@ _TURNED = re.compile(
     r"(?=\d|\(|(?:arc)?(?:sin|cos|tan))",
     re.IGNORECASE,
 )
-_AXIS = re.compile(r"(?:^|(?<=[,;]))\s*([ijy])\s*:(?=\s*[^\s:=<>])(?=[^:]*=)")
+_AXIS = re.compile(r"(?:^|(?<=[,;:]))\s*([ijy])\s*:(?=\s*[^\s:=<>])(?=[^:]*=)")
+_OTHER_AXIS = re.compile(r"(?<=[,;])\s*([ijy])\s*:(?=\s*-?[\d./½]+\s*(?:[,;]|$))")
 _AT_AN_END = re.compile(r"\b(KE|Ek|ke)\s+([if])(?=\s*[=:])(?!.*\b(?:KE|Ek|ke)\s+j\b)")
 _DIRECTION = re.compile(r"(^\s*|[,;]\s*)([A-Z])\s+dir(?:n|ection)?(?=\s*[:=])")
 _SHARE = r"\d[\d./]*(?:[A-Za-z]{1,2}(?:\^?2|²)?)*"
@@ -162,6 +163,12 @@ def _direction(match: re.Match[str], problem: Problem) -> str:
     return f"{match[1]}direction of {match[2]}" if match[2] in spheres else match[0]
 
 
+def _other_axis(match: re.Match[str], _: Problem) -> str:
+    """The other component of a line that works out one: ``i: 2/3 × 3 = 2, j: 2``."""
+    first = re.search(r"\b[ijy]\s*(?:direction)?\s*:[^:]*=", match.string[: match.start()])
+    return f" {match[1]} direction: " if first else match[0]
+
+
 def _speed_after(match: re.Match[str], problem: Problem) -> str:
     """The speed with which a sphere rebounds: of ``B rebounds with 2``."""
     spheres = {each.name for each in problem.spheres}
@@ -218,6 +225,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_BECOMES, _after),
     (_TURNED, _turned),
     (_AXIS, lambda match, _: f" {match[1]} direction: "),
+    (_OTHER_AXIS, _other_axis),
     (_AT_AN_END, _at_the_end),
     (_DIRECTION, _direction),
     (_OUT_OF, lambda match, _: f"({match[1]})/({match[2]})"),

@@ -296,7 +296,10 @@ class _Reader(Chains):
         if len(tokens) < 2 or tokens[0].kind != "name":
             return False
         if any(each.kind == "unit" for each in tokens):
-            return False  # a velocity
+            # A 3i + j is a velocity, and A (5i + 3j).(2i + j) = 13 a component of it.
+            first = sides_of(tokens)[0][0][1:]
+            product = segment.has_relation and any(each.kind == "dot" for each in first)
+            return product and tokens[1].kind == "(" and tokens[1].gap > 0
         loose = tokens[1].kind == "-" and tokens[1].gap > 0
         tight = loose and len(tokens) > 2 and not tokens[2].gap
         glued = tokens[1].kind == "letter" and (len(tokens) == 2 or tokens[2].kind in _OPERANDS)

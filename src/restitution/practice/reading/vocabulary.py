@@ -25,6 +25,7 @@ HEADS: Mapping[str, str] = {
     "coefficient": "coefficient",
     "restitution": "coefficient",
     "direction": "direction",
+    **dict.fromkeys(("gradient", "slope", "grad"), "gradient"),
     "distance": "distance",
     "dist": "distance",
     "gap": "distance",
@@ -117,7 +118,7 @@ FILLERS = frozenset(
     + ("surface", "moment", "makes", "made", "relative", "combined", "through", "s", "axis", "dir")
     + ("dirn", "moves", "moving", "actual", "resultant", "sum", "which", "it", "that", "their")
     + ("motion", "given", "exerted", "received", "common", "full", "into", "wrt", "joining", "rel")
-    + ("reduced",)
+    + ("reduced", "path", "paths", "trajectory")
 )
 PHRASE_WORDS = (
     frozenset(HEADS)
