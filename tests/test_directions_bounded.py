@@ -225,6 +225,29 @@ def test_the_bounds_of_an_angle_that_may_be_obtuse() -> None:
     assert said[-2] == "-1/(2tan(alpha)) <= cot(beta) <= 1/(4tan(alpha))"
 
 
+def test_the_range_of_an_angle_that_comes_to_90_degrees_is_proved() -> None:
+    """Its tangent stands, and is put into its cotangent, which there is 0."""
+    problem, derivation = planned("""
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+let beta = angle(velocity(A), i)
+show tan(beta) = 2 tan(alpha)/(1 - e)
+given tan(alpha) = 1/3
+find range of beta
+""")
+    said = [
+        write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
+    ]
+    assert said[-2] == "0 <= cot(beta) <= 3/2"
+    solution = solve(problem)
+    assert not solution.warnings
+    low, high = solution.parts[None].items[1].distinct[0].value.args[:2]
+    # v = ½(1 − e)u cos α, so that tan β is 2 tan α = ⅔ at e = 0, and v = 0 at e = 1.
+    assert float(low) == pytest.approx(math.atan2(2, 3))
+    assert float(high) == pytest.approx(math.pi / 2)
+
+
 def test_no_value_grows_through_what_is_divided_by_zero() -> None:
     between = "angle(velocity(A), velocity(B))"
     statement = OPEN.format(f"tan({between}), range of {between}")

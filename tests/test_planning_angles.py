@@ -102,6 +102,14 @@ P hits W
 given deflection(P) = 35°
 find e
 """,
+    "a multiple of a tangent that was worked out": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at 180° - alpha
+A hits B: along i
+given e = 1/3, angle(velocity(A), velocity(B)) = 90°
+find alpha
+find angle(velocity(A), i)
+""",
     "the tangent of a deflection at a wall": """
 wall W: along i
 sphere P: velocity u at alpha to W
@@ -302,3 +310,12 @@ find beta
     last = derivation.lines[-1].relation
     assert isinstance(last, Relation)
     assert write_relation(last) == "beta = 60°"
+
+
+def test_a_direction_is_a_multiple_of_a_tangent_that_was_worked_out() -> None:
+    """No sine and no cosine of an angle is written down for a quotient in which both cancel."""
+    said = lines_of("a multiple of a tangent that was worked out")
+    assert not any(each.startswith(("sin(alpha)", "cos(alpha)")) for each in said)
+    # v = −⅓u cos α, so that tan β = −3 tan α.
+    assert "tan(beta) = -u sin(alpha)/(1/3 u cos(alpha)) = -3tan(alpha) [rearrange]" in said
+    assert "tan(beta) = -1" in said

@@ -255,3 +255,51 @@ def test_long_labels_have_room_in_print(tmp_path):
         encoding="utf-8",
     )
     assert typst.compile(str(probe))[:5] == b"%PDF-"
+
+
+SPHERES = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+let beta = direction(A)
+"""
+
+
+def in_one_line(text):
+    return to_text(question(parse(text)), 1000)
+
+
+def test_a_fact_stands_below_what_is_asked_without_it():
+    """It is told where it is needed first, and no part of the opening has it."""
+    shown = "show tan(beta) = 2 tan(alpha)/(1 - e)\n"
+    asked = in_one_line(SPHERES + shown + "given e = 1/3\nfind tan(beta)")
+    opening, first, second = re.split(r"\n+ *\(i+\) +", asked)
+    assert "⅓" not in opening + first
+    assert second.startswith("Given that e = ⅓, find")
+    asked = in_one_line(
+        SPHERES
+        + "find tan(beta) in terms of e, alpha\nfind alpha\ngiven e = 1/2, deflection(A) = 30°"
+    )
+    opening, first, second = re.split(r"\n+ *\(i+\) +", asked)
+    assert "½" not in opening + first
+    assert second.startswith("Given that e = ½ and that A is deflected")
+
+
+@pytest.mark.parametrize(
+    "steps",
+    [
+        # What is asked in no letters, or not in all, may hang on the fact.
+        "find tan(beta)\ngiven e = 1/3\nfind speed(A)",
+        "find tan(beta) in terms of alpha\ngiven e = 1/3\nfind speed(A)",
+        "show tan(beta) = 3 tan(alpha)\ngiven e = 1/3\nfind speed(A)",
+        "show tan(beta) = 2 tan(alpha)/(1 - e)\ngiven e = 1/3",
+        "given e = 1/3\nfind tan(beta) in terms of e, alpha\nfind speed(A)",
+    ],
+)
+def test_a_fact_stands_in_the_opening_where_what_is_asked_may_hang_on_it(steps):
+    assert "e = ⅓" in in_one_line(SPHERES + steps).partition("Let β")[0]
+
+
+def test_a_name_stands_below_the_one_by_which_it_is_made():
+    asked = in_one_line(SPHERES + "let delta = beta - alpha\nfind tan(delta)")
+    assert asked.index("Let β") < asked.index("Let δ")

@@ -53,6 +53,22 @@ def test_the_half_of_an_energy_is_no_decimal() -> None:
     assert "kinetic energy lost = ½m(u/2)² − ½ × 2m(u/4)²" in text
 
 
+def test_a_coefficient_of_a_letter_is_a_decimal_among_decimals() -> None:
+    """Also within a square; where the unit of a value is that of a letter it is a fraction."""
+    text = printed(
+        "wall W: along i\nsphere P: mass 0.5, velocity 3.1i - 6.2j\nP hits W\n"
+        "find velocity(P)\ngiven energy_lost = 4\nfind e"
+    )
+    assert "component of 𝐯_P along 𝐣 = 6.2e" in text
+    assert "4 = ½ × 0.5(6.2² − (6.2e)²) = 9.61(1 − e²)" in text
+    assert "e² = 561/961" in text
+    text = printed(
+        "sphere A: mass 2.5m, velocity u i\nsphere B: mass 1.5m, at rest\n"
+        "A hits B: along i\nfind speed(B)"
+    )
+    assert "speed of B = 5(1 + e)u/8" in text
+
+
 WALL = "wall W: along i\nsphere P: mass {mass}, velocity {speed} at {angle}° to W\nP hits W\n"
 CORNER = """
 wall AB: along i

@@ -50,8 +50,9 @@ def _lacks(result: ItemResult, listed: frozenset[str]) -> bool:
     if result.error is not None or not isinstance(result.item, Value) or not result.answers:
         return False
     own = result.item.expression
-    asked = {own.name} if isinstance(own, Letter) else letters(own)
-    return any(listed - asked - _symbols(answer) for answer in result.answers)
+    if isinstance(own, Letter):
+        return False  # a letter is an unknown of all the facts
+    return any(listed - letters(own) - _symbols(answer) for answer in result.answers)
 
 
 def _without_facts_after(problem: Problem, part: Part, cut: int) -> Problem:

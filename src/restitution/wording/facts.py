@@ -14,6 +14,7 @@ from restitution.problem import Compare, Given, Impact, Kick, Problem, Relation
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import mathematics
+from restitution.wording.later_facts import later_relations
 from restitution.wording.letters import is_ratio, named_letters
 from restitution.wording.scene import Scene, is_letter_fact
 from restitution.wording.structure import Named, Sentence, Words
@@ -60,7 +61,7 @@ def facts_of(scene: Scene) -> list[Fact]:
 
 def _relations(problem: Problem) -> Iterator[Compare]:
     """The relations between letters that hold throughout."""
-    lets = named_letters(problem)
+    lets, later = named_letters(problem), later_relations(problem)
     for part, step in problem.steps():
         if part.label is None and isinstance(step, Given):
             for relation in step.relations:
@@ -68,6 +69,7 @@ def _relations(problem: Problem) -> Iterator[Compare]:
                     isinstance(relation, Compare)
                     and is_letter_fact(relation)
                     and not letters_of(relation) & lets
+                    and not any(relation is each for each in later)
                 ):
                     yield relation
 

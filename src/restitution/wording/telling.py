@@ -9,7 +9,7 @@ from typing import Any
 
 from restitution.errors import StatementError, require
 from restitution.expression.dimensions import LENGTH
-from restitution.expression.tree import Expression, Place, Quantity, has_quantity
+from restitution.expression.tree import Expression, Place, Quantity, has_quantity, letters
 from restitution.language import check
 from restitution.problem import (
     Event,
@@ -32,6 +32,7 @@ from restitution.wording import facts, formulas
 from restitution.wording.asking import Group, groups, in_terms, names_of, shown
 from restitution.wording.clauses import clause, clauses
 from restitution.wording.facts import letters_of
+from restitution.wording.later_facts import asked_above, between_events, facts_below
 from restitution.wording.letters import named_letters
 from restitution.wording.scene import INITIALLY, Scene, before, is_letter_fact, scene_of
 from restitution.wording.setting import setting, spheres, start
@@ -125,7 +126,7 @@ def numbers_of_items(problem: Problem) -> Mapping[str | None, tuple[str, ...]]:
     now = 0
     numbers: dict[str | None, tuple[str, ...]] = {}
     for part in problem.parts:
-        runs = _runs(part)
+        runs = _runs(problem, part)
         asks = [ask for run in runs for ask in run.asks]
         alone = sum(len(ask.items) if isinstance(ask, Find) else 1 for ask in asks) < 2
         sizes: list[int] = []
@@ -174,7 +175,7 @@ def _drafts(scene: Scene) -> Iterator[_Draft]:
     now = 0
     for part in scene.problem.parts:
         blocks: list[Block] = []
-        for run in _runs(part):
+        for run in _runs(scene.problem, part):
             now, more = _run(scene, now, run, lets)
             blocks += more
         yield _draft(part.label, _numbered(blocks, number))
@@ -210,6 +211,12 @@ def _draft(label: str | None, blocks: Sequence[Block]) -> _Draft:
         last = merged[-1] if merged else None
         if isinstance(block, Paragraph) and isinstance(last, Paragraph):
             merged[-1] = Paragraph(last.sentences + block.sentences)
+        elif (
+            isinstance(block, Listing)
+            and isinstance(last, Listing)
+            and not (block.lead or last.lead)
+        ):
+            merged[-1] = replace(last, entries=last.entries + block.entries)
         else:
             merged.append(block)
     if merged and isinstance(merged[0], Paragraph):
@@ -233,21 +240,34 @@ class _Run:
     relations: tuple[Relation, ...]
     unknown: tuple[str, ...]
     asks: tuple[Find | Show, ...]
+    below: bool = False  # whether its facts stand below what is asked without them
 
 
-def _runs(part: Part) -> list[_Run]:
-    """The runs of a part; what is said of letters alone stands where something is first asked."""
-    event: Event | None = None
-    steps: list[Step] = []
+def _runs(problem: Problem, part: Part) -> list[_Run]:
+    """The runs of a part; what is said of letters alone stands where something is first asked.
+
+    What is asked above a fact, and without it, has a run of its own.
+    """
+    events: list[Event | None] = [None]
+    events += [step for step in part.steps if isinstance(step, Event)]
     runs: list[_Run] = []
-    for step in part.steps:
-        if isinstance(step, Event):
+    for event, steps in zip(events, between_events(part), strict=True):
+        above = asked_above(problem, steps)
+        if not above:
             runs.append(_run_of(part.label, event, steps))
-            event, steps = step, []
-        else:
-            steps.append(step)
-    runs.append(_run_of(part.label, event, steps))
-    lets = tuple(one for each in runs for one in each.lets if not has_quantity(one.expression))
+            continue
+        asks = [step for step in steps if isinstance(step, Find | Show)]
+        below = [*facts_below(problem, steps), *asks[above:]]
+        rest = [step for step in steps if not any(step is each for each in below)]
+        runs += [_run_of(part.label, event, rest), _run_of(part.label, None, below)]
+        runs[-1] = replace(runs[-1], below=True)
+    named = named_letters(problem)
+    lets = tuple(
+        one
+        for each in runs
+        for one in each.lets
+        if not has_quantity(one.expression) and not letters(one.expression) & named
+    )
     unknown = tuple(one for each in runs for one in each.unknown)
     runs = [
         replace(run, lets=tuple(one for one in run.lets if one not in lets), unknown=())
@@ -285,7 +305,10 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
     given = [
         relation
         for relation in run.relations
-        if run.label is not None or not is_letter_fact(relation) or letters_of(relation) & lets
+        if run.label is not None
+        or run.below
+        or not is_letter_fact(relation)
+        or letters_of(relation) & lets
     ]
     asked = _asked(scene, run.asks)
     if asked is not None and given and (asked.lead or len(asked.entries) == 1):

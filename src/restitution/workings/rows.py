@@ -48,6 +48,7 @@ from restitution.workings.naming.measured import (
     Measures,
     as_answer,
     as_decimal,
+    in_decimals,
     is_long_quotient,
     is_plain,
     percentage,
@@ -285,6 +286,9 @@ class Rows:
         trees = [links[0].left, *(link.right for link in links)]
         if self._measures.decimals and self._measures.unit(links[0].left):
             trees[1:] = map(as_decimal, trees[1:])
+        if self._measures.decimals:
+            in_units = self._measures.has_units_of_its_own
+            trees = [each if in_units(each) else in_decimals(each) for each in trees]
         match links[0]:
             case Link(Binary("/", Quantity(), Quantity()), _, Binary("/", above, below)) if (
                 self._measures.decimals

@@ -30,14 +30,16 @@ def angle_at_sight(scene: Scene, asked: Quantity) -> int | None:
         case _:
             return None
     body, stage = body_and_stage(scene, velocity)
+    mark = scene.desk.mark()
     try:
         above, below, walls = components_to_a_line(scene, body, stage, line)
     except NotPlannedError:
         return None
     zero, other = (below, above) if scene.model.identically_zero(below.value) else (above, below)
-    if not scene.model.identically_zero(zero.value):
-        return None
-    if not scene.model.proved_sign(scene.model.in_data(other.value)):
+    if not scene.model.identically_zero(zero.value) or not scene.model.proved_sign(
+        scene.model.in_data(other.value)
+    ):
+        scene.desk.back(mark)
         return None
     if zero is below:
         move, degrees = Move("define", "perpendicular", stage or None, (body,)), 90

@@ -36,6 +36,7 @@ from restitution.planning.angles.directions import (
     in_degrees_of,
 )
 from restitution.planning.angles.from_axes import from_an_axis
+from restitution.planning.angles.kept_tangents import multiple_of_a_tangent
 from restitution.planning.angles.letters_put import with_letters_put
 from restitution.planning.angles.lines_between import (
     angle_of_lines,
@@ -346,6 +347,12 @@ def _angle_of(scene: Scene, own: Ratio) -> Expression:
 
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     """The angle to a wall, to the line of centres, or to **i** or **j**."""
+    line_ = asked.arguments[1]
+    to_i_or_j = isinstance(line_.operand if isinstance(line_, Negate) else line_, Unit)
+    extent = RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
+    kept = multiple_of_a_tangent(scene, asked, extent)
+    if kept is not None:
+        return kept
     own = formula(scene, asked)
     if own.move.record == "scalar-angle":
         letter, meaning = letter_of(scene, asked)
@@ -354,9 +361,6 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
         return Ratio(line, letter, "cos", own.value, RANGES["deflection"].format(letter))
     move = Move("define", "tan", own.move.event, own.move.bodies)
     line, letter = tangent_line(scene, asked, own, move)
-    line_ = asked.arguments[1]
-    to_i_or_j = isinstance(line_.operand if isinstance(line_, Negate) else line_, Unit)
-    extent = RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
     return Ratio(line, letter, "tan", own.value, extent.format(letter))
 
 

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Line, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Apply, Binary, Letter, Quantity, letters
 from restitution.planning.formulas.named_angles import letter_of, ratio_line
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import Source, chain, together
-from restitution.planning.writing.forms import difference, tree_of
+from restitution.planning.writing.forms import difference, in_tangents, tree_of
 from restitution.planning.writing.premises import background, nonzero
 from restitution.planning.writing.scene import Scene
 
@@ -52,10 +52,13 @@ def write_by_cotangent(scene: Scene, direction: Quantity, x: Source, y: Source) 
 def cotangent_of(scene: Scene, line: int, letter: str) -> int | None:
     """The line of a cotangent by what the line of the tangent rests on.
 
-    None of a tangent that is not defined by a quotient.
+    Where values were put into a tangent, they are put into the cotangent. None of a tangent that is
+    not defined by a quotient.
     """
     own = scene.desk.line(line)
     match own.move.id, own.relation:
+        case "put", Relation(((Link(Apply("tan") as tangent, "=", _),),)):
+            return _with_values(scene, own, tangent, letter)
         case "define", Relation(((Link(Apply("tan"), "=", Binary("/", above, below)), *_),)):
             value = tidy(scene.scalar(below) / scene.scalar(above))
         case _:
@@ -68,6 +71,21 @@ def cotangent_of(scene: Scene, line: int, letter: str) -> int | None:
     premises = scene.judge.enough(own.move, line_.premises, relation, background(scene, names))
     scene.desk.back(mark)
     return None if premises is None else scene.desk.write(own.move, premises, relation)
+
+
+def _with_values(scene: Scene, put: Line, tangent: Apply, letter: str) -> int | None:
+    """The same of a tangent into whose line values were put."""
+    lines = (scene.desk.line(each) for each in put.premises if isinstance(each, int))
+    numbers = [each.number for each in lines if isinstance(each.relation, Relation)]
+    own = next((n for n in numbers if scene.desk.last_link(n).left == tangent), None)
+    line = None if own is None else cotangent_of(scene, own, letter)
+    if line is None:
+        return None
+    link = scene.desk.last_link(line)
+    value, refs = scene.put(scene.scalar(link.right))
+    relation = chain(Apply("cot", Letter(letter)), (tree_of(in_tangents(value)), None))
+    premises = scene.judge.enough(Move("put"), (line, *refs), relation)
+    return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
 def write_open_angle(scene: Scene, line: int, letter: str, extent: Ref) -> int | None:

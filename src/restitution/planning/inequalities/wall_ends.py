@@ -42,7 +42,7 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
     place = low.right
     value = sp.sympify(scene.put(scene.scalar(place))[0], strict=True)
     ends = [scene.scalar(each) for each in (low.left, high.right)]
-    if not any(each is not None and each[1].free_symbols for each in _open(worths, value, ends)):
+    if not _bounds(_open(worths, value, ends)):
         return None
     worths.solver.determine(journeys.goals(scene, place))
     number, known = journeys.write(scene, place)
@@ -50,6 +50,8 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
     value, tree = sp.sympify(put, strict=True), tree_of(put)
     # An end that it cannot come to is not named.
     open_ = _open(worths, value, ends)
+    if not _bounds(open_):
+        return None  # what was put in since leaves no letter
     links = (Link(low.left, "<", tree), Link(tree, "<", high.right))
     kept = tuple(link for link, each in zip(links, open_, strict=True) if each is not None)
     names = worths.known_in(value)
@@ -67,6 +69,11 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
             line = judge.write((Move("compare"),), [line, *names], whole) or line
     after = judge.write((Move("rearrange"), Move("compare")), [line, *names], relation)
     return line if after is None else after
+
+
+def _bounds(open_: Sequence[tuple[Sign, sp.Expr] | None]) -> bool:
+    """Whether one of the ends that a place can come to bounds a letter."""
+    return any(each is not None and each[1].free_symbols for each in open_)
 
 
 def is_of_a_path(relation: Relation) -> bool:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise, product
 from types import MappingProxyType
 
@@ -304,10 +304,20 @@ class Image:
         """Whether just these values occur, whatever the data are; ``more`` are facts of them."""
         role = _role_of_angle(pieces) if self.angle else REAL
         verdict = self._proved(self.value, pieces, role, more)
-        arc = _tangent_of(self.value, pieces) if self.angle else None
-        if verdict.answer == "undecided" and arc is not None:
-            return self._proved(*arc, REAL, more)
-        return verdict
+        if verdict.answer != "undecided" or not self.angle:
+            return verdict
+        arc = _tangent_of(self.value, pieces, partial(self._is_never_negative, more=more))
+        return verdict if arc is None else self._proved(*arc, REAL, more)
+
+    def _is_never_negative(self, value: sp.Expr, more: Sequence[Formula]) -> bool:
+        """Whether a value is proved to be 0 or more, for all that is allowed."""
+        formula = self.region.formula
+        if value.is_nonnegative or formula is None:
+            return bool(value.is_nonnegative)
+        try:
+            return bool(Oracle(self.region.roles, (*more, formula)).decide(Relation(value, ">=")))
+        except BeyondError:
+            return False
 
     def _proved(
         self, value: sp.Expr, pieces: Sequence[Piece], role: Role, more: Sequence[Formula]
@@ -349,7 +359,9 @@ def _role_of_angle(pieces: Sequence[Piece]) -> Role:
     return TO_180
 
 
-def _tangent_of(value: sp.Expr, pieces: Sequence[Piece]) -> tuple[sp.Expr, list[Piece]] | None:
+def _tangent_of(
+    value: sp.Expr, pieces: Sequence[Piece], is_never_negative: Callable[[sp.Expr], bool]
+) -> tuple[sp.Expr, list[Piece]] | None:
     """What stands in the inverse tangent of which an angle is made, with its values.
 
     It grows with that, or falls: ``180° − arctan(4/(3e))`` is ``90° + arctan(3e/4)``, also where e
@@ -361,7 +373,7 @@ def _tangent_of(value: sp.Expr, pieces: Sequence[Piece]) -> tuple[sp.Expr, list[
         return None
     tangent = arc.args[0]
     above, below = sp.fraction(sp.together(tangent))
-    if above.is_number and below.free_symbols and below.is_nonnegative:
+    if above.is_number and below.free_symbols and is_never_negative(below):
         # The reciprocal may be 0: then the angle is the right angle to which the arc comes.
         whole += factor * sp.sign(above) * sp.pi / 2
         tangent, factor = below / above, -factor

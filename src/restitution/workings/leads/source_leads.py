@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Name,
     Quantity,
     is_zero,
     letters,
@@ -174,20 +175,30 @@ class SourceLeads(LinesAround):
         relation = line.relation
         return self._naming.relation(relation) if isinstance(relation, Relation) else None
 
-    @staticmethod
-    def _made(line: Line) -> SentenceId:
+    def _made(self, line: Line) -> SentenceId:
         """What a line makes of values above it: their ratio, their product, or their difference."""
         assert isinstance(line.relation, Relation)
         match line.relation.options[0][0].left:
-            case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
-                return "made.fraction-lost"
-            case Binary("/", Quantity(), Quantity()):
-                return "made.ratio"
+            case Binary("/", Quantity() as above, Quantity() as below):
+                fraction = self._is_fraction_lost(above, below)
+                return "made.fraction-lost" if fraction else "made.ratio"
             case Binary("*", Quantity(), Quantity()):
                 return "made.product"
             case Binary("-", Quantity(), Quantity()):
                 return "made.difference"
         return "made.by-these"
+
+    def _is_fraction_lost(self, loss: Quantity, own: Quantity) -> bool:
+        """Whether a loss is compared with the energy that a body has when the loss begins."""
+        if own.kind != "energy" or loss.kind not in ("energy_lost", "total_energy_lost"):
+            return False
+        if not isinstance(own.stage, int) or not isinstance(loss.stage, int):
+            return True
+        if loss.kind == "total_energy_lost":
+            return own.stage == 0
+        bodies = {each.name for each in own.arguments if isinstance(each, Name)}
+        between = (e for e in self._derivation.events if own.stage < e.number < loss.stage)
+        return own.stage < loss.stage and not any(bodies & set(e.bodies) for e in between)
 
     def _named(self, tree: Expression) -> Sentence | lay.Layout:
         """What is put in: a letter, or words with an article."""

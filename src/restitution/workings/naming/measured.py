@@ -104,6 +104,47 @@ def as_decimal(tree: Expression) -> Expression:
     return tree
 
 
+def in_decimals(tree: Expression) -> Expression:
+    """A tree in which coefficients of letters that are decimals with an end are these: 6.2e.
+
+    A half and a quotient with a root in it stay as they are.
+    """
+    match tree:
+        case Binary("/", above, Number(below)):
+            size, rest = _coefficient(above)
+            if rest is not None and size not in (0, 1) and _ends(size / below):
+                return Binary("*", Number(size / below), rest)
+        case Binary("*", Binary("/", Number(above), Number(below)), rest):
+            if above != 1 and _ends(above / below) and _is_rational(rest):
+                return Binary("*", Number(above / below), rest)
+        case Binary("^"):
+            return replace(tree, left=in_decimals(tree.left))
+    match tree:
+        case Binary("+" | "-" | "*" | "/", left, right):
+            return replace(tree, left=in_decimals(left), right=in_decimals(right))
+        case Negate(operand):
+            return replace(tree, operand=in_decimals(operand))
+    return tree
+
+
+def _coefficient(tree: Expression) -> tuple[Fraction, Expression | None]:
+    """The number in front of a product of letters, and the product; None where it is not plain."""
+    match tree:
+        case Binary("*", Number(size), rest) if _is_rational(rest):
+            return size, rest
+        case Binary("*", left, right) if _is_rational(right):
+            size, first = _coefficient(left)
+            return size, None if first is None else replace(tree, left=first)
+    return Fraction(1), None
+
+
+def _is_rational(tree: Expression) -> bool:
+    """Whether a tree has letters, and no root and no ratio of a number."""
+    return bool(letters(tree)) and not any(
+        isinstance(each, Apply) and not letters(each) for each in walk(tree)
+    )
+
+
 def _of_units(tree: Expression) -> bool:
     match tree:
         case Negate(operand):
