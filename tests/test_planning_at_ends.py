@@ -35,6 +35,21 @@ show deflection(P) >= 35°
 """,
         ("δ ≥ β", "δ ≥ 35°, as β ≥ 35°"),
     ),
+    "a deflection at spheres by the one angle that is not given": (
+        """
+sphere A: mass m, velocity u at 60°
+sphere B: mass m, velocity u at 60° from -i
+A hits B: along i
+given 1/4 <= e <= 1/2
+find range of deflection(A)
+""",
+        (
+            "δ = 180° − 60° − β",
+            "= 120° − arctan(√3/e)",
+            "as 120° − arctan(√3/e) increases with e and ¼ ≤ e ≤ ½",
+            "38.2° ≤ δ ≤ 46.1°",
+        ),
+    ),
     "a deflection between the ends of e that facts leave": (
         """
 wall W: along 3i + 4j

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -37,8 +38,11 @@ def working(text: str) -> tuple[Derivation, list[str]]:
 def test_the_range_of_a_deflection_past_a_right_angle() -> None:
     # A keeps (1 - 5e)/6 of its component: it leaves at 73.9° to 139.1° from i, and came at 30°.
     _, lines = working(HEAVIER.format(angle="30°", mass="5m") + "find range of deflection(A)\n")
-    assert "-sqrt(3)/5 <= cot(delta) <= 3sqrt(3)/5" in lines
-    assert lines[-1].endswith("<= 180° - arctan(5sqrt(3)/3)")
+    assert not any("tan(delta)" in each or "cot(delta)" in each for each in lines)
+    (low, high) = "60° - arctan(sqrt(3)/6)", "60° + arctan(2sqrt(3)/3)"
+    assert lines[-1] == f"{low} <= deflection(A, 1) <= {high}"
+    assert round(60 - math.degrees(math.atan(3**0.5 / 6)), 1) == 43.9
+    assert round(60 + math.degrees(math.atan(2 / 3**0.5)), 1) == 109.1
 
 
 ANGLE = "angle(velocity(A), velocity(B)) over e"

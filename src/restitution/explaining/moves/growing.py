@@ -31,9 +31,13 @@ def is_monotone(step: Step, relation: Relation) -> bool:
             # That it is positive, and may be as great as you like, is said nowhere.
             own = {"low": (sp.Integer(0), False), "high": (sp.oo, False)}
             ranges[symbol.name] = {**own, **ranges.get(symbol.name, {})}
+    meant: dict[Expression, Expression] = {Letter(e.letter): e.quantity for e in step.lets}
+    subjects = dict.fromkeys((equation.left, meant.get(equation.left, equation.left)))
     return any(
-        _grows_between(step, relation.only, equation.left, value, name, ends)
+        _grows_between(step, relation.only, subject, value, name, ends)
         for name, ends in ranges.items()
+        for subject in subjects
+        if any(subject in (link.left, link.right) for link in relation.only)
     )
 
 

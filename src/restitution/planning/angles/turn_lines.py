@@ -187,20 +187,25 @@ def _is_by_data(scene: Scene, line: Line) -> bool:
     )
 
 
+def _terms(tree: Expression) -> list[tuple[int, Expression]]:
+    """The terms of a sum of two, each with its sign: 90° − arctan(2) is of 90° and arctan(2)."""
+    match tree:
+        case Binary("+" | "-" as op, left, right):
+            return [(1, left), (1 if op == "+" else -1, right)]
+    return [(1, tree)]
+
+
 def _with_one_number(turn: Turn, trees: Sequence[Expression | None]) -> Expression | None:
     """The angle with what is in degrees added up: 180° − 60° − arctan(2) is 120° − arctan(2)."""
-    signs = _SIGNS[turn.form]
+    terms = [
+        (sign * own, part)
+        for sign, tree in zip(_SIGNS[turn.form], trees, strict=True)
+        if tree is not None
+        for own, part in _terms(tree)
+    ]
     degrees = [Fraction(180 if turn.form.startswith("rest") else 0)]
-    degrees += [
-        sign * tree.value
-        for sign, tree in zip(signs, trees, strict=True)
-        if isinstance(tree, Degrees)
-    ]
-    others = [
-        (sign, tree)
-        for sign, tree in zip(signs, trees, strict=True)
-        if tree is not None and not isinstance(tree, Degrees)
-    ]
+    degrees += [sign * part.value for sign, part in terms if isinstance(part, Degrees)]
+    others = [(sign, part) for sign, part in terms if not isinstance(part, Degrees)]
     if len([each for each in degrees if each]) < 2 or len(others) != 1:
         return None
     total_, ((sign, other),) = sum(degrees, Fraction(0)), others

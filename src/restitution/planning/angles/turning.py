@@ -592,6 +592,20 @@ def _by_turn(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int |
     return Ratio(line, letter, "tan", value, RANGES["deflection"].format(letter))
 
 
+def turn_in_letters(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a deflection by the angles of both paths to one line, with what letters tell.
+
+    Like ``δ = 120° − arctan(√3/e)``; None where both angles are not known so.
+    """
+    for turn in turns_of(scene, asked):
+        mark = scene.desk.mark()
+        line = write_turn(scene, turn, angle_line, in_letters=True)
+        if line is not None:
+            return line
+        scene.desk.back(mark)
+    return None
+
+
 def _is_nested(square_: sp.Expr) -> bool:
     """Whether the square of a cosine has a root in it: the tangent is plainer then."""
     return not tidy(square_).is_Rational

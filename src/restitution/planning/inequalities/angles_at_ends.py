@@ -13,8 +13,9 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, Sign
 from restitution.explaining.moves.limits import worth_at
-from restitution.expression.tree import Expression, Quantity, letters
+from restitution.expression.tree import Expression, Letter, Quantity, letters
 from restitution.planning.angles.turning import angle_line
+from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.letter_ranges import ranges_of
 from restitution.planning.routes.items import determine
@@ -27,13 +28,15 @@ from restitution.solving.story.letters import roles
 class AngleAtEnds:
     """An angle of the motion as a line has it, between its values at the ends of a letter."""
 
-    def __init__(self, claims: Claims, solver: Solver, asked: Quantity) -> None:
+    def __init__(
+        self, claims: Claims, solver: Solver, asked: Quantity, line: int | None = None
+    ) -> None:
         self.claims = claims
         self.scene = claims.scene
         self.judge = claims.judge
         self.asked = asked
         determine(self.scene, solver, asked)
-        self.line = angle_line(self.scene, asked)
+        self.line = angle_line(self.scene, asked) if line is None else line
         self.right = self.scene.desk.last_link(self.line).right
         self.value = sp.sympify(self.scene.scalar(self.right), strict=True)
 
@@ -54,10 +57,17 @@ class AngleAtEnds:
         for name in self.names():
             others = set(self.names()) - {name}
             pool = [self.line, *bounds, *self.judge.known([name]), *self.judge.known(others)]
+            pool += self._meaning()
             line = self.judge.write((Move("monotone"),), pool, relation)
             if line is not None:
                 return line
         return None
+
+    def _meaning(self) -> list[Ref]:
+        """What introduces the letter of the angle, where its line has that."""
+        known = letter_known(self.scene, self.asked)
+        left = self.scene.desk.last_link(self.line).left
+        return [known[1]] if known is not None and left == Letter(known[0]) else []
 
     def bounded_twice(self, relation: Relation) -> int | None:
         """The line of a bound that comes of one at an end of a letter, and of another letter.

@@ -19,14 +19,17 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
+from restitution.planning.angles.turning import turn_in_letters
+from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.inequalities.angles_at_ends import (
     AngleAtEnds,
     is_angle_of_motion,
     write_at_ends,
 )
 from restitution.planning.inequalities.claims import Claims
+from restitution.planning.routes.items import determine
 from restitution.planning.routes.order import Solver
-from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.desk import UNPLANNED, NotPlannedError
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
 from restitution.planning.writing.polynomials import expanded
@@ -54,6 +57,8 @@ def write_range(
             line = bounded
         elif len(relation.options) > 1:
             line = claims.write_parts(asked, relation)
+        elif not shown and (own := _of_a_turn(claims, solver, asked, relation)) is not None:
+            line, relation = own
         else:
             mark = claims.worths.mark()
             try:
@@ -84,6 +89,48 @@ def _at_ends(
         if line is not None and same(claims, whole, relation):
             return line, whole
     raise NotPlannedError("a range of an angle")
+
+
+def _of_a_turn(
+    claims: Claims, solver: Solver, asked: Expression, relation: Relation
+) -> tuple[int, Relation] | None:
+    """The range of a deflection by that of the one angle of which it is made that is not given.
+
+    ``δ = 120° − arctan(√3/e)`` needs no tangent of a sum. None of another range, and where the
+    tangent is asked too, or stands.
+    """
+    scene = claims.scene
+    if not isinstance(asked, Quantity) or asked.kind != "deflection":
+        return None
+    if Apply("tan", asked) in scene.asked or _has_its_tangent(scene, asked):
+        return None
+    mark = claims.worths.mark()
+    with suppress(*UNPLANNED):
+        determine(scene, solver, asked)
+        turned_ = turn_in_letters(scene, asked)
+        if turned_ is not None:
+            angle = AngleAtEnds(claims, solver, asked, turned_)
+            for whole, bounds in angle.ranges():
+                line = angle.bounded(whole, bounds)
+                if line is not None and same(claims, whole, relation):
+                    return line, whole
+    claims.worths.back(mark)
+    return None
+
+
+def _has_its_tangent(scene: Scene, asked: Quantity) -> bool:
+    """Whether a line says the tangent of an angle."""
+    known = letter_known(scene, asked)
+    names: list[Expression] = [asked]
+    names += [] if known is None else [Letter(known[0])]
+    return any(
+        isinstance(line.relation, Relation)
+        and any(
+            link.left == Apply("tan", name) for link in line.relation.options[0] for name in names
+        )
+        for line in scene.desk.lines
+        if scene.desk.holds(line.number)
+    )
 
 
 def same(claims: Claims, own: Relation, other: Relation) -> bool:
