@@ -9,6 +9,8 @@ from __future__ import annotations
 import pytest
 from workings import planned
 
+from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.notation import write_relation
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
 
@@ -117,3 +119,24 @@ def test_a_velocity_is_known_but_for_its_sense(name: str) -> None:
     text = to_text(explanation_of(derivation, problem), 120)
     for each in lines:
         assert each in text, text
+
+
+def test_a_speed_is_the_value_of_the_one_component_without_a_vector_between() -> None:
+    problem, derivation = planned(
+        """
+        wall W: along phi
+        sphere Q: velocity 6 j
+        Q hits W: e = 1/3
+        given velocity(Q) perpendicular to j
+        find phi, speed(Q)
+        """
+    )
+    assert [write_relation(each.answer) for each in derivation.items][1] == "speed(Q, 1) = 2sqrt(3)"
+    vectors = [
+        line
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
+        and write_relation(line.relation).startswith("velocity(Q, 1) = ")
+    ]
+    assert len(vectors) == 1  # by its letter
+    assert "2√3 𝐢" not in to_text(explanation_of(derivation, problem))

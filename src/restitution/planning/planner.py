@@ -89,6 +89,7 @@ from restitution.planning.writing.gathering import (
     without_unprinted_angles,
 )
 from restitution.planning.writing.given_terms import turn_round
+from restitution.planning.writing.known_directions import with_known_directions
 from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.values_first import with_values_first
@@ -157,7 +158,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     for shortened in (
         *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
-        with_values_first,
+        *(with_values_first, with_known_directions),
     ):
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
