@@ -917,3 +917,16 @@ def test_who_is_sent_back_along_the_line_of_centres_is_not_said_to_go_on() -> No
     told = printed(text)
     assert "B moves along the line of centres, and A the opposite way along it:" in told
     assert "the same way along it" not in told
+
+
+def test_times_of_all_ways_that_stand_are_added() -> None:
+    text = """
+wall AB: from (0, 0) to (3, 0)
+wall BC: from (3, 0) to (3, 2)
+sphere P: at (0, 1), velocity v i - v j
+P hits AB: e = 1/2
+P hits BC: e = 1/2
+find position(P, 2), time(2)
+"""
+    assert said(text)[-1] == "time(2) = 1/v + 2/v = 3/v [rearrange]"
+    assert "no impact changes" not in printed(text)

@@ -70,6 +70,8 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
     in_lines = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
     if early and (in_lines or all(each.is_number for each in early)):
         return None  # the sum is as short
+    if all(_stands(scene, *pair) for pair in pairwise((since, *between, number))):
+        return None  # the ways are added
     first, last = (coordinate(scene, body, each, axis) for each in (since, number))
     paces = [velocity(scene, body, stage, axis) for stage in (since, *between)]
     pace = paces[-1]
@@ -92,6 +94,12 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
         return None
     line = scene.desk.write(move, needed, relation)
     return scene.desk.know(own, value, (line,))
+
+
+def _stands(scene: Scene, early: int, late: int) -> bool:
+    """Whether the time from one event to the next one has a line."""
+    trees = (duration_tree(late, early), *((time_tree(late),) if early == 0 else ()))
+    return any(scene.desk.known(tree) is not None for tree in trees)
 
 
 def write_steady_ways(scene: Scene, number: int) -> None:
