@@ -232,7 +232,7 @@ def rearranged_from(
     Values of earlier lines are put in for the student's own letters. Both hold at the same of many
     random values of the letters; angles among these are acute.
     """
-    claim = entry.claim
+    claim, usual = entry.claim, (0.0, _LARGEST)
     if claim.sign not in _COMPARISONS or claim.others:
         return None
     for other in reversed(entries):
@@ -242,10 +242,11 @@ def rearranged_from(
         if not names or not names & (letters(other.claim.left) | letters(other.claim.right)):
             continue
         names |= letters(other.claim.left) | letters(other.claim.right)
-        for largest in (1.0, _LARGEST):
+        for least, largest in ((0.0, 1.0), (0.0, _LARGEST), (-_LARGEST, _LARGEST)):
+            # A mistake may ask for e > 5/3, or for what no coefficient is: -20e > 0.
             rng = np.random.default_rng(7)
             put = {
-                name: rng.uniform(0, largest if name in coefficients else _LARGEST, _POINTS)
+                name: rng.uniform(*((least, largest) if name in coefficients else usual), _POINTS)
                 for name in sorted(names)
             }
             put |= {name: rng.uniform(0, np.pi / 2, _POINTS) for name in _angles(claim, other)}

@@ -65,8 +65,9 @@ def _corrections(
             size = world.scalar(side, entry.meanings, scope=entry.scope)
         except RestitutionError:
             continue
-        if _has_value(side, own):
-            continue  # the coefficient is there: e(4 - 1) has a wrong sign
+        other = entry.claim.right if place == "left" else entry.claim.left
+        if _has_value(side, own) or (is_numeric(other) and _has_value(other, own)):
+            continue  # the coefficient is there: e(4 - 1) has a wrong sign, ½ × 5 = 3.5 a wrong sum
         for base in (approach, None) if is_numeric(side) else (approach,):
             factor = _factor(size, base, own)
             if factor is None:

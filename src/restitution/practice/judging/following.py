@@ -69,6 +69,8 @@ _USUAL = 0.3
 """A letter takes a meaning of at most this cost from lines below a mistake."""
 NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
+_OF_COMPONENTS = frozenset({"momentum", "restitution", "unchanged"})
+"""The laws that tell the components after an impact."""
 IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
 IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
 _HUNDRED = 100
@@ -216,7 +218,7 @@ class Following(OwnValues):
 
         Where his component across changes, it is no part of that impulse.
         """
-        if not self._forgone():
+        if not any(law in _OF_COMPONENTS for law, _ in self._forgone()):
             return None
         for claim in self._in_all_meanings(link, line):
             for other in by_components(claim, self.meanings(line.number), self._base):

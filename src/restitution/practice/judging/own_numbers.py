@@ -5,7 +5,7 @@ A line with one of these in it follows where it is true with what stands for it 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import islice, product
@@ -40,9 +40,13 @@ Put = tuple[Claim, tuple[int, ...]]
 
 
 class OwnNumbers:
-    """The wrong numbers of a script so far, each with what it stands for and its line."""
+    """The wrong numbers of a script so far, each with what it stands for and its line.
 
-    def __init__(self) -> None:
+    ``factors`` are data by which a student multiplies: masses and coefficients of restitution.
+    """
+
+    def __init__(self, factors: Iterable[Fraction] = ()) -> None:
+        self._factors = (*_FACTORS, *(each for each in factors if each not in _SMALL))
         self._known: dict[Fraction, tuple[tuple[Expression, ...], int]] = {}
         self._terms: dict[Expression, tuple[tuple[Expression, ...], int]] = {}
 
@@ -118,7 +122,7 @@ class OwnNumbers:
                 return None
             if _is_near(number, size * size):
                 return tuple(Binary("^", tree, _TWO) for tree in trees), (size,)
-            for factor in _FACTORS if size.denominator > 1 else ():
+            for factor in self._factors if size.denominator > 1 else ():
                 if _is_near(number, factor * size):
                     return tuple(Binary("*", Number(factor), tree) for tree in trees), (size,)
         return None

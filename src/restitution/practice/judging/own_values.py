@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
 from typing import Protocol, overload
 
@@ -41,11 +42,13 @@ from restitution.practice.letters.slots import same_size
 from restitution.practice.reading.phrases import (
     is_phrase,
 )
+from restitution.practice.reading.relations import worked_out
 from restitution.practice.script import Claim, ScriptLine
 from restitution.practice.worlds.principles import uses_of
 from restitution.practice.worlds.student import facts_of, student_world
 from restitution.practice.worlds.turning import with_line_at
 from restitution.practice.worlds.world import World
+from restitution.problem import Impact, Problem
 
 ALTERED = 3
 """So many of the altered laws that explain a mistake are looked into."""
@@ -119,7 +122,7 @@ class OwnValues(Holding):
         self._explained: dict[int, Explained] = {}
         self._stated: set[tuple[str, int | None, tuple[str, ...]]] = set()
         self._own: tuple[int, Sequence[World]] = (-1, ())
-        self._own_numbers = OwnNumbers()
+        self._own_numbers = OwnNumbers(_factors_of(self._base.problem))
         self._known_uses: dict[tuple[Claim, int, bool], tuple[Use, ...]] = {}
 
     @property
@@ -343,6 +346,15 @@ class OwnValues(Holding):
             if uses:
                 return uses
         return ()
+
+
+def _factors_of(problem: Problem) -> Iterator[Fraction]:
+    """The masses and coefficients of restitution that a statement gives in numbers."""
+    masses = [each.mass for each in problem.spheres]
+    coefficients = [each.e for each in problem.events if isinstance(each, Impact)]
+    for tree in filter(None, (*masses, *coefficients)):
+        if (value := worked_out(tree)) is not None:
+            yield value
 
 
 _INVERSE = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}

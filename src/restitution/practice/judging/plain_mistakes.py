@@ -415,14 +415,30 @@ def _is_without_across(entry: Entry, world: World) -> bool:
     if number not in world.lines:
         return False
     line = Quantity("line_of_centres", (), number)
-    pair = (Quantity(kind, (entry.claim.right, line)) for kind in ("along", "across"))
-    along, across = pair
-    zero = Number(Fraction(0))
+    kept = Binary("*", Quantity("along", (velocity, line)), line)
     moved = Quantity("across", (velocity, line))
-    return (
-        _is(Quantity("along", (velocity, line)), along, entry, world)
-        and _is(zero, across, entry, world)
-        and not _is(zero, moved, entry, world)
+    return _is(kept, entry.claim.right, entry, world) and not is_zero(moved, world)
+
+
+def _is_angle_of_other_wall(entry: Entry, world: World) -> bool:
+    """Whether an angle to a wall has the value of that to a wall which the sphere left before."""
+    match _meant(entry):
+        case Quantity("angle", (Quantity("velocity", (Name(body),)), Name(wall))):
+            pass
+        case _:
+            return False
+    struck = [
+        (number, step.second)
+        for number, step in enumerate(world.events, 1)
+        if isinstance(step, Impact) and step.first == body
+    ]
+    second = next((number for number, other in struck if other == wall), 0)
+    earlier = [each for each in struck if each[0] < second and each[1] != wall]
+    return any(
+        _is(Quantity("angle", (velocity, Name(other))), entry.claim.right, entry, world)
+        for number, other in earlier
+        if other not in world.start
+        for velocity in (Quantity("velocity", (Name(body),), number),)
     )
 
 
@@ -670,4 +686,5 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (_is_relative_speed_across, "restitution-parallel"),
     (_is_without_across, "across-changed"),
     (_is_impulse_reversed, "impulse-sign"),
+    (_is_angle_of_other_wall, "second-wall-angle"),
 )

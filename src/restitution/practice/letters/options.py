@@ -54,7 +54,10 @@ class Usage:
 
 def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> Iterator[Candidate]:
     """The candidates of a letter, with what each costs for it."""
+    candidates = tuple(candidates)
     kinds: tuple[Kind, ...] = kinds_of(usage.letter, usage.in_angle)
+    if kinds[0] == "time" and any(each.kind == "time" and each.asked for each in candidates):
+        kinds = ("time",)
     if usage.dotted:
         kinds = ("direction",) if is_direction(usage.letter) else ("velocity",)
     for each in candidates:
@@ -82,10 +85,10 @@ def _is_of_velocities(letter: str) -> bool:
 def _is_never(letter: str, candidate: Candidate) -> bool:
     """Whether nobody gives a letter to a quantity of another kind: m is a mass alone.
 
-    So u, v and w are velocities, and e is a coefficient.
+    So u, v and w are velocities, e is a coefficient, and I an impulse.
     """
     base = letter.partition("_")[0].rstrip("'")
-    return candidate.kind == "mass" or _is_of_velocities(letter) or base == "e"
+    return candidate.kind == "mass" or _is_of_velocities(letter) or base in ("e", "I", "J")
 
 
 def is_direction(letter: str) -> bool:

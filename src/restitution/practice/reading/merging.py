@@ -46,6 +46,10 @@ _NEAR_A_NAME = frozenset(
     + ("towards", "so", "since", "hence", "that", "means", "as", "because")
 )
 _ENERGIES = frozenset(word for word, head in HEADS.items() if head in ("loss", "gain", "energy"))
+# What may be along a vector that is written out, and the words before one.
+_ALONG = frozenset(("component", "velocity", "speed", "momentum"))
+_BEFORE_VECTOR = frozenset(("along", "to", "of", "direction"))
+_KINDS = {"(": "(", ")": ")", "-": "-", "+": "+", "number": "n", "unit": "i"}
 _OF = frozenset(
     ("of", "on", "in", "for", "to", "from", "by", "with", "at", "hits", "after", "before")
 )
@@ -317,7 +321,8 @@ def _is_article(tokens: Sequence[Token], place: int) -> bool:
 def _phrase(tokens: Sequence[Token], text: str) -> Token:
     """A phrase as a token: its words in small letters, but for names, as its name."""
     words = [each.text if each.kind in ("name", "unit") else each.word for each in tokens]
-    joined = re.sub(r"- ([ij])\b", r"-\1", " ".join(words).replace(" - c", " c"))
+    joined = re.sub(r"(?<=\d) (?=[ij]\b)", "", " ".join(words).replace(" - c", " c"))
+    joined = re.sub(r"(?<![ij] )- ([ij])\b", r"-\1", joined)
     first, last = tokens[0], tokens[-1]
     name = joined if " " in joined else f"the {joined}"
     return replace(first, kind="phrase", text=text[first.start : last.end], end=last.end, name=name)
@@ -327,13 +332,15 @@ def _phrase_end(tokens: Sequence[Token], place: int, problem: Problem) -> int:
     """Where a phrase that begins at a place ends; the place itself where none does."""
     if not _begins_phrase(tokens, place):
         return place
-    end, depth = place, 0
+    end = place
     while end < len(tokens) and end - place < 16 and _goes_on(tokens, place, end):
         end += 1
+    if (behind := _vector_end(tokens, place, end)) is not None:
+        return behind
     while end > place and _is_trailing(tokens, end - 1):
         end -= 1
     stretch = tokens[place:end]
-    if depth or not any(each.kind == "word" for each in stretch):
+    if not any(each.kind == "word" for each in stretch):
         return place
     if _is_sum_of_energy(tokens, place):
         return place + 1
@@ -341,6 +348,27 @@ def _phrase_end(tokens: Sequence[Token], place: int, problem: Problem) -> int:
     if end > place and names_quantity(words, problem):
         return end
     return place
+
+
+def _vector_end(tokens: Sequence[Token], place: int, end: int) -> int | None:
+    """Where a phrase ends that goes on with a vector along which it is: ``comp of A along 2i + j``.
+
+    A moment may stand behind it, and a value has to.
+    """
+    stretch = tokens[max(0, place - 1) : end]
+    owned = any(each.kind == "name" or HEADS.get(each.word) in _ALONG for each in stretch)
+    if not owned or end == place or tokens[end - 1].word not in _BEFORE_VECTOR:
+        return None
+    kinds = "".join(_KINDS.get(each.kind, "?") for each in tokens[end : end + 9])
+    match = re.match(r"\(-?n?i[+-]n?i\)|-?n?i[+-]n?i", kinds)
+    if match is None:
+        return None
+    behind = end + match.end()
+    while behind < len(tokens) and tokens[behind].word in STAGES:
+        behind += 1
+    stops = behind < len(tokens) and tokens[behind].kind in ("relation", ":")
+    spoken = behind < len(tokens) and tokens[behind].word in EQUALS
+    return behind if stops or spoken else None
 
 
 def _begins_phrase(tokens: Sequence[Token], place: int) -> bool:

@@ -116,7 +116,7 @@ def _without_number(segment: Segment) -> Segment:
     opening, number, closing = tokens[-3:]
     plain = (opening.kind, number.kind, closing.kind) == ("(", "number", ")")
     whole = number.value.denominator == 1 and number.value < 10
-    if plain and whole and opening.gap and tokens[-4].kind != "relation":
+    if plain and whole and opening.gap and tokens[-4].kind not in ("relation", "function"):
         return replace(segment, tokens=tokens[:-3])
     return segment
 

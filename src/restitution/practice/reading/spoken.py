@@ -46,6 +46,13 @@ _TURNED = re.compile(
 _AXIS = re.compile(r"(?:^|(?<=[,;:]))\s*([ijy])\s*:(?=\s*[^\s:=<>])(?=[^:]*=)")
 _OTHER_AXIS = re.compile(r"(?<=[,;])\s*([ijy])\s*:(?=\s*-?[\d./½]+\s*(?:[,;]|$))")
 _AT_AN_END = re.compile(r"\b(KE|Ek|ke)\s+([if])(?=\s*[=:])(?!.*\b(?:KE|Ek|ke)\s+j\b)")
+# A relative speed is along the line of centres, whatever vector says so.
+_ALONG_A_VECTOR = re.compile(
+    r"\b((?:sep|app|closing)\w*(?:\s+speed)?)\s+(?:along|parallel\s+to|in\s+direction(?:\s+of)?)\s+"
+    r"\(?-?\s*[\d.]*[ij]\s*[+-]\s*[\d.]*[ij]\)?(?=\s*[:=])",
+    re.IGNORECASE,
+)
+_ENERGY = re.compile(r"(?<![\w'])E\s+(?=(?:lost|loss|before|after|initially|finally)\b)")
 _DIRECTION = re.compile(r"(^\s*|[,;]\s*)([A-Z])\s+dir(?:n|ection)?(?=\s*[:=])")
 _SHARE = r"\d[\d./]*(?:[A-Za-z]{1,2}(?:\^?2|²)?)*"
 _OUT_OF = re.compile(rf"({_SHARE})\s+out\s+of\s+(?:the\s+)?({_SHARE})(?![A-Za-z])", re.IGNORECASE)
@@ -194,6 +201,12 @@ def _at_the_end(match: re.Match[str], _: Problem) -> str:
     return f"{'initial' if match[2] == 'i' else 'final'} KE "
 
 
+def _energy(match: re.Match[str], problem: Problem) -> str:
+    """The energy that E is before its moment, where no body has that name."""
+    names = {each.name for each in (*problem.spheres, *problem.walls, *problem.points)}
+    return match[0] if "E" in names else "energy "
+
+
 def _angle(match: re.Match[str], problem: Problem) -> str:
     """The angle of what a sentence begins with to what it ends with."""
     names = {each.name for each in problem.spheres} | {each.name for each in problem.walls}
@@ -227,6 +240,8 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_AXIS, lambda match, _: f" {match[1]} direction: "),
     (_OTHER_AXIS, _other_axis),
     (_AT_AN_END, _at_the_end),
+    (_ALONG_A_VECTOR, lambda match, _: match[1]),
+    (_ENERGY, _energy),
     (_DIRECTION, _direction),
     (_OUT_OF, lambda match, _: f"({match[1]})/({match[2]})"),
     (_MAKES_AN_ANGLE, _angle),
