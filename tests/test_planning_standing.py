@@ -99,7 +99,7 @@ def test_a_root_that_equal_letters_leave_is_taken_from_the_line_above() -> None:
 def test_a_tangent_that_was_shown_gives_its_angle() -> None:
     text = printed(NAMED)
     assert text.count("tan γ = u sin α/") == 1
-    assert "(as required) A1* tan γ = (5/3) tan α γ = arctan((5/3) tan α)" in text
+    assert "(as required) A1* tan γ = (5/3) tan α (ii) γ = arctan((5/3) tan α)" in text
 
 
 def test_a_scalar_product_along_the_line_of_centres_is_the_component() -> None:
@@ -243,3 +243,18 @@ def test_what_is_shown_at_the_end_of_a_letter_has_its_value_there() -> None:
         "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\nshow speed(P) <= u"
     )
     assert "increases with e, 0 ≤ e ≤ 1 and it is u if e = 1 (as required)" in text
+
+
+def test_an_energy_of_letters_that_are_positive_needs_no_line_that_it_is() -> None:
+    text = printed("""
+wall W: along i
+wall X: along j
+sphere P: mass m, velocity u at theta to W
+P hits W: e = e
+P hits X: e = e
+find energy(P)/energy(P, 0) in terms of e
+given energy(P) < 1/2 energy(P, 0)
+find range of e
+""")
+    assert "> 0" not in text
+    assert "e² < ½ as kinetic energy of P after the second impact <" in text

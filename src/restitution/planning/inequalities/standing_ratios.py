@@ -11,7 +11,15 @@ from collections.abc import Iterator
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Fact,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Showing,
+)
 from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, walk
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product_without, tree_of
@@ -59,7 +67,11 @@ def _positive(worths: Worths, quantity: Quantity) -> int | None:
     names = {symbol.name for symbol in known.value.free_symbols}
     pool: list[Ref] = [*known.refs, *worths.judge.known(names)]
     relation = Relation(((Link(quantity, ">", ZERO),),))
-    line = worths.judge.write((Move("sign"),), pool, relation)
+    roles = worths.scene.model.unknowns.roles
+    # That a product of masses and speeds is positive needs no line.
+    plain = not sums and all(roles[each].kind == "positive" for each in names if each in roles)
+    shown: Showing = "silent" if plain else "line"
+    line = worths.judge.write((Move("sign"),), pool, relation, shown=shown)
     for each in sums if line is None else ():
         own = Relation(((Link(tree_of(each), ">", ZERO),),))
         letters_ = {symbol.name for symbol in each.free_symbols}

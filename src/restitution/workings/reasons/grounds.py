@@ -94,7 +94,8 @@ def _is_sum_with_a_root(tree: Expression) -> bool:
 
 def compared_quantities(derivation: Derivation, line: Line) -> Fact | None:
     """The given inequality of two quantities that a line compares by what lines above say."""
-    cited = [ref for ref in line.premises if isinstance(ref, int)]
+    lines = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+    cited = [each for each in lines if each is not None and each.shown != "silent"]
     if line.move.id != "compare" or len(cited) < 2:
         return None
     for ref in line.premises:
