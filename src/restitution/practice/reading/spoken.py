@@ -203,7 +203,7 @@ def _at_the_end(match: re.Match[str], _: Problem) -> str:
 
 def _energy(match: re.Match[str], problem: Problem) -> str:
     """The energy that E is before its moment, where no body has that name."""
-    names = {each.name for each in (*problem.spheres, *problem.walls, *problem.points)}
+    names = {each.name for each in problem.spheres} | {each.name for each in problem.walls}
     return match[0] if "E" in names else "energy "
 
 
