@@ -174,7 +174,10 @@ def test_centres_have_equal_coordinates_across_their_line() -> None:
         "A hits B: along j, e = 1/2\nfind v"
     )
     assert "The line of centres is parallel to 𝐣, so at the impact the x-coordinates are" in text
-    assert "At the impact the centres are two radii apart along the line of centres" in text
+    assert (
+        "At the impact the y-coordinate of B is greater than that of A by two radii, as B comes "
+        "towards A in the direction of −𝐣:" in text
+    )
 
 
 def test_spheres_that_keep_level_are_apart_along_the_line() -> None:

@@ -686,7 +686,12 @@ SENTENCES: Mapping[SentenceId, str] = {
         "The line of centres is parallel to {axis}, so at the impact the {coordinate}-coordinates "
         "are equal:"
     ),
-    "touch.along": "At the impact the centres are two radii apart along the line of centres:",
+    "touch.along": (
+        "At the impact the {coordinate}-coordinate of {more} is greater than that of {less} by two "
+        "radii, as {approach}:"
+    ),
+    "touch.comes": "{one} comes towards {other} in the direction of {axis}",
+    "touch.gains": "{one} gains on {other} in the direction of {axis}",
     "contact.wall": "{body} is then on the line of {wall}:",
     "contact.wall-line": "{body} is then on the line of {wall}, {line}:",
     "circle.at": "{body} is then at a distance {radius} from the centre of {wall}:",

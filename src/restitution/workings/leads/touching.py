@@ -10,6 +10,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Name,
+    Negate,
     Pair,
     Quantity,
     Unit,
@@ -85,7 +86,13 @@ def touching_beside(
     None of a contact that speaks of no radii, and where both coordinates are in a line.
     """
     match fact.relation.only:
-        case (Link(Quantity("position"), "=", Binary("+" | "-", Quantity("position"), apart)),):
+        case (
+            Link(
+                Quantity("position", (Name(one),), int(number)),
+                "=",
+                Binary("+" | "-" as sign, Quantity("position", (Name(other),)), apart),
+            ),
+        ):
             pass
         case _:
             return None
@@ -107,7 +114,36 @@ def touching_beside(
     }
     if len(axes) != 1:
         return None
-    if axes == {axis}:
-        return say("touch.along")
-    coordinate = "x" if axis == Unit("j") else "y"
-    return say("touch.level", axis=naming.layout(axis), coordinate=coordinate)
+    across = axes != {axis}
+    coordinate = "x" if (axis == Unit("j")) is across else "y"
+    if across:
+        return say("touch.level", axis=naming.layout(axis), coordinate=coordinate)
+    less, more = (one, other) if sign == "-" else (other, one)
+    return say(
+        "touch.along",
+        coordinate=coordinate,
+        less=less,
+        more=more,
+        approach=_approach(derivation, naming, less, more, axis, number),
+    )
+
+
+def _approach(
+    derivation: Derivation, naming: Naming, less: str, more: str, axis: Unit, number: int
+) -> Sentence:
+    """How the sphere with the lesser coordinate and the other one approach along an axis."""
+    way, back = naming.layout(axis), naming.layout(Negate(axis))
+    # Of a later impact no datum tells which of the two moves along the axis.
+    still = [
+        body
+        for body in (less, more)
+        if number == 1
+        and (own := derivation.fact(" ".join(("velocity", body)))) is not None
+        and (velocity := vector_worth(own.relation.only[-1].right)) is not None
+        and (velocity.x if axis == Unit("i") else velocity.y) == 0
+    ]
+    if still == [less]:
+        return say("touch.comes", one=more, other=less, axis=back)
+    if still == [more]:
+        return say("touch.comes", one=less, other=more, axis=way)
+    return say("touch.gains", one=less, other=more, axis=way)
