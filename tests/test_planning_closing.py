@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 
@@ -12,7 +13,7 @@ from answers import _differs
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Line
-from restitution.explaining.lines.notation import write_relation
+from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
 from restitution.oracle import Oracle
@@ -384,10 +385,78 @@ def test_equal_angles_of_open_sense_are_two_linear_equations() -> None:
         "given angle(velocity(A), line_of_centres) = angle(velocity(B), line_of_centres)\nfind e"
     )
     assert said(derivation)[-3:] == [
-        "((2 + sqrt(3)) e + sqrt(3) - 2) (1 - e) = 0",
+        (
+            "(1 + sqrt(3)) e + sqrt(3) - 1 = -(3 - sqrt(3) - (3 + sqrt(3)) e) or "
+            "(1 + sqrt(3)) e + sqrt(3) - 1 = 3 - sqrt(3) - (3 + sqrt(3)) e"
+        ),
         "e = 1 or e = (2 - sqrt(3))/(2 + sqrt(3))",
         "e = 1 or e = 7 - 4sqrt(3)",
     ]
+
+
+DIRECT = """
+sphere A: mass m, velocity {u}
+sphere B: mass k m, velocity {v}
+A hits B: along i, e = 1/2
+given {fact}
+find k
+"""
+
+
+def test_of_equal_squares_the_sides_are_equal_or_opposite() -> None:
+    _, derivation = planned(DIRECT.format(u="u i", v="0i", fact="speed(A) = u/3"))
+    assert said(derivation)[-2:] == [
+        "2(1 + k) = -3(2 - k) or 2(1 + k) = 3(2 - k)",
+        "k = 8 or k = 4/5",
+    ]
+
+
+def test_what_equal_or_opposite_sides_exclude_has_its_root() -> None:
+    _, derivation = planned(DIRECT.format(u="3u i", v="-u i", fact="speed(A) = speed(B)"))
+    assert said(derivation)[-3:] == [
+        "5 - k = -3(1 - k) or 5 - k = 3(1 - k)",
+        "k = 2 or k = -1",
+        "k = 2",
+    ]
+
+
+def test_the_component_that_stays_is_taken_from_both_sides_of_squares() -> None:
+    _, derivation = planned(
+        DIRECT.format(u="u at alpha", v="0i", fact="tan(alpha) = 3/4, speed(A) = sqrt(10)/5 u")
+    )
+    assert said(derivation)[-4:] == [
+        "10(1 + k)^2 = 4(2 - k)^2 + 9(1 + k)^2",
+        "(1 + k)^2 = 4(2 - k)^2",
+        "1 + k = -2(2 - k) or 1 + k = 2(2 - k)",
+        "k = 5 or k = 1",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("alternatives", "follows"),
+    [
+        ("2(1 + k) = -3(2 - k) or 2(1 + k) = 3(2 - k)", True),
+        ("5k = 4 or 8 = k", True),
+        ("2(1 + k) = 3(2 - k)", False),
+        ("2(1 + k) = 3(2 - k) or 2(1 + k) = 3(2 - k)", False),
+        ("2(1 + k) = 3(2 - k) or 2(1 + k) = -3(2 + k)", False),
+    ],
+)
+def test_alternatives_are_all_factors_of_the_equation(alternatives: str, follows: bool) -> None:
+    text = DIRECT.format(u="u i", v="0i", fact="speed(A) = u/3")
+    _, derivation = planned(text)
+    (number,) = (each.number for each in lines(derivation, "roots"))
+    changed = replace(
+        derivation,
+        lines=tuple(
+            replace(each, relation=read_relation(alternatives, {}))
+            if each.number == number
+            else each
+            for each in derivation.lines
+        ),
+    )
+    complaints = follow(changed, Oracle(roles(parse(text))))
+    assert all(each.line != number for each in complaints) == follows
 
 
 REFLECTED = """

@@ -200,12 +200,12 @@ show angle(velocity(P), W) <= alpha
         ],
     ),
     # v = (2 − k)u/(2(1 + k)) is u/3 or −u/3.
-    "squares stand without what is below before their difference": (
+    "the sides of equal squares are equal or opposite": (
         (
             "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
             "A hits B: along i, e = 1/2\ngiven speed(A) = u/3\nfind k"
         ),
-        ["4(1 + k)² = 9(2 − k)²", "(2(1 + k) − 3(2 − k))(2(1 + k) + 3(2 − k)) = 0"],
+        ["(u/3)² = ((2 − k)u/(2(1 + k)))²", "2(1 + k) = ±3(2 − k)", "k = 8 or k = ⅘"],
     ),
     # The ratio is 27(1 − e²)/100.
     "a percentage with which a ratio of energies is compared makes no decimals": (

@@ -590,8 +590,9 @@ class Rows:
         first, *rest = options
         root = None if asked else _opposite(options)
         if root is not None:
-            sides = (self._naming.layout(root.left), self._naming.layout(root.right))
-            return Row((sides[0], lay.Phrase((lay.Words("±"), sides[1]), "")), ("=",))
+            subject, size = self._naming.layout(root.left), self._naming.layout(root.right)
+            either = lay.Brackets(size) if isinstance(size, lay.Sum) else size
+            return Row((subject, lay.Phrase((lay.Words("±"), either), "")), ("=",))
         if any(len(chains(option)) > 1 for option in options):
             cases = tuple(
                 say("derived.both", values=tuple(self._bare(e, asked) for e in chains(option)))
@@ -602,8 +603,8 @@ class Rows:
         if words is not None and all(len(option) == 1 for option in options):
             left = self._naming.side(first[0].left)
             values = tuple(self._naming.side(option[0].right) for option in options)
-            either = say("derived.either", values=values)
-            return Row((operand(say(words, left=left, right=either)),), (), alternatives=True)
+            right = say("derived.either", values=values)
+            return Row((operand(say(words, left=left, right=right)),), (), alternatives=True)
         if isinstance(first[0].left, Quantity) and first[0].left.kind in _VECTORS:
             asked = False  # the line above has the value
         row = self._bare(first, asked)

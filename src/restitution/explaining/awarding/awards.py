@@ -264,7 +264,8 @@ class _Awarding:
 
     def _answers_twice(self, line: Line) -> bool:
         """Whether a line has both roots as answers, of an equation that is a method above it."""
-        if line.number not in self.ends or line.move.id != "roots" or is_opposite(self, line):
+        moves = ("roots", "rearrange")
+        if line.number not in self.ends or line.move.id not in moves or is_opposite(self, line):
             return False
         assert isinstance(line.relation, Relation)
         seen, open_ = set[int](), list(self.cited(line))

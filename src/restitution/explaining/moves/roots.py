@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Relation
+from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.generators import Value
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
@@ -19,14 +21,18 @@ from restitution.oracle import Relation as Claim
 
 
 def are_roots(step: Step, relation: Relation) -> bool:
-    """All roots of an equation in one letter, or in one ratio."""
+    """All roots of an equation in one letter, or in one ratio, or its factors, each one zero."""
     base = base_of(step)
     if base is None or len(base.options) != 1 or any(len(links) != 1 for links in relation.options):
         return False
     equation = ends_of(base.only)
     links = [links[0] for links in relation.options]
     subject = links[0].left
-    if equation is None or any(link.left != subject or link.sign != "=" for link in links):
+    if equation is None or any(link.sign != "=" for link in links):
+        return False
+    if len(links) > 1 and _are_factors(step, equation, links):
+        return True
+    if any(link.left != subject for link in links):
         return False
     rules = step.rules(others_cited(step))
     polynomial = _polynomial(step, expected_residual(step, equation, rules), subject)
@@ -43,6 +49,22 @@ def are_roots(step: Step, relation: Relation) -> bool:
         if not times:
             return False
     return _never_zero(step, polynomial)
+
+
+def _are_factors(step: Step, equation: Link, links: Sequence[Link]) -> bool:
+    """Whether the sides of an equation are apart by the product of what those of others are.
+
+    So A² = B² says that A = B or A = −B.
+    """
+    expected = expected_residual(step, equation, step.rules(others_cited(step)))
+    product = CONSTANT(1)
+    for link in links:
+        own = step.residual(link)
+        if isinstance(own, Plane) or own.vanishes:
+            return False
+        product *= own
+    product = step.world.reduced(product)
+    return not isinstance(expected, Plane) and step.is_multiple(product, expected) is not None
 
 
 def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotient] | None:

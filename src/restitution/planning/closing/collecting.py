@@ -28,6 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.expression.writing import write_expression
 from restitution.planning.closing.products_out import with_products_out
+from restitution.planning.closing.square_roots import squares_collected
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import chain
@@ -61,6 +62,10 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     line = _with_plain_squares(scene, line)
     line = with_products_out(scene, line, *symbols)
     line = _squares_cleared(scene, _across(scene, line, symbols), symbols)
+    if len(symbols) == 1:
+        collected = squares_collected(scene, line, symbols[0])
+        if collected != line:
+            return collected
     link = scene.desk.last_link(line)
     sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
     generators = _of_all(sides, symbols)

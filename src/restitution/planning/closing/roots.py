@@ -28,6 +28,7 @@ from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
     linear_factors,
+    sides_but_for_sign,
 )
 from restitution.planning.closing.squares_in_degrees import square_in_degrees
 from restitution.planning.formulas.impacts import (
@@ -42,6 +43,7 @@ from restitution.planning.writing.desk import NotPlannedError, Source, chain, to
 from restitution.planning.writing.forms import (
     ZERO,
     is_in_degrees,
+    negative,
     outer_terms,
     product,
     square,
@@ -51,6 +53,8 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.polynomials import expanded, factor_powers, factored
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+
+_ROOTS = Move("roots")
 
 
 def known_as(scene: Scene, symbol: sp.Symbol, value: Any, number: int) -> Source:
@@ -76,7 +80,10 @@ def by_roots(
         of = itself if generator == symbol else generator.func
     factors = [(base, power) for base, power in factor_powers(above) if base.has(generator)]
     linear = linear_factors(scene, number, symbol) if generator == symbol else []
-    if len(linear) > 1 and any(each.atoms(sp.Pow) for each in linear):
+    sides = sides_but_for_sign(scene, number, symbol) if generator == symbol else None
+    if sides is not None:
+        linear = [sp.expand(sides[0] - sides[1]), sp.expand(sides[0] + sides[1])]
+    if sides is not None or (len(linear) > 1 and any(each.atoms(sp.Pow) for each in linear)):
         factors = [(each, 1) for each in linear]  # with roots of numbers they are not found again
     polynomials = [sp.Poly(base, generator) for base, _ in factors]
     if not factors or any(
@@ -99,7 +106,9 @@ def by_roots(
     dropped = [root for root in roots if root not in kept]
     whole = expanded(sp.Mul(*(base**power for base, power in factors)))
     if generator != symbol or not (
-        is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)
+        sides
+        or is_square_of_sum(scene, number, symbol)
+        or is_product_of_sums(scene, number, symbol)
     ):
         number = in_standard_form(scene, number, whole, generator, subject)
         parts = [base for base, _ in factors] if len(factors) > 1 else [sp.Pow(*factors[0])]
@@ -107,11 +116,16 @@ def by_roots(
     alternatives = Relation(tuple(option(subject, root) for root in roots))
     names = {each.name for each in above.free_symbols}
     known = background(scene, names)
-    refs = scene.judge.enough(Move("roots"), (number,), alternatives, known)
+    signed = None if sides is None else _but_for_sign(scene, number, sides, roots, symbol)
+    move = Move("roots" if signed is None else "rearrange")
+    number = number if signed is None else signed
+    refs = scene.judge.enough(move, (number,), alternatives, known)
     if refs is not None:
-        line: int | None = _by_the_formula(scene, number, polynomials, alternatives, known)
-        line = line or _by_linear_factors(scene, number, polynomials, alternatives, known)
-        line = line or scene.desk.write(Move("roots"), refs, alternatives)
+        line: int | None = None
+        if signed is None:
+            line = _by_the_formula(scene, number, polynomials, alternatives, known)
+        line = line or _by_linear_factors(scene, number, polynomials, alternatives, known, move)
+        line = line or scene.desk.write(move, refs, alternatives)
     elif len(polynomials) == 1:
         line = _by_pythagoras(scene, number, polynomials[0], alternatives, known)
     else:
@@ -121,13 +135,38 @@ def by_roots(
     if dropped:
         standing = line
         line = rejected(scene, line, symbol, subject, kept)
-        put_in_order_last(scene, standing, line)
+        if signed is None:
+            put_in_order_last(scene, standing, line)
     if len(kept) > 1:
         scene.desk.splits += ((line, kept.index(value)),)
         scene.others = tuple(other for other in scene.others if is_value(other, value, of, symbol))
     if generator == symbol:
         return known_as(scene, symbol, value, line)
     return scene.desk.know(subject, value, (line,))
+
+
+def _but_for_sign(
+    scene: Scene,
+    number: int,
+    sides: tuple[sp.Expr, sp.Expr],
+    roots: Sequence[sp.Expr],
+    symbol: sp.Symbol,
+) -> int | None:
+    """Of two equal squares, that what they are squares of is equal or opposite, as a line.
+
+    The two equations stand in the order of the roots that they have.
+    """
+    one, other = sides
+    ends = [other if tidy((one - other).subs(symbol, e)) == 0 else -other for e in roots]
+    if len(ends) != 2 or ends[0] == ends[1]:
+        return None
+    left, right = (tree_of(sp.factor_terms(each)) for each in sides)
+    relation = Relation(
+        tuple((Link(left, "=", right if each == other else negative(right)),) for each in ends)
+    )
+    known = background(scene, {each.name for each in residual(scene, number).free_symbols})
+    refs = scene.judge.enough(_ROOTS, (number,), relation, known)
+    return None if refs is None else scene.desk.write(_ROOTS, refs, relation)
 
 
 def _by_the_formula(
@@ -164,6 +203,7 @@ def _by_linear_factors(
     polynomials: Sequence[sp.Poly],
     roots: Relation,
     known: Iterable[Ref],
+    move: Move,
 ) -> int | None:
     """The roots of linear factors in numbers with roots as quotients, and then put in order.
 
@@ -176,15 +216,17 @@ def _by_linear_factors(
     quotients: dict[sp.Expr, Expression] = {}
     for each in polynomials:
         slope, rest = (expanded(c) for c in each.all_coeffs())
-        turned = -1 if scene.model.sign(slope) < 0 else 1
-        parts = (tree_of(expanded(turned * x), as_it_is=True) for x in (-rest, slope))
+        shared = sp.gcd(*(sp.factor_terms(c).as_coeff_Mul()[0] for c in (slope, rest)))
+        if scene.model.sign(slope) < 0:
+            shared = -shared
+        parts = (tree_of(expanded(x / shared), as_it_is=True) for x in (-rest, slope))
         if slope.is_Add:
             quotients[tidy(-rest / slope)] = Binary("/", *parts)
     options = tuple(
         (Link(links[0].left, "=", quotients.get(scene.scalar(links[0].right), links[0].right)),)
         for links in roots.options
     )
-    return _then(scene, number, Relation(options), roots, known, Move("rearrange"))
+    return _then(scene, number, Relation(options), roots, known, Move("rearrange"), move)
 
 
 def _of_a_square(
@@ -269,15 +311,16 @@ def _then(
     roots: Relation,
     known: Iterable[Ref],
     move: Move,
+    before: Move = _ROOTS,
 ) -> int | None:
     """Roots in a first form, and then, by a move, in their own; None where they have that."""
     if first == roots:
         return None
-    refs = scene.judge.enough(Move("roots"), (number,), first, known)
+    refs = scene.judge.enough(before, (number,), first, known)
     if refs is None:
         return None
     mark = scene.desk.mark()
-    line = scene.desk.write(Move("roots"), refs, first)
+    line = scene.desk.write(before, refs, first)
     refs = scene.judge.enough(move, (line,), roots, known)
     if refs is None:
         scene.desk.back(mark)

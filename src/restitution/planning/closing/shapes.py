@@ -45,6 +45,8 @@ from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
     root_taken,
+    sides_but_for_sign,
+    squares_collected,
 )
 from restitution.planning.closing.zeros_of_sums import zero_of_a_sum
 from restitution.planning.formulas.impacts import residual, scene_value
@@ -86,8 +88,10 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     alone_ = bracket_alone(scene, number, symbol)
     if alone_ is not None:
         number = alone_
-    elif not (is_square_of_sum(scene, number, symbol) or is_product_of_sums(scene, number, symbol)):
-        number = multiplied_out(scene, multiplied_across(scene, number, symbol), symbol)
+    elif not _has_roots_at_sight(scene, number, symbol):
+        number = squares_collected(scene, multiplied_across(scene, number, symbol), symbol)
+        if sides_but_for_sign(scene, number, symbol) is None:
+            number = multiplied_out(scene, number, symbol)
     for shape in SHAPES:
         try:
             source = shape(scene, number, symbol)
@@ -96,6 +100,15 @@ def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
         if source is not None:
             return source
     raise NotPlannedError(f"no way from line {number} to {symbol}")
+
+
+def _has_roots_at_sight(scene: Scene, number: int, symbol: sp.Symbol) -> bool:
+    """Whether the roots of a line are read off its squares, or off its factors."""
+    return (
+        is_square_of_sum(scene, number, symbol)
+        or is_product_of_sums(scene, number, symbol)
+        or sides_but_for_sign(scene, number, symbol) is not None
+    )
 
 
 def _by_sine_and_cosine(scene: Scene, number: int, symbol: sp.Symbol) -> int:
@@ -584,6 +597,13 @@ def _quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     return by_roots(scene, number, above, symbol, Letter(symbol.name), symbol)
 
 
+def _of_equal_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
+    """Two equal squares: what they are squares of is equal, or opposite."""
+    if sides_but_for_sign(scene, number, symbol) is None:
+        return None
+    return _quadratic(scene, number, symbol)
+
+
 def _without_a_factor(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """A sine or cosine of the unknown is a factor that is certain not to vanish: it goes."""
     if not _is_angle(scene, symbol.name):
@@ -641,6 +661,7 @@ def _in_sines(x: sp.Expr, angles: Iterable[sp.Symbol]) -> sp.Expr:
 
 SHAPES: tuple[Shape, ...] = (
     _already,
+    _of_equal_squares,
     _without_an_angle,
     _squared,
     _by_one_root,

@@ -22,7 +22,16 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import chain, together
-from restitution.planning.writing.forms import TWO, factors_above, product, swept, tree_of
+from restitution.planning.writing.forms import (
+    TWO,
+    factors,
+    factors_above,
+    negative,
+    outer_terms,
+    product,
+    swept,
+    tree_of,
+)
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -193,9 +202,10 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
         taken = in_another_form(scene, number, relation)
         if taken is not None:
             return taken
+    if sides_but_for_sign(scene, number, symbol) is not None:
+        return number  # either root may be meant
     # A root that is excluded later is written all the same.
-    product_ = _as_a_product(scene, number, symbol, left, right)
-    return product_ or in_another_form(scene, number, relation)
+    return in_another_form(scene, number, relation)
 
 
 def is_not_negative(scene: Scene, tree: Expression) -> bool:
@@ -207,43 +217,62 @@ def is_not_negative(scene: Scene, tree: Expression) -> bool:
     return scene.judge.proves(known, relation)
 
 
-def _as_a_product(
-    scene: Scene, number: int, symbol: sp.Symbol, left: Expression, right: Expression
-) -> int | None:
-    """Where either root may be meant: the difference of two squares as a product that is zero."""
-    one, other = (sp.sympify(scene_value(scene, each), strict=True) for each in (left, right))
-    parts = _side_by_side(one, other)
-    if not all(each.is_polynomial(symbol) and sp.degree(each, symbol) <= 1 for each in parts):
+def sides_but_for_sign(
+    scene: Scene, number: int, symbol: sp.Symbol
+) -> tuple[sp.Expr, sp.Expr] | None:
+    """Two sums with the unknown that are equal or opposite, as their squares are equal.
+
+    None of a line that does not say so, and where it is known which of the two they are.
+    """
+    link = scene.desk.last_link(number)
+    left, right = (_root_of(each) for each in (link.left, link.right))
+    if link.sign != "=" or left is None or right is None:
         return None
-    if any(each.free_symbols - {symbol} or not each.has(symbol) for each in parts):
+    if all(is_not_negative(scene, each) for each in (left, right)):
         return None
-    trees = [tree_of(sp.factor_terms(each)) for each in parts]
-    factors = Binary("-", *trees), Binary("+", *trees)
-    zero = Number(Fraction(0))
-    # What is below a line, and what is common, goes first.
-    squares = [_squared(each) for each in parts]
-    number = in_another_form(scene, number, chain(squares[0], (squares[1], None))) or number
-    line = in_another_form(scene, number, Relation(((Link(Binary("*", *factors), "=", zero),),)))
-    if line is None:
-        return None
-    sums = (sp.expand(parts[0] - parts[1]), sp.expand(parts[0] + parts[1]))
-    if not all(sp.degree(each, symbol) == 1 for each in sums):
-        return line
-    plain = Binary("*", *map(tree_of, sorted(map(_plain_factor, sums), key=lambda x: x.is_Add)))
-    return in_another_form(scene, line, Relation(((Link(plain, "=", zero),),))) or line
+    sides = (sp.sympify(scene_value(scene, each), strict=True) for each in (left, right))
+    one, other = _side_by_side(*sides)
+    for each in (one, other):
+        if not each.is_polynomial(symbol) or sp.degree(each, symbol) != 1:
+            return None
+    # Equal and opposite sides are two equations of the first degree.
+    ends = (sp.expand(one - other), sp.expand(one + other))
+    return (one, other) if all(sp.degree(each, symbol) == 1 for each in ends) else None
 
 
-def _plain_factor(value: sp.Expr) -> sp.Expr:
-    """A sum of an equation that is zero, without a common number: 1 + e for −6 − 6e."""
-    _, own = value.primitive()
-    negative = all(each.as_coeff_Mul()[0].is_negative for each in sp.Add.make_args(own))
-    return sp.expand(-own) if negative else own
+def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+    """Of multiples of two squares of sums, of which one stands on both sides: each on its own side.
 
-
-def _squared(value: sp.Expr) -> Expression:
-    """The square of a sum, with its number in front: 4(1 + k)²."""
-    factor, rest = sp.factor_terms(value).as_independent(*value.free_symbols, as_Add=False)
-    return product(tree_of(tidy(factor**2)), Binary("^", tree_of(rest), TWO))
+    So 10(1 + k)² = 4(2 − k)² + 9(1 + k)² is (1 + k)² = 4(2 − k)². The same line where the root is
+    not to be taken of both sides then.
+    """
+    link = scene.desk.last_link(number)
+    terms = [*outer_terms(link.left), *map(negative, outer_terms(link.right))]
+    if link.sign != "=" or len(terms) < 3:
+        return number
+    shares: dict[Expression, sp.Expr] = {}
+    for term in terms:
+        own = factors(term)
+        squares = [e for e in own if _is_square(e) and symbol.name in letters(e)]
+        if len(squares) != 1:
+            return number
+        share = sp.cancel(scene_value(scene, term) / scene_value(scene, squares[0]))
+        if symbol in share.free_symbols:
+            return number
+        shares[squares[0]] = shares.get(squares[0], sp.S.Zero) + share
+    if len(shares) != 2 or 0 in shares.values():
+        return number
+    common = sp.gcd_list(list(shares.values()))
+    (one, a), (other, b) = ((tree, sp.cancel(share / common)) for tree, share in shares.items())
+    if scene.model.sign(a) < 0:
+        a, b = -a, -b
+    relation = chain(product(tree_of(a), one), (product(tree_of(-b), other), None))
+    mark = scene.desk.mark()
+    line = in_another_form(scene, number, relation)
+    if line is None or sides_but_for_sign(scene, line, symbol) is None:
+        scene.desk.back(mark)
+        return number
+    return line
 
 
 def _side_by_side(one: sp.Expr, other: sp.Expr) -> list[sp.Expr]:
