@@ -453,3 +453,22 @@ find e
     item = solve(parse(text))["e"]
     assert item.error is None
     assert [each.condition for each in item.answers] == [("693000000/3520000081 <= M",)]
+
+
+SIGNED = "wall W: along i\nsphere P: velocity 3u i - v j\nP hits W: e = 1/2\n{}find v/u"
+NOTE = "u and v may have either sign, as components and coordinates may: write 'given u > 0, v > 0'"
+
+
+@pytest.mark.parametrize(
+    ("facts", "noted"),
+    [
+        ("given deflection(P) = 45°\n", True),
+        ("given deflection(P) = 45°, u > 0, v > 0\n", False),
+        # No sign splits it: the answer is one.
+        ("given velocity(P) parallel to 2i + j\n", False),
+    ],
+)
+def test_a_note_says_how_components_are_positive(facts, noted):
+    """3u·v/2 + 3uv over 9u² − v²/2 is 1 where v/u is a root of x² + 9x − 18 or of x² − 9x − 18."""
+    solution = solve(parse(SIGNED.format(facts)))
+    assert any(each.startswith(NOTE) for each in solution.warnings) is noted

@@ -16,6 +16,7 @@ from restitution.solving.obtuse import with_hints
 from restitution.solving.out_of_order import events_out_of_order
 from restitution.solving.passed import walls_passed
 from restitution.solving.printed_terms import in_printed_terms, refused
+from restitution.solving.signed_components import with_note_of_signs
 from restitution.solving.story.unsaid import with_unsaid
 from restitution.solving.worker import Worker, asks
 
@@ -38,7 +39,7 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
         again = None if other is None else _solved(other)
         if again is not None and refused(again) < refused(solution):
             solution = again
-        return with_hints(solution, _solved)
+        return with_note_of_signs(with_hints(solution, _solved), _solved)
 
 
 def _solved(problem: Problem) -> Solution:
