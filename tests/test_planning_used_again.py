@@ -152,3 +152,30 @@ def test_a_component_comes_of_the_other_one_by_the_shorter_law() -> None:
         "part b\ngiven velocity(B) opposite to i\nfind range of k\n"
     )
     assert "Substituting for v in (2):\n    w − 2(2 − k)u/(1 + k) = ⅕(4u + u)\n" in printed
+
+
+def test_a_letter_comes_to_its_bound_where_its_equation_has_a_solution() -> None:
+    """e² = (k − 1)/(2k) comes to ½ as k grows; at k = 0 the equation says nothing."""
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given energy_lost = 1/4 m u^2
+find maximum of e over k
+"""
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "k → 0" not in shown
+    assert "0.707 approached as k → ∞" in shown
+
+
+def test_the_least_value_of_an_angle_is_in_degrees() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given speed(P) = 1/2 u
+find minimum of alpha over e
+"""
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "α ≥ 60°, as α is acute" in shown
+    assert "least value of α = 60°, when e = 0" in shown

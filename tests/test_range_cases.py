@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
+import operator
 import random
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
@@ -206,3 +209,79 @@ def test_a_form_that_asks_nothing_of_its_letter_has_no_condition():
     wall = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
     ((_, item),) = solve(parse(wall + "find range of speed(P) in terms of u")).items()
     assert [each.display for each in item.answers] == ["0 < speed of P ≤ u"]
+
+
+OBLIQUE = """sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+"""
+THREE = DIRECT + "sphere C: mass m, at rest\nB hits C: along i\n"
+
+
+def speed_after(d: dict[str, float]) -> float:
+    """A keeps u sin α across, and (1 - ek)u cos α/(1 + k) along the line of centres."""
+    along = (1 - d["e"] * d["k"]) / (1 + d["k"]) * math.cos(d["alpha"])
+    return d["u"] * math.hypot(along, math.sin(d["alpha"]))
+
+
+def turned_by(d: dict[str, float]) -> float:
+    along = (1 - d["e"] * d["k"]) / (1 + d["k"]) * math.cos(d["alpha"])
+    return abs(math.atan2(math.sin(d["alpha"]), along) - d["alpha"])
+
+
+def middle_after(d: dict[str, float]) -> float:
+    """B moves with (1 + e)u/(1 + k), and hits C of mass m: (k - e)/(1 + k) of that is left."""
+    return (1 + d["e"]) * abs(d["k"] - d["e"]) / (1 + d["k"]) ** 2 * d["u"]
+
+
+@pytest.mark.parametrize(
+    ("text", "over", "quantity", "number"),
+    [
+        (OBLIQUE + "find minimum of speed(A) over e", "e", speed_after, 2),
+        (OBLIQUE + "find maximum of deflection(A) over alpha", "alpha", turned_by, 3),
+        (
+            OBLIQUE + "find maximum of sin(deflection(A)) over alpha",
+            "alpha",
+            lambda d: math.sin(turned_by(d)),
+            3,
+        ),
+        (THREE + "find minimum of speed(B) over e", "e", middle_after, 3),
+        (THREE + "find maximum of speed(B) over k", "k", middle_after, 2),
+    ],
+)
+def test_an_extremum_that_lies_elsewhere_for_other_data(
+    text: str, over: str, quantity: Callable[[dict[str, float]], float], number: int
+) -> None:
+    """Each form is the greatest or least of thousands of values, where its condition holds."""
+    (item,) = solve(parse(text)).parts[None].items
+    assert item.proof == "decision"
+    assert len(item.answers) == number
+    ends = {"e": (0, 1), "alpha": (0, math.pi / 2), "k": (0, 60)}
+    low, high = ends[over]
+    best = max if "maximum" in text else min
+    rng = random.Random(5)
+    met = set()
+    for _ in range(12):
+        data = {"k": rng.uniform(0.05, 4), "e": rng.random(), "alpha": rng.uniform(0, 1.5), "u": 1}
+        fine = (low + (high - low) * ((n + 0.5) / 4000) ** 2 for n in range(4000))
+        seen = best(quantity({**data, over: x}) for x in fine)
+        put = {sp.Symbol(name): value for name, value in data.items()}
+        holding = [each for each in item.answers if all(holds(c, put) for c in each.condition)]
+        assert len(holding) == 1
+        met.add(holding[0].display)
+        value = sp.sympify(holding[0].exact).subs(put)
+        assert float(value) == pytest.approx(seen, abs=3e-3)
+    assert len(met) == number - ("deflection" in text)  # k = 1/e is not drawn
+
+
+def holds(condition: str, put: dict[sp.Symbol, float]) -> bool:
+    """Whether a chain such as ``1 < k <= 2`` holds."""
+    first, *rest = re.split(r" (<=|<|=) ", condition)
+    sides = [float(sp.sympify(each).subs(put)) for each in (first, *rest[1::2])]
+    signs = {"<": operator.lt, "<=": operator.le, "=": operator.eq}
+    return all(signs[s](a, b) for s, a, b in zip(rest[::2], sides, sides[1:], strict=False))
+
+
+def test_an_extremum_in_cases_is_printed_with_them() -> None:
+    text = OBLIQUE + "find minimum of speed(A) over e"
+    assert "u sin α when e = 1/k, for k > 1" in " ".join(str(explain(solve(parse(text)))).split())

@@ -377,8 +377,13 @@ def _show_set_or_extremum(results: Results, step: Show, now: int, line: int | No
     evaluator = Evaluator(SYMBOLIC, letters_.letter)
     if isinstance(subject, Extremum):
         claimed = evaluator.scalar(step.relation.operands[-1])
-        value = result.answers[0].value
-        return _compared(step, line, result, same_value(claimed, value, roles))
+        verdicts = [same_value(claimed, each.value, roles) for each in result.answers]
+        if len(verdicts) > 1 and not all(verdicts):
+            raise UnsupportedError(
+                f"the {subject.kind} has another form for other data: {result.answers[0].display}; "
+                "give bounds for these, in a part for each form"
+            )
+        return _compared(step, line, result, verdicts[0])
     assert isinstance(subject, Range)
     claimed = claimed_set(step.relation, subject, evaluator)
     (first, *more) = [answer.value for answer in result.answers]

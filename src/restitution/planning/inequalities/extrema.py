@@ -54,6 +54,7 @@ from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer, ItemResult
 from restitution.solving.story.letters import roles
 
+_STEP, _CLOSE = sp.Float("1e-9"), 1e-3
 _TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
 
 
@@ -130,7 +131,9 @@ class _Extremum:
         if not reached:
             self.move = Move("answer", "approached")
         angle = _is_angle(self.asked)
-        self.end = Link(self.asked, sign, tree_of(value, angle=angle, as_it_is=angle))
+        known = roles(self.scene.problem)
+        degrees = angle or (isinstance(asked, Letter) and known[asked.name].kind == "angle")
+        self.end = Link(self.asked, sign, tree_of(value, angle=degrees, as_it_is=angle))
 
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
@@ -306,7 +309,7 @@ class _Extremum:
         other = roles(self.scene.problem)[self.symbol.name]
         for line in lines:
             for end in (other.low, other.high):
-                if end is None:
+                if end is None or not self._comes_to(asked.name, end):
                     continue
                 unless = Link(Letter(self.symbol.name), "!=", tree_of(end))
                 relation = Relation(((unless,), (Link(subject, "=", tree_of(value)),)))
@@ -317,6 +320,34 @@ class _Extremum:
                 ):
                     return self.scene.desk.write(self.move, [bound, there], self._relation)
         raise NotPlannedError("a greatest or least value of a letter")
+
+    def _comes_to(self, name: str, end: sp.Expr) -> bool:
+        """Whether the value of a letter comes to the extremum as the other one comes to an end.
+
+        An equation that has no solution there says nothing: so it is tried close to the end.
+        """
+        final = {symbol.name: value for symbol, value in self.scene.model.final.items()}
+        if name in final:
+            return self._nears(final[name], self.symbol, end, self.value)
+        own = self.symbol.name
+        return own in final and self._nears(
+            final[own], roles(self.scene.problem)[name].symbol(name), self.value, end
+        )
+
+    def _nears(self, value: sp.Expr, letter: sp.Symbol, place: sp.Expr, wanted: sp.Expr) -> bool:
+        """Whether an expression is close to what is wanted where a letter is close to a place."""
+        sample = self.scene.model.branch.sample
+        data = {
+            symbol: sp.Float(float(sample[symbol.name]))
+            for each in (value, place, wanted)
+            for symbol in each.free_symbols - {letter}
+            if symbol.name in sample
+        }
+        near = (
+            sp.N(value.subs({**data, letter: place.subs(data) + step})) for step in (_STEP, -_STEP)
+        )
+        goal = sp.N(wanted.subs(data))
+        return any(bool(each.is_real) and abs(each - goal) < _CLOSE for each in near)
 
     def _line(self) -> int:
         match self.asked:

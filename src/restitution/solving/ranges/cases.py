@@ -33,8 +33,9 @@ SAMPLES = 4
 class Family(Protocol):
     """Intervals of values that depend on data: of a letter (`Region`) or of a quantity.
 
-    ``shapes`` are their forms at some values of the data, and ``critical`` all that may be an end;
-    ``given`` are facts of the data, and ``formula`` is all that is asked, if letters can say it.
+    ``shapes`` are their forms at some values of the data, and ``critical`` all that may be an end,
+    in groups of those that may meet; ``given`` are facts of the data, and ``formula`` is all that
+    is asked, if letters can say it.
     """
 
     @property
@@ -42,7 +43,7 @@ class Family(Protocol):
     @property
     def shapes(self) -> list[tuple[list[Piece], Sample]]: ...
     @property
-    def critical(self) -> Sequence[sp.Expr]: ...
+    def critical_groups(self) -> Sequence[Sequence[sp.Expr]]: ...
     @property
     def roles(self) -> Mapping[str, Role]: ...
     @property
@@ -74,16 +75,13 @@ def cases(region: Family) -> list[Case]:
 
     For the values of the data that no case has, nothing is possible.
     """
-    ends = {end.value for pieces, _ in region.shapes for piece in pieces for end in piece}
-    ends |= {x for x in (region.role.low, region.role.high) if x is not None}
-    more = [x for x in dict.fromkeys(region.critical) if x not in ends]
-    ends |= set(more[: max(0, MOST_ENDS - len(ends))])
-    finite = sorted((end for end in ends if not end.has(*_NO_NUMBERS)), key=sp.default_sort_key)
-    names = {s.name for end in finite for s in end.free_symbols} & set(region.data())
+    groups = [_finite_ends(region, critical) for critical in region.critical_groups]
+    names = {s.name for ends in groups for end in ends for s in end.free_symbols}
+    names &= set(region.data())
     # For e = 0 or e = 1 a range may have another form, whatever its ends are.
     names |= {name for name in region.data() if region.roles[name].kind == "restitution"}
     for name in sorted(names, key=lambda n: (KINDS.index(region.roles[n].kind), n)):
-        borders = _borders(region, finite, name)
+        borders = _borders(region, groups, name)
         if 0 < len(borders) <= MOST_BORDERS:
             try:
                 cases_ = _along(region, name, borders)
@@ -94,10 +92,21 @@ def cases(region: Family) -> list[Case]:
     return []
 
 
-def _borders(region: Family, ends: Sequence[sp.Expr], name: str) -> list[sp.Expr]:
+def _finite_ends(region: Family, critical: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """The ends of intervals that may meet: those that they have somewhere, then others."""
+    occurring = {end.value for pieces, _ in region.shapes for piece in pieces for end in piece}
+    ends = occurring if len(region.critical_groups) == 1 else occurring & set(critical)
+    ends |= {x for x in (region.role.low, region.role.high) if x is not None}
+    more = [x for x in dict.fromkeys(critical) if x not in ends]
+    ends |= set(more[: max(0, MOST_ENDS - len(ends))])
+    return sorted((end for end in ends if not end.has(*_NO_NUMBERS)), key=sp.default_sort_key)
+
+
+def _borders(region: Family, groups: Sequence[Sequence[sp.Expr]], name: str) -> list[sp.Expr]:
     """Where ends meet or cease to have a value, as values of one letter."""
     symbol = region.roles[name].symbol(name)
-    changing = [a - b for a, b in combinations(ends, 2)] + list(ends)
+    changing = [a - b for ends in groups for a, b in combinations(ends, 2)]
+    changing += [end for ends in groups for end in ends]
     borders: list[sp.Expr] = []
     for each in dict.fromkeys(part for x in changing for part in deciding(x)):
         if each.has(symbol):
@@ -222,18 +231,18 @@ def _merged(cells: list[Cell], drawn: Sample, name: str) -> list[Cell]:
             (low, high), known = merged[-1]
             place = None if high.value.is_infinite else {**drawn, name: at(high.value, drawn)}
             point = where[0].value == where[1].value
-            if pieces == known or (point and place and _same(known, pieces, place)):
+            if pieces == known or (point and place and same_at(known, pieces, place)):
                 merged[-1] = ((low, where[1]), known)
                 continue
             was_point = low.value == high.value
-            if was_point and place and _same(pieces, known, place):
+            if was_point and place and same_at(pieces, known, place):
                 merged[-1] = ((low, where[1]), pieces)
                 continue
         merged.append((where, pieces))
     return merged
 
 
-def _same(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool:
+def same_at(form: Sequence[Piece], pieces: Sequence[Piece], drawn: Sample) -> bool:
     """Whether a form has the same intervals as another, at one point."""
     try:
         return len(form) == len(pieces) and all(

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
+from itertools import islice
+from types import MappingProxyType
 
 import sympy as sp
 
@@ -12,8 +15,18 @@ from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
-from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
-from restitution.oracle.roles import Role
+from restitution.oracle import (
+    All,
+    BeyondError,
+    Formula,
+    Oracle,
+    Proof,
+    Relation,
+    Verdict,
+    joined,
+    letters_of,
+)
+from restitution.oracle.roles import REAL, Role
 from restitution.problem import Extremum
 from restitution.render.layout import (
     Layout,
@@ -26,7 +39,8 @@ from restitution.render.layout import (
 )
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms
-from restitution.solving.algebra.intervals import End, inside_of, to_set
+from restitution.solving.algebra.intervals import End, Piece, inside_of, to_set
+from restitution.solving.algebra.neat import neat
 from restitution.solving.algebra.numbers import Sample, at, sample
 from restitution.solving.equations.part import Desk, Outcome
 from restitution.solving.equations.setting import Setting, Trial
@@ -37,10 +51,12 @@ from restitution.solving.ranges.allowed_values import (
     values_in,
     values_of_trials,
 )
+from restitution.solving.ranges.cases import Case, cases, same_at
 from restitution.solving.ranges.images import Candidate, is_near, reaches, tends
-from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
+from restitution.solving.ranges.limits import LONG, breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, Region
 from restitution.solving.ranges.validity import Limitation, bounds_of, defined, with_condition
+from restitution.solving.story.admission import Admission, Demand
 from restitution.solving.story.letters import is_angle
 
 Extreme = tuple[Candidate, bool, Enclosed, Sample]
@@ -70,9 +86,17 @@ def find_extremum(
     sign = 1 if item.kind == "maximum" else -1
     candidates: list[tuple[Trial, Best]] = []
     values: dict[int, sp.Expr] = {}
-    for trial, value in values_of_trials(outcome, item.expression, now, f"the {item.kind}"):
+    trials = values_of_trials(outcome, item.expression, now, f"the {item.kind}")
+    for trial, value in trials:
         values[id(trial)] = value
-        best = _best(replace(outcome, trials=(trial,)), value, name, sign)
+        own = replace(outcome, trials=(trial,))
+        try:
+            best = _best(own, value, name, sign)
+        except DependsOnDataError:
+            several = [] if len(trials) > 1 else cases(_Winners(own, value, name, sign))
+            if not several or any(each.pieces[0][0].value.is_infinite for each in several):
+                raise
+            return _in_cases(own, item, several, angle)
         if best is not None:
             candidates.append((trial, best))
     if not candidates:
@@ -83,11 +107,36 @@ def find_extremum(
     if candidate.value.is_infinite:
         grows = "grows" if candidate.value == sp.oo else "falls"
         raise ImpossibleError(f"it has no {item.kind}: it {grows} without bound")
-    value = forms.plain(candidate.value, outcome.witnesses(trial))
+    own = replace(outcome, trials=(trial,))
+    place = candidate.where[name]
+    answer = _answer(own, item, candidate.value, (place, *further), reached, angle)
+    proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
+    if reached and not place.is_infinite:
+        limits = (*defined(outcome, trial, (forms.bound(place), answer.value)), *limits)
+    assert answer.layout is not None
+    answer = with_condition(answer, answer.layout, limits)
+    return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
+
+
+def _answer(
+    outcome: Outcome,
+    item: Extremum,
+    value: sp.Expr,
+    places: tuple[sp.Expr, ...],
+    reached: bool,
+    angle: bool,
+) -> Answer:
+    """An extremum with the values of the letter at which it is reached, or the one it is near."""
+    assert isinstance(item.over, Letter)
+    (trial,) = outcome.trials
+    name, (place, *further) = item.over.name, places
+    if sp.count_ops(value) > LONG and Oracle(_roles(outcome)).vanishes(value):
+        value = sp.S.Zero
+    value = forms.plain(value, outcome.witnesses(trial))
     if angle:
         value = exact.tidy_angle(value)
-    place = forms.bound(candidate.where[name])
-    role = setting.roles[name]
+    place = forms.bound(place)
+    role = outcome.setting.roles[name]
     symbol = role.symbol(name)
     there = (
         equation(symbol, from_sympy(place))
@@ -100,7 +149,7 @@ def find_extremum(
         where = Phrase((where, *others), " or ")
     most = display(value, angle=angle, percentage=item.percentage)
     layout = Phrase((most, Words("when" if reached else "approached as"), where))
-    answer = Answer(
+    return Answer(
         1,
         value,
         exact.sympy_text(value),
@@ -111,12 +160,24 @@ def find_extremum(
         angle,
         layout,
     )
-    own = replace(outcome, trials=(trial,))
-    proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
-    if reached and not place.is_infinite:
-        limits = (*defined(outcome, trial, (place, value)), *limits)
-    answer = with_condition(answer, layout, limits)
-    return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
+
+
+def _in_cases(outcome: Outcome, item: Extremum, several: list[Case], angle: bool) -> ItemResult:
+    """An extremum that lies elsewhere for other data, with the values of these for each place."""
+    answers = []
+    for case in several:
+        ((best, place),) = case.pieces
+        value = best.value.replace(sp.atan, lambda x: sp.atan(neat(x)))
+        value = min(best.value, value, key=exact.cost)
+        answer = _answer(outcome, item, value, (place.value,), best.closed, angle)
+        bounds = bounds_of(case.letter, case.values, outcome.setting.roles)
+        assert answer.layout is not None
+        limits = () if bounds.text == case.letter else (bounds,)
+        answers.append(with_condition(answer, answer.layout, limits))
+    line = None if item.place is None else item.place.line
+    proofs: list[Proof] = [each.proof for each in several]
+    proof = next((each for each in proofs if each != "algebra"), proofs[0])
+    return ItemResult(item, line, item.text, "extremum", tuple(answers), proof=proof)
 
 
 def _with_a_letter_to_vary(desk: Desk, name: str, setting: Setting) -> Outcome:
@@ -199,6 +260,115 @@ def _further(
     return tuple(places)
 
 
+class DependsOnDataError(UnsupportedError):
+    """The place of an extremum is another one for other data."""
+
+
+class _Winners:
+    """Where a quantity is greatest or least, by the data: as the family of one interval.
+
+    Its ends are the extremum and its place; the first is closed where the extremum is reached.
+    """
+
+    def __init__(self, outcome: Outcome, value: sp.Expr, name: str, sign: int) -> None:
+        self._region = Region(outcome, name)
+        self._value, self._sign = value, sign
+        self._candidates = _candidates(self._region, value)
+        self.role, self.roles = REAL, self._region.roles
+        self.data, self.given = self._region.data, self._region.given
+        self.formula = self._region.formula
+        values = [each.value for each in self._candidates]
+        places = [each.where[name] for each in self._candidates]
+        self.critical_groups = [
+            [end for end in ends if not end.has(self._region.symbol)] for ends in (values, places)
+        ]
+
+    @cached_property
+    def shapes(self) -> list[tuple[list[Piece], Sample]]:
+        """The extremum at some values of the data."""
+        rng = random.Random(31)
+        drawn = [sample(self.data(), _roles(self._region.outcome), rng) for _ in range(DRAWS_TRIED)]
+        shapes = ((self.pieces_at(each), each) for each in drawn)
+        return list(islice((shape for shape in shapes if shape[0]), DRAWS))
+
+    def pieces_at(
+        self, drawn: Sample, put: Mapping[sp.Symbol, sp.Expr] = MappingProxyType({})
+    ) -> list[Piece]:
+        """The extremum for these values of the data, or none; ``put`` has some exactly."""
+        value, candidates = self._value, self._candidates
+        if put and value.has(*put):
+            value = value.xreplace(put)
+            if not value.has(self._region.symbol):
+                return []
+            candidates = _candidates(self._region, value)
+        winner = _winner(self._region, value, candidates, drawn, self._sign)
+        if winner is None:
+            return []
+        best, reached, _, _ = winner
+        return [(End(best.value, reached), End(best.where[self._region.letter], True))]
+
+    def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict:
+        """Whether an extremum is one for all data: no value lies beyond it, and it occurs.
+
+        That it occurs is seen at some data where it is no question for a decision.
+        """
+        ((best, _),) = pieces
+        open_ = Verdict("undecided", "undecided")
+        if self.formula is None or best.value.is_infinite:
+            return open_
+        claim = Relation(self._sign * (best.value - self._value), ">=" if best.closed else ">")
+        parts = self.formula.parts if isinstance(self.formula, All) else (self.formula,)
+        letter = self._region.letter
+        of_data = [each for each in parts if letters_of(each) and letter not in letters_of(each)]
+        there = joined((self.formula, Relation(self._value - best.value, "=")))
+        around = Oracle(self.roles, (*more, *of_data))
+        try:
+            outer = Oracle(self.roles, (*more, self.formula)).decide(claim)
+            if not outer:
+                return outer
+            if best.closed and (inner := around.decide_some(there, frozenset({letter}))):
+                return inner
+        except BeyondError:
+            return open_
+        return outer if self._occurs(pieces, (*more, *of_data)) else open_
+
+    def _occurs(self, pieces: Sequence[Piece], facts: Sequence[Formula]) -> bool:
+        """Whether the extremum is this one at all data that are tried, usual and extreme ones."""
+        rng = random.Random(41)
+        asked = Admission(self.roles, tuple(Demand(each, "", "fact") for each in facts), ())
+        seen = 0
+        for number in range(_TRIED):
+            drawn = sample(self.data(), self.roles, rng, number % 3 == 2)
+            put = {symbol: x for symbol, x in _told(facts) if symbol.name in drawn}
+            drawn |= {symbol.name: at(x, drawn) for symbol, x in put.items()}
+            if asked.objection(drawn) is not None:
+                continue
+            try:
+                own = self.pieces_at(drawn, put)
+            except UnsupportedError:
+                continue
+            if own and not same_at(own, pieces, drawn):
+                return False
+            seen += bool(own)
+            if seen == 2 * DRAWS:
+                break
+        return seen >= DRAWS
+
+
+def _told(facts: Sequence[Formula]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    """The letters of which an equation among facts tells the value."""
+    for each in facts:
+        if isinstance(each, Relation) and each.operator == "=":
+            for symbol in each.value.free_symbols:
+                x = sp.expand(symbol - each.value)
+                if not x.has(symbol):
+                    yield symbol, x
+                    break
+
+
+_TRIED = 60
+
+
 def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None:
     region = Region(outcome, name)
     roles = _roles(outcome)
@@ -222,7 +392,7 @@ def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None
         return None
     first = winners[0]
     if any(winner[0] != first[0] for winner in winners[1:]):
-        raise UnsupportedError("where the extremum lies depends on the values of the data")
+        raise DependsOnDataError("where the extremum lies depends on the values of the data")
     best, reached, _, drawn = first
     return first, _further(region, value, candidates, best, drawn) if reached else ()
 

@@ -103,7 +103,7 @@ class Image:
         self.formula = self.region.formula
         running = {self.roles[name].symbol(name) for name in free}
         ends = (candidate.value for candidate in self.candidates)
-        self.critical = [end for end in ends if not end.free_symbols & running]
+        self.critical_groups = [[end for end in ends if not end.free_symbols & running]]
 
     def pieces(self) -> list[Piece]:
         """The intervals. Raises ContradictionError where nothing is possible."""

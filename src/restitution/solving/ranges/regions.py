@@ -148,6 +148,11 @@ class Region:
                         unique.append(factor)
         return unique
 
+    @property
+    def critical_groups(self) -> list[list[sp.Expr]]:
+        """All that may be an end of an interval; any two of these may meet."""
+        return [self.critical]
+
     def _demands(self, trial: Trial) -> tuple[Demand, ...] | None:
         if self.only is not None:
             return self.only

@@ -58,11 +58,16 @@ def zeros(
             value = solution.values.get(wanted)
             if value is not None and value.has(sp.atan, sp.atan2):
                 value = exact.tidy_angle(value).replace(sp.atan, partial(_of_its_tangent, roles))
-            if value is not None:
+            if value is not None and not _is_complex(value):
                 values.append(value)
     except (UnsupportedError, sp.PolynomialError, NotImplementedError):
         return []
     return values
+
+
+def _is_complex(x: sp.Expr) -> bool:
+    """Whether an expression is seen to be no real number, as the arctangent of 2i."""
+    return x.is_extended_real is False or x.has(sp.atanh, sp.acoth, sp.asinh, sp.acosh)
 
 
 def _of_its_tangent(roles: Mapping[str, Role], x: sp.Expr) -> sp.Expr:
