@@ -500,17 +500,21 @@ class _Writer:
 
 
 def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
-    """Steps with labels where chains begin, and only where the label before is another one."""
+    """Steps with labels where chains begin; once for chains with no words between them."""
     last = ""
     for step in steps:
+        if step.rows and step.sentences:
+            last = ""
         label = "" if step.label == last else step.label
         last = step.label or last
         labels = [""] * len(step.rows)
-        start = 0
+        start, above = 0, last
         for index, row in enumerate(step.rows):
-            start = start if row.operands[0] is None else index
-            if row.label and row.label != last:
-                last = labels[start] = row.label
+            if row.operands[0] is not None:
+                start, above, last = index, last, ""
+            if row.label:
+                labels[start] = "" if row.label == above else row.label
+                last = row.label
         rows = (replace(row, label=own) for row, own in zip(step.rows, labels, strict=True))
         yield replace(step, rows=tuple(rows), label=label)
 
