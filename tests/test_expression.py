@@ -8,8 +8,9 @@ import pytest
 
 from restitution.errors import StatementError
 from restitution.expression import read_expression, write_expression
-from restitution.expression.lexer import Source, scan
+from restitution.expression.lexer import scan
 from restitution.expression.reading import BUILDERS, Reading, expression_parser, parse_tokens
+from restitution.expression.source import Source
 from restitution.expression.tree import (
     Apply,
     AtTime,

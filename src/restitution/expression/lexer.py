@@ -8,118 +8,48 @@ one of ordinary operators.
 from __future__ import annotations
 
 import re
-import unicodedata
-from bisect import bisect_right
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
-from itertools import chain
+from dataclasses import dataclass
 
 from lark import Token
 
-from restitution.errors import StatementError
+from restitution.expression.letter_runs import (
+    letter_run,
+    letter_token,
+    next_character,
+)
 from restitution.expression.limits import MAX_DIGITS, MAX_NESTING, MAX_TOKENS_PER_LINE
 from restitution.expression.quantities import KINDS, QUANTITIES
-from restitution.expression.tree import FUNCTIONS, Place
+from restitution.expression.signs import (
+    CURES,
+    FRACTIONS,
+    HINTS,
+    PASTED,
+    SIGNS,
+    SUPERSCRIPT_DIGITS,
+)
+from restitution.expression.source import Source, end_of, start_of, token_at
 from restitution.expression.units import at_the_end, measure
 from restitution.expression.words import (
     FRAGMENTS,
-    GREEK_BY_NAME,
     GREEK_SIGNS,
     KEYWORDS,
     MEANT,
     NAME,
     PHRASES,
     PROPERTY_WORDS,
-    WORDS,
-    guess,
-    meant_name,
-    near,
-    one_slip,
-    unknown_name,
 )
-from restitution.mending import Edit, Fix, Note
+from restitution.mending import Note
 
 _WORD = re.compile(r"[A-Za-z]{2,}(?:_[A-Za-z]{2,})+|[A-Za-z]+")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)
 _PERCENT = re.compile(r"\s*(?:%|per\s?cent(?!\w))")
 _DEGREES = re.compile(r"\s*(?:[°º˚]|deg(?:rees?)?(?!\w))")
-_SUBSCRIPT = re.compile(r"_?([0-9]+)|_([A-Za-z])(?![A-Za-z0-9])|([₀-₉]+)")
 _SUPERSCRIPT = re.compile(r"([⁺⁻]?)([⁰¹²³⁴-⁹]+)")
-_FUNCTION_POWER = re.compile(r"\s*(?:\^|\*\*)\s*(\d+)|([⁰¹²³⁴-⁹]+)")
-_INVERSE = re.compile(r"\s*(?:\^|\*\*)\s*(?:\(\s*[-−–]\s*1\s*\)|\{\s*[-−–]\s*1\s*\}|[-−–]\s*1)|⁻¹")
-_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*|[⁰¹²³⁴-⁹⁻])")
-_NEXT = re.compile(r"\s*(.?)", re.DOTALL)
-_FUNCTION = re.compile("|".join(sorted(FUNCTIONS, key=len, reverse=True)))
 _MISSING_UNDERSCORE = re.compile(
     r"(?:total\s+)?energy\s+lost(?!\w)|line\s+of\s+cent(?:re|er)s(?!\w)"
 )
 _AXIS = re.compile(r"([xy])[\s–-]*axis(?!\w)")
-
-_SIGNS = {
-    "+": "PLUS",
-    "-": "MINUS",
-    "*": "STAR",
-    "**": "POW",
-    "^": "POW",
-    "/": "SLASH",
-    "(": "LPAR",
-    ")": "RPAR",
-    ",": "COMMA",
-    ":": "COLON",
-    "=": "EQUAL",
-    "<": "ORDER",
-    ">": "ORDER",
-    "<=": "ORDER",
-    ">=": "ORDER",
-}
-_PASTED = {
-    **dict.fromkeys("−–‐‑", "-"),
-    **dict.fromkeys("×·⋅∙•∗", "*"),
-    **dict.fromkeys("÷∕⁄", "/"),
-    **dict.fromkeys("≤⩽", "<="),
-    **dict.fromkeys("≥⩾", ">="),
-}
-_FRACTIONS = {
-    "½": "1/2",
-    "⅓": "1/3",
-    "⅔": "2/3",
-    "¼": "1/4",
-    "¾": "3/4",
-    "⅕": "1/5",
-    "⅖": "2/5",
-    "⅗": "3/5",
-    "⅘": "4/5",
-    "⅙": "1/6",
-    "⅚": "5/6",
-    "⅐": "1/7",
-    "⅛": "1/8",
-    "⅜": "3/8",
-    "⅝": "5/8",
-    "⅞": "7/8",
-    "⅑": "1/9",
-    "⅒": "1/10",
-}
-_HINTS = {
-    **dict.fromkeys("[]{}", "use round brackets"),
-    **dict.fromkeys("|‖", "write abs(x) for a size"),
-    **dict.fromkeys("'’′", "a letter has no dash: use another letter or a subscript"),
-    **dict.fromkeys("°º˚", "a degree sign stands directly after a number"),
-    **dict.fromkeys('“”„"‘', "leave out the quotation marks"),
-    **dict.fromkeys("≈~", "write = … to 3 s.f."),
-    **dict.fromkeys("@∠", "write a vector as u at 30°"),
-    "%": "a percent sign stands directly after a number",
-    "_": "a subscript follows a letter directly and is digits or one letter",
-    "≠": "the relations are =, <, <=, > and >=",
-    "!": "the relations are =, <, <=, > and >=",
-    "\\": "a backslash stands at the end of a line that goes on in the next",
-    ".": "a decimal point stands between digits",
-    "#": "a comment cannot stand here",
-}
-
-_CURES = {**dict.fromkeys("[{", "("), **dict.fromkeys("]}", ")"), **dict.fromkeys('“”„"‘', "")}
-
-_SUBSCRIPT_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
-_SUPERSCRIPT_DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 
 _STARTS_OPERAND = frozenset(
     [
@@ -152,61 +82,6 @@ _BODY_LINES = frozenset(("SPHERE", "WALL", "POINT"))
 
 
 @dataclass(frozen=True)
-class Source:
-    """A logical line: its text, and where each stretch of it stands in the file.
-
-    ``plain`` is the text with typographical variants of letters and digits made ordinary,
-    character by character, so that offsets agree.
-    """
-
-    text: str
-    pieces: tuple[tuple[int, int, int], ...] = ((0, 1, 1),)  # offset, line, column
-    plain: str = field(init=False)
-
-    def __post_init__(self) -> None:
-        plain = self.text if self.text.isascii() else "".join(map(_plain, self.text))
-        object.__setattr__(self, "plain", plain)
-
-    def place(self, offset: int) -> Place:
-        """The line and column of an offset of the text."""
-        start, line, column = self.pieces[bisect_right(self.pieces, (offset, 10**9, 0)) - 1]
-        return Place(line, column + offset - start)
-
-    def error(self, message: str, offset: int, *fixes: Fix) -> StatementError:
-        """A mistake at an offset of the text, and what would cure it."""
-        place = self.place(offset)
-        mistake = StatementError(message, place.line, place.column)
-        mistake.fixes = fixes
-        return mistake
-
-    def stretch(self, start: int, end: int) -> tuple[int, int, int, int]:
-        """Line and column of an offset, and of another behind it."""
-        first = self.place(start)
-        if end <= start:
-            return first.line, first.column, first.line, first.column
-        last = self.place(end - 1)
-        return first.line, first.column, last.line, last.column + 1
-
-    def fix(self, start: int, end: int, text: str, label: str = "") -> Fix:
-        """The cure that puts a text in the place of another, or takes that out."""
-        typed = " ".join(self.text[start:end].split())
-        if not text:
-            while start and self.text[start - 1].isspace():
-                start -= 1
-            while not start and end < len(self.text) and self.text[end].isspace():
-                end += 1
-        if not label:
-            label = (
-                f"Leave out '{typed}'"
-                if not text
-                else f"Replace '{typed}' by '{text.strip()}'"
-                if typed
-                else f"Put in '{text.strip()}'"
-            )
-        return Fix(label, (Edit(*self.stretch(start, end), text),))
-
-
-@dataclass(frozen=True)
 class Scan:
     """The tokens of a logical line, and the runs of letters that were split into products.
 
@@ -218,21 +93,6 @@ class Scan:
     tokens: tuple[Token, ...]
     runs: tuple[tuple[int, str], ...]
     warnings: tuple[Note, ...] = ()
-
-
-def _plain(character: str) -> str:
-    """A letter or digit in ordinary type for one in bold, italic or full-width type."""
-    code = ord(character)
-    if code < 0x80:
-        return character
-    if 0x1D400 <= code <= 0x1D7FF or 0xFF01 <= code <= 0xFF5E or code == 0x210E:
-        normal = unicodedata.normalize("NFKC", character)
-        return normal if len(normal) == 1 else character
-    if character in "îĵ":
-        return "i" if character == "î" else "j"
-    if character.isspace() or unicodedata.category(character) == "Cf":
-        return " "
-    return character
 
 
 def scan(source: Source, names: Mapping[str, str]) -> Scan:
@@ -249,7 +109,7 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
             depth += 1
             if depth > MAX_NESTING:
                 raise source.error(
-                    f"brackets are nested more than {MAX_NESTING} deep", _start(token)
+                    f"brackets are nested more than {MAX_NESTING} deep", start_of(token)
                 )
         elif token.type == "RPAR":
             depth -= 1
@@ -257,17 +117,9 @@ def scan(source: Source, names: Mapping[str, str]) -> Scan:
         if len(tokens) > MAX_TOKENS_PER_LINE:
             raise source.error(
                 f"the line is too long: at most {MAX_TOKENS_PER_LINE} words and signs",
-                _start(token),
+                start_of(token),
             )
     return Scan(source, names, tuple(_with_products(source, tokens)), tuple(runs), tuple(warnings))
-
-
-def _start(token: Token) -> int:
-    return token.start_pos or 0
-
-
-def _end(token: Token) -> int:
-    return token.end_pos or 0
 
 
 def _raw_tokens(
@@ -289,13 +141,13 @@ def _raw_tokens(
             unit = _unit(source, names, at, before, warnings)
             tokens = [unit] if unit else _letters(source, names, at, before, runs)
         elif character in GREEK_SIGNS:
-            tokens = [_letter(source, GREEK_SIGNS[character], at, at + 1)]
+            tokens = [letter_token(source, GREEK_SIGNS[character], at, at + 1)]
         elif character == "π":
-            tokens = [_token(source, "PI", "pi", at, at + 1)]
+            tokens = [token_at(source, "PI", "pi", at, at + 1)]
         elif number := _NUMBER.match(text, at):
             tokens = [_number(source, number)]
-        elif character in _FRACTIONS:
-            if before and before[-1].type == "NUMBER" and _end(before[-1]) == at:
+        elif character in FRACTIONS:
+            if before and before[-1].type == "NUMBER" and end_of(before[-1]) == at:
                 raise source.error(
                     "a mixed number is not read: write it as one fraction, such as 5/2", at
                 )
@@ -307,24 +159,19 @@ def _raw_tokens(
         else:
             tokens = [_sign(source, at)]
         yield from tokens
-        at = _end(tokens[-1])
-
-
-def _token(source: Source, kind: str, value: str, start: int, end: int) -> Token:
-    place = source.place(start)
-    return Token(kind, value, start, place.line, place.column, end_pos=end)
+        at = end_of(tokens[-1])
 
 
 def _sign(source: Source, at: int) -> Token:
     text = source.plain
-    for sign in (text[at : at + 2], _PASTED.get(text[at], text[at])):
-        if sign in _SIGNS:
+    for sign in (text[at : at + 2], PASTED.get(text[at], text[at])):
+        if sign in SIGNS:
             length = len(sign) if text.startswith(sign, at) else 1
-            return _token(source, _SIGNS[sign], sign, at, at + length)
+            return token_at(source, SIGNS[sign], sign, at, at + length)
     character = text[at]
     shown = repr(character) if character.isprintable() else f"U+{ord(character):04X}"
-    hint = _HINTS.get(character)
-    fixes = [source.fix(at, at + 1, _CURES[character])] if character in _CURES else []
+    hint = HINTS.get(character)
+    fixes = [source.fix(at, at + 1, CURES[character])] if character in CURES else []
     raise source.error(f"unexpected character {shown}" + (f": {hint}" if hint else ""), at, *fixes)
 
 
@@ -334,17 +181,17 @@ def _number(source: Source, match: re.Match[str]) -> Token:
         raise source.error(f"a number has at most {MAX_DIGITS} digits", start)
     digits = match.group()
     if percent := _PERCENT.match(text, end):
-        return _token(source, "NUMBER", digits + "%", start, percent.end())
+        return token_at(source, "NUMBER", digits + "%", start, percent.end())
     if degrees := _DEGREES.match(text, end):
-        return _token(source, "DEGREES", digits, start, degrees.end())
-    return _token(source, "NUMBER", digits, start, end)
+        return token_at(source, "DEGREES", digits, start, degrees.end())
+    return token_at(source, "NUMBER", digits, start, end)
 
 
 def _fraction(source: Source, at: int) -> Token:
-    fraction = _FRACTIONS[source.plain[at]]
+    fraction = FRACTIONS[source.plain[at]]
     if degrees := _DEGREES.match(source.plain, at + 1):
-        return _token(source, "DEGREES", fraction, at, degrees.end())
-    return _token(source, "FRACTION", fraction, at, at + 1)
+        return token_at(source, "DEGREES", fraction, at, degrees.end())
+    return token_at(source, "FRACTION", fraction, at, at + 1)
 
 
 def _unit(
@@ -369,7 +216,7 @@ def _unit(
         return None
     exponent = len(before) > 1 and before[-2].type == "POW"
     if _is_plain(before) and not exponent:
-        return _token(source, "MEASURE", unit, at, end)
+        return token_at(source, "MEASURE", unit, at, end)
     if len(unit) == 1 or measure(unit).dimension is None:
         return None
     if _is_a_value(before):
@@ -441,36 +288,17 @@ def _superscript(source: Source, match: re.Match[str]) -> list[Token]:
     sign, digits = match.groups()
     if len(digits) > MAX_DIGITS:
         raise source.error(f"a number has at most {MAX_DIGITS} digits", start)
-    tokens = [_token(source, "POW", "^", start, end)]
+    tokens = [token_at(source, "POW", "^", start, end)]
     if sign == "⁻":
-        tokens.append(_token(source, "MINUS", "-", start, end))
-    tokens.append(_token(source, "NUMBER", digits.translate(_SUPERSCRIPT_DIGITS), start, end))
+        tokens.append(token_at(source, "MINUS", "-", start, end))
+    tokens.append(token_at(source, "NUMBER", digits.translate(SUPERSCRIPT_DIGITS), start, end))
     return tokens
 
 
 def _root(source: Source, at: int) -> Token:
-    following = _next_character(source.plain, at + 1)
+    following = next_character(source.plain, at + 1)
     kind = "FUNCTION_CALL" if following == "(" else "FUNCTION"
-    return _token(source, kind, "√" if kind == "FUNCTION" else "sqrt", at, at + 1)
-
-
-def _next_character(text: str, at: int) -> str:
-    match = _NEXT.match(text, at)
-    return match.group(1) if match else ""
-
-
-def _letter(source: Source, name: str, start: int, end: int) -> Token:
-    """A letter that ends at ``end``, with the subscript that may follow."""
-    match = _SUBSCRIPT.match(source.plain, end)
-    if match:
-        digits, letter, low = match.groups()
-        subscript = digits or letter or low.translate(_SUBSCRIPT_DIGITS)
-        if len(subscript) > MAX_DIGITS:
-            raise source.error(f"a subscript has at most {MAX_DIGITS} digits", end)
-        return _token(source, "LETTER", f"{name}_{subscript}", start, match.end())
-    if source.plain.startswith("_", end):
-        raise source.error("a subscript is digits or one letter", end)
-    return _token(source, "LETTER", name, start, end)
+    return token_at(source, kind, "√" if kind == "FUNCTION" else "sqrt", at, at + 1)
 
 
 def _letters(
@@ -484,14 +312,14 @@ def _letters(
     text = source.plain
     name = NAME.match(text, at)
     if name and name.group() in names and not text.startswith("_", name.end()):
-        return [_token(source, "NAME", name.group(), at, name.end())]
+        return [token_at(source, "NAME", name.group(), at, name.end())]
     for pattern, kind in PHRASES:
         phrase = pattern.match(text, at)
         if phrase:
-            return [_token(source, kind, " ".join(phrase.group().split()), at, phrase.end())]
+            return [token_at(source, kind, " ".join(phrase.group().split()), at, phrase.end())]
     unit = at_the_end(text, at + 1) if text[at] in "ij" else None
     if unit and len(unit.group()) > 1:
-        return [_token(source, "UNIT", text[at], at, at + 1)]  # ``4jms^-1``
+        return [token_at(source, "UNIT", text[at], at, at + 1)]  # ``4jms^-1``
     axis = _AXIS.match(text, at)
     if axis:
         vector = {"x": "i", "y": "j"}[axis.group(1)]
@@ -506,18 +334,18 @@ def _letters(
     assert word is not None
     run, end = word.group(), word.end()
     if run in PROPERTY_WORDS and _property_stands_here(before):
-        return [_token(source, run.upper(), run, at, end)]
+        return [token_at(source, run.upper(), run, at, end)]
     if run in PROPERTY_WORDS and _tells_properties(before) and not text.startswith("(", end):
-        return [_token(source, run.upper(), run, at, end)]
+        return [token_at(source, run.upper(), run, at, end)]
     if run in QUANTITIES or names.get(run) == "quantity":
         return [_quantity(source, run, at, end)]
     if run in KEYWORDS:
-        return [_token(source, KEYWORDS[run], run, at, end)]
+        return [token_at(source, KEYWORDS[run], run, at, end)]
     if run == "of" and before and before[-1].type == "NUMBER" and before[-1].endswith("%"):
-        return [_token(source, "STAR", "*", at, end)]  # ``60% of energy(0)``
+        return [token_at(source, "STAR", "*", at, end)]  # ``60% of energy(0)``
     if run in FRAGMENTS:
-        return [_token(source, "WORD", run, at, end)]
-    return _run(source, names, run, at, runs)
+        return [token_at(source, "WORD", run, at, end)]
+    return letter_run(source, names, run, at, runs)
 
 
 def _property_stands_here(before: list[Token]) -> bool:
@@ -538,143 +366,8 @@ def _quantity(source: Source, kind: str, start: int, end: int) -> Token:
     call = source.plain.startswith("(", end)
     if not KINDS[kind].stands_alone:
         # A blank before the bracket is harmless here: without arguments it means nothing.
-        call = call or _next_character(source.plain, end) == "("
-    return _token(source, "QUANTITY_CALL" if call else "QUANTITY", kind, start, end)
-
-
-def _run(
-    source: Source, names: Mapping[str, str], run: str, at: int, runs: list[tuple[int, str]]
-) -> list[Token]:
-    """A run of letters that is neither a name nor a keyword."""
-    called = source.plain.startswith("(", at + len(run))
-    if "_" in run:
-        raise _unknown(source, run, names, at)
-    pieces = _split(run)
-    if pieces is None or (len(run) > 2 and _is_a_slip(run, called)):
-        raise _unknown(source, run, names, at)
-    tokens: list[Token] = []
-    for piece in pieces:
-        end = at + len(piece)
-        if piece in FUNCTIONS:
-            tokens.append(_function(source, piece, at, end))
-        elif piece == "pi":
-            tokens.append(_token(source, "PI", "pi", at, end))
-        elif piece in names and not source.plain.startswith("_", end):
-            if run[0].isupper() and len(run) > 1:
-                raise _unknown(source, run, names, at - run.index(piece))
-            raise source.error(
-                f"'{piece}' is the name of a {names[piece]} and cannot be a letter too", at
-            )
-        elif piece in ("i", "j"):
-            if _SUBSCRIPT.match(source.plain, end):
-                raise source.error(f"'{piece}' is a unit vector and never a letter", at)
-            tokens.append(_token(source, "UNIT", piece, at, end))
-        else:
-            tokens.append(_letter(source, piece, at, end))
-        at = end
-    if len(run) > 1 and len(tokens) > 1:
-        runs.append((_start(tokens[0]), run))
-    return tokens
-
-
-def _split(run: str) -> list[str] | None:
-    """A run of letters as functions, Greek letters and single letters; None if it is no such run.
-
-    >>> _split("eusintheta")
-    ['e', 'u', 'sin', 'theta']
-    """
-    pieces: list[str] = []
-    at = 0
-    after_function = False
-    while at < len(run) or not pieces:
-        match = _FUNCTION.search(run, at)
-        end = match.start() if match else len(run)
-        between = run[at:end]
-        if between in GREEK_BY_NAME or between == "pi":
-            pieces.append(between)
-        elif len(between) <= (1 if after_function else 4):
-            pieces.extend(between)
-        else:
-            return None
-        if match is None:
-            break
-        pieces.append(match.group())
-        after_function = True
-        at = match.end()
-    return pieces
-
-
-def _is_a_slip(run: str, called: bool) -> bool:
-    """Whether a short run is so near a word of the language that it is surely a mistake.
-
-    Ordinary products (``emu``, ``mgh``, ``kmu``) must not be taken for one.
-    """
-    if run in GREEK_BY_NAME or (called and run in FUNCTIONS):
-        return False
-    if any(piece in FUNCTIONS for piece in _split(run) or ()):
-        return False
-    if called and run in MEANT:
-        return True
-    if len(run) == 4 and any(
-        one_slip(run, word) and len(word) >= 4 for word in WORDS if len(word) in (4, 5)
-    ):
-        return True
-    return called and any(
-        one_slip(run, word)
-        for word in chain(FUNCTIONS, QUANTITIES)
-        if len(word) >= 4 or len(word) == len(run)
-    )
-
-
-def _unknown(source: Source, run: str, names: Mapping[str, str], at: int) -> StatementError:
-    """What to say of a run of letters at an offset, and what was probably meant."""
-    known = (*WORDS, *MEANT)
-    if run[0].isupper() and not (len(run) > 3 and near(run.lower(), known, cutoff=0.9)):
-        message, meant = unknown_name(run, names), meant_name(run, names)
-    else:
-        meant = MEANT.get(run.lower()) or _spaced(run) or guess(run)
-        message = f"unknown word '{run}'" + (f": did you mean '{meant}'?" if meant else "")
-    fixes = [source.fix(at, at + len(run), meant)] if meant else []
-    return source.error(message, at, *fixes)
-
-
-def _spaced(run: str) -> str | None:
-    """Letters run together with the name of a Greek letter, put apart: ``mtheta``."""
-    for greek in sorted(GREEK_BY_NAME, key=len, reverse=True):
-        rest = run.removesuffix(greek)
-        if rest != run and 0 < len(rest) <= 3:
-            return f"{' '.join(rest)} {greek}"
-    return None
-
-
-def _function(source: Source, function: str, start: int, end: int) -> Token:
-    """A function with the power that may stand between it and its argument."""
-    text = source.plain
-    if inverse := _INVERSE.match(text, end):
-        remedy = (
-            f"write arc{function}(x)"
-            if f"arc{function}" in FUNCTIONS
-            else f"write 1/{function}(x), or use an arc function"
-        )
-        shown = text[start : inverse.end()]
-        inversely = f"arc{function}"
-        fixes = [source.fix(start, inverse.end(), inversely)] if inversely in FUNCTIONS else []
-        raise source.error(f"'{shown}' can be misunderstood: {remedy}", start, *fixes)
-    power = _FUNCTION_POWER.match(text, end)
-    if power:
-        digits = (power.group(1) or power.group(2)).translate(_SUPERSCRIPT_DIGITS)
-        if len(digits) > MAX_DIGITS:
-            raise source.error(f"a number has at most {MAX_DIGITS} digits", end)
-        value, end = f"{function}^{digits}", power.end()
-    elif _POWER_SIGN.match(text, end):
-        raise source.error(
-            f"the power after '{function}' is a whole number: otherwise write ({function}(x))^n",
-            end,
-        )
-    else:
-        value = function
-    kind = "FUNCTION_CALL" if _next_character(text, end) == "(" else "FUNCTION"
-    return _token(source, kind, value, start, end)
+        call = call or next_character(source.plain, end) == "("
+    return token_at(source, "QUANTITY_CALL" if call else "QUANTITY", kind, start, end)
 
 
 def _with_products(source: Source, tokens: list[Token]) -> Iterator[Token]:
@@ -685,15 +378,16 @@ def _with_products(source: Source, tokens: list[Token]) -> Iterator[Token]:
         if previous is not None and _joins(previous, token):
             if token.type in _NUMERIC and previous.type in _NUMERIC:
                 raise source.error(
-                    "two numbers stand side by side: an operator is missing", _start(token)
+                    "two numbers stand side by side: an operator is missing", start_of(token)
                 )
             if token.type in _NUMERIC and vector:
                 # ``along i 1/2`` is no vector of half the length.
                 raise source.error(
-                    f"a number stands behind {vector}: a sign or a comma is missing", _start(token)
+                    f"a number stands behind {vector}: a sign or a comma is missing",
+                    start_of(token),
                 )
-            gap = source.plain[_end(previous) : _start(token)]
-            yield _token(source, "IMPLICIT", gap, _end(previous), _start(token))
+            gap = source.plain[end_of(previous) : start_of(token)]
+            yield token_at(source, "IMPLICIT", gap, end_of(previous), start_of(token))
         else:
             vector = ""
         if token.type == "UNIT":

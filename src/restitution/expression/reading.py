@@ -15,11 +15,12 @@ from lark import Lark, Token, Tree, UnexpectedToken
 from restitution.counting import listed
 from restitution.errors import StatementError
 from restitution.expression.grammar import EXPRESSION
-from restitution.expression.lexer import Scan, Source, scan, unit_refused
+from restitution.expression.lexer import Scan, scan, unit_refused
 from restitution.expression.limits import MAX_DIGITS, MAX_LINE_LENGTH, MAX_TREE_DEPTH
 from restitution.expression.measured import NOWHERE, Slot, product_with, without_units
 from restitution.expression.parsers import make_parser
 from restitution.expression.quantities import KINDS
+from restitution.expression.source import Source
 from restitution.expression.tree import (
     Apply,
     AtTime,

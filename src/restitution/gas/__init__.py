@@ -1,7 +1,9 @@
 """Many discs in a box, as fast as may be: the front of the compiled engine.
 
-``box`` is what is used, ``windows`` the run in windows and tiles, ``tiles`` and ``kernel`` the
-functions that are compiled, ``state`` the rows that they work on, ``record`` what is written down.
+``box`` is what is used, ``start`` where a gas starts, ``windows`` the run in windows and tiles
+(``pauses`` what is done between two), ``tiles`` and ``kernel`` the functions that are compiled,
+``state`` the rows that they work on, ``estimates`` how fast the discs move and how often they are
+struck, ``record`` what is written down.
 """
 
 from __future__ import annotations

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-import signal
-import threading
 import zipfile
-from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -15,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from restitution.batch.progress import progress as progress_bar
 from restitution.errors import (
     CollapseError,
     ImpossibleError,
@@ -24,7 +20,9 @@ from restitution.errors import (
 )
 from restitution.gas import arguments, record
 from restitution.gas import kernel as k
-from restitution.gas.start import lattice, random_velocities
+from restitution.gas.estimates import epoch_of, expected_rate, kinetic_energy, packing
+from restitution.gas.pauses import pauses
+from restitution.gas.start import centred, lattice, random_velocities
 from restitution.gas.state import (
     SMALLEST,
     Discs,
@@ -40,10 +38,6 @@ from restitution.gas.windows import COUNTED, Counts, Engine
 # A run of no more than so many impacts, among so many discs, is over in plain Python before a
 # compiler is even loaded.
 FEW_IMPACTS, FEW_DISCS = 1000, 1000
-
-# In an epoch a disc of root-mean-square speed goes about so many diameters. Times are counted
-# anew after each, and so remain exact to 1e-14 of the time to go a diameter, however long the run.
-EPOCH = 32
 
 # After so many epochs without an impact one is no longer waited for.
 QUIET = 10_000
@@ -127,8 +121,8 @@ class Gas:
             raise ImpossibleError(f"contact_time is {contact_time:g}; it is a time from 0")
         wraps = arguments.both(periodic)
         self.box = box_for(width, height, wraps, float(radii.max()), n)
-        centred = self._centred(positions, radii)
-        row, small, tally = fresh(centred, velocities, radii, masses, self.box)
+        places = centred(positions, radii, self.box)
+        row, small, tally = fresh(places, velocities, radii, masses, self.box)
         self._discs = Discs(row, small, tally, np.arange(n, dtype=np.int32))
         deep, one, two = overlap(
             row[:, k.X], row[:, k.Y], radii, (small[:, k.COLUMN], small[:, k.LINE]), self.box
@@ -139,9 +133,9 @@ class Gas:
                 f"are {radii[one] + radii[two] - deep:.6g} apart, which has to be at least "
                 f"{radii[one] + radii[two]:.6g}"
             )
-        self.rules = Rules(e, e_walls, contact_time, self._epoch())
+        self.rules = Rules(e, e_walls, contact_time, epoch_of(self._discs))
         self.counts = Counts()
-        self._rate = self._expected_rate()
+        self._rate = expected_rate(self._discs, self.box)
         self._engine: Engine | None = None
         self._plainly = 0.0  # impacts expected of runs in plain Python
         self._logs: list[np.ndarray] = []  # impacts recorded and not yet returned
@@ -253,14 +247,12 @@ class Gas:
     @property
     def packing(self) -> float:
         """The share of the box that the discs cover."""
-        area = math.pi * float((self._discs.row[:, k.RADIUS] ** 2).sum())
-        return area / (self.box.width * self.box.height)
+        return packing(self._discs, self.box)
 
     @property
     def kinetic_energy(self) -> float:
         """In J. The sum is rounded once, so that it does not depend on the order of the discs."""
-        row = self._discs.row
-        return 0.5 * math.fsum(row[:, k.MASS] * (row[:, k.VX] ** 2 + row[:, k.VY] ** 2))
+        return kinetic_energy(self._discs)
 
     @property
     def momentum(self) -> tuple[float, float]:
@@ -332,7 +324,9 @@ class Gas:
             pool = stack.enter_context(ThreadPoolExecutor(threads)) if threads > 1 else None
             engine = self._engine_for(end, impacts, threads, tiles, record_impacts)
             engine.pool = pool
-            pause = stack.enter_context(_pauses(self, end, impacts, progress))
+            pause = stack.enter_context(
+                pauses(lambda: (self.time, self.impacts), end, impacts, progress)
+            )
             stack.callback(engine.store)
             stack.callback(self._read, engine)
             begun = self.time, self.impacts
@@ -476,7 +470,7 @@ class Gas:
             row[old, place] += gone * self.box.resolution
         row[old, k.T] = 0.0
         if self.rules.e < 1 or self.rules.e_walls < 1:
-            self.rules = replace(self.rules, epoch=max(epoch, self._epoch()))
+            self.rules = replace(self.rules, epoch=max(epoch, epoch_of(discs)))
         if len(row) >= MANY:
             order = np.lexsort((small[:, k.COLUMN], small[:, k.LINE]))
             place_of = np.empty_like(order)
@@ -485,24 +479,6 @@ class Gas:
             discs.names[:] = discs.names[order]
             struck = discs.small[:, k.PARTNER] >= 0
             discs.small[struck, k.PARTNER] = place_of[discs.small[struck, k.PARTNER]]
-
-    def _epoch(self) -> float:
-        """How long an epoch is at this temperature: a power of two, in s."""
-        row = self._discs.row
-        speed = math.sqrt(2 * self.kinetic_energy / math.fsum(row[:, k.MASS]))
-        if speed == 0:  # nothing moves, or as good as
-            return 2.0**1000
-        return 2.0 ** math.floor(math.log2(EPOCH * 2 * float(row[:, k.RADIUS].mean()) / speed))
-
-    def _expected_rate(self) -> float:
-        """Changes of velocity of a disc in a second by Enskog's theory, for equal discs."""
-        row = self._discs.row
-        speed = math.sqrt(self.kinetic_energy / math.fsum(row[:, k.MASS]))
-        packing = min(self.packing, 0.85)
-        pairs = 8 * packing / math.sqrt(math.pi) / (2 * float(row[:, k.RADIUS].mean()))
-        dense = (1 - 7 * packing / 16) / (1 - packing) ** 2
-        walls = 1 / self.box.width + 1 / self.box.height
-        return speed * (pairs * dense + walls) if len(row) > 1 else speed * walls
 
     # --- what is measured ------------------------------------------------------------------------
 
@@ -662,62 +638,8 @@ class Gas:
         out[self._discs.names] = values
         return out
 
-    def _centred(self, positions: np.ndarray, radii: np.ndarray) -> np.ndarray:
-        """Positions from the middle of the box, rounded. Raises ImpossibleError outside."""
-        box = self.box
-        out = np.empty_like(positions)
-        for axis, side, wraps, name in (
-            (0, box.width, box.periodic_x, "x"),
-            (1, box.height, box.periodic_y, "y"),
-        ):
-            place = np.round((positions[:, axis] - side / 2) / box.resolution) * box.resolution
-            if wraps:
-                place -= side * np.floor(place / side + 0.5)
-            else:
-                beyond = np.abs(place) + radii - side / 2
-                worst = int(np.argmax(beyond))
-                if beyond[worst] > 4 * box.resolution:
-                    raise ImpossibleError(
-                        f"disc {worst} at {name} = {positions[worst, axis]:g} with radius "
-                        f"{radii[worst]:g} reaches {beyond[worst]:.3g} beyond a wall of the box, "
-                        f"which is from 0 to {side:g}"
-                    )
-            out[:, axis] = place
-        return out
-
 
 def _aligned_copy(values: np.ndarray) -> np.ndarray:
     copy = aligned(values.shape, values.dtype)
     copy[...] = values
     return copy
-
-
-@contextlib.contextmanager
-def _pauses(
-    gas: Gas, end: float, impacts: int | None, progress: bool | None
-) -> Iterator[Callable[[], None]]:
-    """What is done between two windows: Ctrl-C is heard, the bar moves on."""
-    stop = threading.Event()
-    main = threading.current_thread() is threading.main_thread()
-
-    def hear(*_: Any) -> None:
-        if stop.is_set():  # asked twice
-            raise KeyboardInterrupt
-        stop.set()
-
-    previous = signal.signal(signal.SIGINT, hear) if main else None
-    start, before = gas.time, gas.impacts
-    total, unit = (end - start, "s") if impacts is None else (impacts, "impacts")
-    try:
-        with progress_bar(total, unit, progress, None if impacts else "impacts") as tell:
-
-            def pause() -> None:
-                struck = gas.impacts - before
-                tell(struck if impacts else gas.time - start, struck)
-                if stop.is_set():
-                    raise KeyboardInterrupt
-
-            yield pause
-    finally:
-        if previous is not None:
-            signal.signal(signal.SIGINT, previous)

@@ -1,4 +1,4 @@
-"""Where a gas starts: discs on a lattice, velocities at random."""
+"""Where a gas starts: discs on a lattice or at given places, velocities at random."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from restitution.errors import ImpossibleError
+from restitution.gas.state import Box
 
 
 def lattice(
@@ -71,3 +72,29 @@ def random_velocities(
     energy = 0.5 * float((masses * (velocities**2).sum(axis=1)).sum())
     scaled: np.ndarray = velocities * math.sqrt(temperature * len(masses) / energy)
     return scaled
+
+
+def centred(positions: np.ndarray, radii: np.ndarray, box: Box) -> np.ndarray:
+    """Positions (m) from the middle of the box, rounded, shape (n, 2).
+
+    Raises ImpossibleError for a disc that reaches beyond a wall.
+    """
+    out = np.empty_like(positions)
+    for axis, side, wraps, name in (
+        (0, box.width, box.periodic_x, "x"),
+        (1, box.height, box.periodic_y, "y"),
+    ):
+        place = np.round((positions[:, axis] - side / 2) / box.resolution) * box.resolution
+        if wraps:
+            place -= side * np.floor(place / side + 0.5)
+        else:
+            beyond = np.abs(place) + radii - side / 2
+            worst = int(np.argmax(beyond))
+            if beyond[worst] > 4 * box.resolution:
+                raise ImpossibleError(
+                    f"disc {worst} at {name} = {positions[worst, axis]:g} with radius "
+                    f"{radii[worst]:g} reaches {beyond[worst]:.3g} beyond a wall of the box, "
+                    f"which is from 0 to {side:g}"
+                )
+        out[:, axis] = place
+    return out

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from restitution.errors import StatementError, require
-from restitution.expression.lexer import Source
 from restitution.expression.limits import MAX_LINE_LENGTH, MAX_LINES, MAX_TEXT_BYTES
+from restitution.expression.source import Source
 from restitution.expression.words import MEANT, NAME, near
 
 _BREAK = re.compile(r"\r\n|\r|\n")

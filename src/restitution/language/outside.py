@@ -9,7 +9,7 @@ import re
 from functools import cache
 
 from restitution.errors import StatementError
-from restitution.expression.lexer import Source
+from restitution.expression.source import Source
 
 # What people write, and what to say: what the model is, and what to do instead.
 _TABLE: tuple[tuple[str, str], ...] = (

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from restitution.errors import StatementError
-from restitution.expression.lexer import Source
+from restitution.expression.source import Source
 from restitution.expression.words import LINE_WORDS
 from restitution.language.outside import outside
 from restitution.language.slip_table import NAME, SLIPS, Cure

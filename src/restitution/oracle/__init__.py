@@ -25,11 +25,10 @@ from restitution.oracle.oracle import (
     Proof,
     Verdict,
     broken_off,
-    holds_at,
-    holds_with,
 )
 from restitution.oracle.points import BeyondError, Point, Program
 from restitution.oracle.roles import REAL, Role
+from restitution.oracle.testers import holds_at, holds_with
 
 __all__ = [
     "FALSE",

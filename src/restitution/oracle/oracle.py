@@ -7,36 +7,42 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from threading import local
-from typing import Any, Literal
+from typing import Literal
 
 import sympy as sp
 
 from restitution.oracle import decision, intervals
 from restitution.oracle.draws import Draw, draws
 from restitution.oracle.formula import (
-    FALSE,
-    TRUE,
     All,
     Formula,
     Relation,
-    Some,
     joined,
     letters_of,
     negation,
     relations,
 )
 from restitution.oracle.points import (
-    Ball,
     BeyondError,
     Point,
     Program,
     Value,
-    constant_interval,
-    ends_of,
 )
 from restitution.oracle.polynomials import Polynomials, TooLargeError
 from restitution.oracle.roles import REAL, Role
+from restitution.oracle.scaled import scaled_sign
 from restitution.oracle.simple import simpler
+from restitution.oracle.sums_of_angles import (
+    angle_within,
+    sine_of_share,
+    with_sines,
+    without_numbers,
+)
+from restitution.oracle.testers import (
+    Tester,
+    holds_with,
+    tester_of,
+)
 from restitution.work import remembered, spend
 
 Answer = Literal["proved", "refuted", "undecided"]
@@ -94,8 +100,8 @@ class Oracle:
     # --- points ----------------------------------------------------------------------------------
 
     @cached_property
-    def _every(self) -> _Tester:
-        return _tester(joined(self.facts))
+    def _every(self) -> Tester:
+        return tester_of(joined(self.facts))
 
     def _drawn(self, names: frozenset[str], first: int, last: int) -> Iterator[Draw]:
         """Draws at which all facts hold for certain."""
@@ -172,11 +178,11 @@ class Oracle:
             return open_.verdict
 
     def _decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
-        formulas = [_without_numbers(each) for each in (*self.facts, claim)]
+        formulas = [without_numbers(each) for each in (*self.facts, claim)]
         values = [relation.value for relation in relations(joined(formulas))]
         try:
-            world = Polynomials([_angular(value, self.roles) for value in values], self.roles)
-            prepared = [_prepared(formula, self.roles) for formula in formulas]
+            world = Polynomials([sine_of_share(value, self.roles) for value in values], self.roles)
+            prepared = [with_sines(formula, self.roles) for formula in formulas]
             answer = decision.covers(world, prepared[:-1], prepared[-1], free)
         except (TooLargeError, BeyondError):
             answer = "unknown"
@@ -194,7 +200,7 @@ class Oracle:
         names = _letters_of(claim) | self._every.letters
         if algebra is not None and (algebra.answer == "proved" or not names):
             return algebra
-        tester = _tester(claim)
+        tester = tester_of(claim)
         tried = 0
         for first, last in ((0, FEW), (FEW, MANY)):
             for draw in self._drawn(names, first, last):
@@ -225,7 +231,7 @@ class Oracle:
         return Verdict("proved", next((p for p in order if p in proofs), "algebra"), None, tried)
 
     def _by_decision(
-        self, claim: Formula, names: frozenset[str], tester: _Tester, tried: int
+        self, claim: Formula, names: frozenset[str], tester: Tester, tried: int
     ) -> Verdict | None:
         reply, world = self._asked((negation(claim),))
         if reply.satisfiable == "no":
@@ -242,7 +248,7 @@ class Oracle:
         """What coefficients and normal forms alone show."""
         if not isinstance(claim, Relation):
             return None
-        own = _scaled_sign(claim.value, self.roles)
+        own = scaled_sign(claim.value, self.roles)
         if own is not None:
             return Verdict("proved", "algebra") if holds_with(claim, {claim.value: own}) else None
         try:
@@ -289,7 +295,7 @@ class Oracle:
     def _sign(self, x: sp.Expr) -> int | None:
         if x.is_Rational:
             return int(sp.sign(x))
-        scaled = _scaled_sign(x, self.roles)
+        scaled = scaled_sign(x, self.roles)
         if scaled is not None:
             return scaled
         positive, negative, zero = Relation(x, ">"), Relation(-x, ">"), Relation(x, "=")
@@ -304,7 +310,7 @@ class Oracle:
     def _seen(self, x: sp.Expr) -> frozenset[int]:
         """The signs of an expression at some points: as many as show that it has several."""
         claim = Relation(x, "=")
-        tester = _tester(claim)
+        tester = tester_of(claim)
         seen: set[int] = set()
         for draw in self._drawn(tester.letters, 0, FEW):
             sign = tester.signs(draw.point, draw.balls)[0]
@@ -322,11 +328,11 @@ class Oracle:
 
     def _asked(self, more: Sequence[Formula]) -> tuple[decision.Reply, Polynomials | None]:
         spend(_QUESTION)
-        formulas = [_without_numbers(each) for each in (*self.facts, *more)]
+        formulas = [without_numbers(each) for each in (*self.facts, *more)]
         values = [each.value for formula in formulas for each in relations(formula)]
         try:
-            world = Polynomials([_angular(value, self.roles) for value in values], self.roles)
-            prepared = [_prepared(each, self.roles) for each in formulas]
+            world = Polynomials([sine_of_share(value, self.roles) for value in values], self.roles)
+            prepared = [with_sines(each, self.roles) for each in formulas]
             reply = decision.satisfy(world, prepared)
             if reply.satisfiable == "unknown" and reply is not decision.UNKNOWN:
                 _OPEN.count = broken_off() + 1
@@ -349,7 +355,7 @@ class Oracle:
             elif name in world.angles:
                 cosine, sine = (reply.model.get(each) for each in world.angles[name][:2])
                 if cosine is not None and sine is not None:
-                    point[name] = _angle_within(
+                    point[name] = angle_within(
                         world.angles[name][2] * sp.atan2(sine, cosine), self.roles.get(name, REAL)
                     )
         missing = sorted(names - set(point))
@@ -362,7 +368,7 @@ class Oracle:
         """A point of the same kind in plainer numbers."""
         if not self._plain:
             return dict(point)
-        testers = [_tester(each) for each in against]
+        testers = [tester_of(each) for each in against]
 
         def serves(candidate: Point) -> bool:
             return (
@@ -372,63 +378,6 @@ class Oracle:
             )
 
         return simpler(point, self.roles, serves)
-
-
-class _Tester:
-    """A formula compiled, to be tried at points."""
-
-    def __init__(self, formula: Formula) -> None:
-        self.formula = formula
-        self._values = tuple(dict.fromkeys(relation.value for relation in relations(formula)))
-        self._program = Program.of(self._values)
-        self._tree = _placed(formula, {value: n for n, value in enumerate(self._values)})
-        self.letters = letters_of(formula)
-
-    def holds(
-        self, point: Point, balls: Mapping[str, Ball] | None = None, *, exactly: bool = False
-    ) -> bool | None:
-        """Whether the formula holds at a point; None where that is not certain.
-
-        ``exactly`` also asks algebra whether an expression vanishes there, which takes longer.
-        """
-        signs = self._program.signs(point, balls)
-        if exactly:
-            signs = [
-                0 if sign is None and _vanishes_at(value, point) else sign
-                for value, sign in zip(self._values, signs, strict=True)
-            ]
-        return _holds(self._tree, signs)
-
-    def signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
-        """The signs of the expressions in it, each once, at a point."""
-        return self._program.signs(point, balls)
-
-
-# A formula with places in a list of signs for its expressions.
-_Tree = Any  # (place, operator) | (bool, list of trees): all of them, or some
-_SIGNS = {"=": (0,), "!=": (1, -1), ">": (1,), ">=": (0, 1)}
-
-
-def _placed(formula: Formula, places: Mapping[sp.Expr, int]) -> _Tree:
-    match formula:
-        case Relation(value, operator):
-            return places[value], _SIGNS[operator]
-        case All(parts) | Some(parts):
-            return isinstance(formula, All), [_placed(part, places) for part in parts]
-
-
-def _holds(tree: _Tree, signs: Sequence[int | None]) -> bool | None:
-    kind, inner = tree
-    if kind is not True and kind is not False:
-        sign = signs[kind]
-        return None if sign is None else sign in inner
-    open_ = False
-    for each in inner:
-        truth = _holds(each, signs)
-        if truth is (not kind):
-            return truth
-        open_ = open_ or truth is None
-    return None if open_ else kind
 
 
 # --- what is remembered --------------------------------------------------------------------------
@@ -494,91 +443,9 @@ def _seen(known: _Known, x: sp.Expr) -> frozenset[int]:
     return _oracle(known)._seen(x)
 
 
-@lru_cache(maxsize=512)
-def _tester(formula: Formula) -> _Tester:
-    return _Tester(formula)
-
-
 @lru_cache(maxsize=4096)
 def _letters_of(formula: Formula) -> frozenset[str]:
     return letters_of(formula)
-
-
-def _scaled_sign(x: sp.Expr, roles: Mapping[str, Role]) -> int | None:
-    """The sign of a number times powers of positive letters, if digits show it; else None."""
-    if not _is_scaled(x, roles):
-        return None
-    number = x.xreplace({symbol: sp.Integer(1) for symbol in x.free_symbols})
-    if number.has(sp.nan, sp.zoo, sp.oo):
-        return None
-    return Program.of([number]).signs({})[0]
-
-
-def _is_scaled(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
-    letters_ = x.free_symbols
-    if not all(s.is_positive and roles.get(s.name, REAL).low == 0 for s in letters_):
-        return False
-    return _powers(x) is not None
-
-
-def _powers(x: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
-    """The powers of letters to which an expression is proportional; None where it is not."""
-    if not x.free_symbols:
-        return {}
-    if x.is_Symbol:
-        return {x: sp.Integer(1)}
-    if x.is_Add:
-        first, *others = (_powers(argument) for argument in x.args)
-        return first if all(other == first for other in others) else None
-    if x.is_Mul:
-        total: dict[sp.Symbol, sp.Expr] = {}
-        for argument in x.args:
-            own = _powers(argument)
-            if own is None:
-                return None
-            for symbol, power in own.items():
-                total[symbol] = total.get(symbol, sp.Integer(0)) + power
-        return {symbol: power for symbol, power in total.items() if power}
-    if x.is_Pow and x.exp.is_Rational:
-        inside = _powers(x.base)
-        return None if inside is None else {s: power * x.exp for s, power in inside.items()}
-    if isinstance(x, sp.Abs):
-        return _powers(x.args[0])
-    inner = [_powers(argument) for argument in x.args]
-    return {} if inner and all(each == {} for each in inner) else None
-
-
-def _vanishes_at(x: sp.Expr, point: Point) -> bool:
-    """Whether an expression is seen by algebra to be zero at a point: cos 150° + √3/2."""
-    numbers = {
-        symbol: value if isinstance(value, sp.Expr) else sp.Rational(Fraction(value))
-        for symbol in x.free_symbols
-        if (value := point.get(symbol.name)) is not None
-    }
-    try:
-        there = x.xreplace(numbers)
-        if there.free_symbols or there.has(sp.nan, sp.zoo, sp.oo):
-            return False
-        world = Polynomials([there], {})
-        return world.vanishes(world.quotient(there)[0])
-    except (TooLargeError, BeyondError, ZeroDivisionError):
-        return False
-
-
-def holds_with(formula: Formula, signs: Mapping[sp.Expr, int | None]) -> bool | None:
-    """Whether a formula holds where its expressions have these signs; None if that is open."""
-    match formula:
-        case Relation(value, operator):
-            sign = signs[value]
-            if sign is None:
-                return None
-            return {"=": sign == 0, "!=": sign != 0, ">": sign > 0, ">=": sign >= 0}[operator]
-        case All(parts):
-            truths = [holds_with(part, signs) for part in parts]
-            return False if False in truths else None if None in truths else True
-        case Some(parts):
-            truths = [holds_with(part, signs) for part in parts]
-            return True if True in truths else None if None in truths else False
 
 
 def _allowed(value: Value, role: Role) -> bool:
@@ -593,119 +460,3 @@ def _allowed(value: Value, role: Role) -> bool:
         sign is not None and (sign > 0 or (closed and sign == 0))
         for sign, (_, _, closed) in zip(signs, ends, strict=True)
     )
-
-
-def holds_at(formula: Formula, point: Point, *, exactly: bool = False) -> bool | None:
-    """Whether a formula holds at a point; None where that is not certain.
-
-    ``exactly`` also asks algebra whether an expression vanishes there, which takes longer.
-    """
-    return _tester(formula).holds(point, exactly=exactly)
-
-
-def _without_numbers(formula: Formula) -> Formula:
-    """The formula without relations between plain numbers whose truth is certain."""
-    match formula:
-        case Relation(value, operator):
-            sign = None if value.free_symbols else Program.of([value]).signs({})[0]
-            if sign is None:
-                return formula
-            return TRUE if holds_with(Relation(value, operator), {value: sign}) else FALSE
-        case All(parts):
-            return All(tuple(_without_numbers(part) for part in parts))
-        case Some(parts):
-            return Some(tuple(_without_numbers(part) for part in parts))
-
-
-def _prepared(formula: Formula, roles: Mapping[str, Role]) -> Formula:
-    match formula:
-        case Relation(value, operator):
-            return Relation(_angular(value, roles), operator)
-        case All(parts):
-            return All(tuple(_prepared(part, roles) for part in parts))
-        case Some(parts):
-            return Some(tuple(_prepared(part, roles) for part in parts))
-
-
-def _angular(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
-    """A sum of angles as the sine of a share of it, which has the same sign."""
-    low = high = sp.Integer(0)
-    angular = open_ = False
-    for term in _rational_combination(x):
-        coefficient, atom = term.as_coeff_Mul()
-        if not coefficient.is_Rational:
-            return x
-        if atom.is_Symbol:
-            role = roles.get(atom.name, REAL)
-            if role.kind != "angle" or role.low is None or role.high is None:
-                return x
-            ends = role.low, role.high
-            angular, open_ = True, open_ or not any(role.closed)
-        elif isinstance(atom, _INVERSE):
-            width = sp.pi if isinstance(atom, sp.acos | sp.atan2) else sp.pi / 2
-            ends = (sp.Integer(0) if isinstance(atom, sp.acos) else -width), width
-            if not term.free_symbols:
-                ends = atom, atom  # its value is known
-            angular = True
-            open_ = open_ or (isinstance(atom, sp.atan) and bool(term.free_symbols))
-        elif not term.free_symbols and (atom is sp.pi or coefficient is term or term.is_Rational):
-            ends = atom, atom
-        else:
-            return x
-        least, most = ends if coefficient > 0 else ends[::-1]
-        low, high = low + coefficient * least, high + coefficient * most
-    if not angular:
-        return x
-    try:
-        for end, sign in ((low, 1), (high, -1)):
-            if _exceeds(sign * end, 0):
-                return end  # so far from 0 that the angles do not matter
-        share = 1
-        while any(
-            not _exceeds(share * sp.pi, end) and not (open_ and end == share * sp.pi)
-            for end in (-low, high)
-        ):
-            share += 1
-    except BeyondError:
-        return x
-    return sp.sin(x / share)
-
-
-def _rational_combination(x: sp.Expr) -> list[sp.Expr]:
-    """The terms of a sum of which rational numbers multiply sums, with like terms together.
-
-    Nothing else is multiplied out: that may take long, and is no sum of angles.
-    """
-    shares: dict[sp.Expr, sp.Expr] = {}
-    pending = [(sp.Integer(1), x)]
-    while pending:
-        factor, each = pending.pop()
-        coefficient, rest = each.as_coeff_Mul()
-        if rest.is_Add:
-            pending.extend((factor * coefficient, term) for term in reversed(rest.args))
-        else:
-            shares[rest] = shares.get(rest, sp.Integer(0)) + factor * coefficient
-    return [share * atom for atom, share in shares.items() if share != 0] or [sp.Integer(0)]
-
-
-def _exceeds(x: sp.Expr, bound: sp.Expr | int) -> bool:
-    """Whether a number is certain to be more than another one."""
-    least, _ = ends_of(constant_interval(sp.sympify(x - bound, strict=True), 30))
-    return bool(least > 0)
-
-
-_INVERSE = (sp.atan, sp.asin, sp.acos, sp.atan2)
-
-
-def _angle_within(angle: sp.Expr, role: Role) -> sp.Expr | float:
-    """An angle turned into the range of its letter."""
-    low, high = ends_of(constant_interval(angle, 30))
-    middle = (low + high) / 2
-    for turns in (0, 1, -1, 2, -2):
-        number = float(middle) + turns * 6.283185307179586
-        inside = (role.low is None or number >= float(role.low) - 1e-12) and (
-            role.high is None or number <= float(role.high) + 1e-12
-        )
-        if inside:
-            return angle + 2 * turns * sp.pi if turns else angle
-    return angle
