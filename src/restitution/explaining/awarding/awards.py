@@ -237,13 +237,11 @@ class _Awarding:
         )
         kept = self._with_accuracy(kept)
         methods: dict[str | None, list[int]] = {}
-        earned: dict[str | None, bool] = {}
         out: dict[int, Marks] = {}
         for line in self.derivation.lines:
             marks: list[Mark] = []
             part = self.part(line)
             before = methods.setdefault(part, [])
-            earned.setdefault(part, False)
             for point in kept[line.number]:
                 if point == "M":
                     on = self._rests_on(line, before)
@@ -251,12 +249,11 @@ class _Awarding:
                 elif point == "A":
                     star = line.number in self.shown
                     # What needs no method is independent.
-                    own = not earned[part] or self._is_read_off(line, out)
+                    own = not before or self._is_read_off(line, out)
                     kind: Literal["A", "B"] = "B" if own and not (star or marks) else "A"
                     marks.append(Mark(kind, star=star, ft=not star and self._follows(line, out)))
                 else:
                     marks.append(Mark("B"))
-            earned[part] = earned[part] or bool(marks)
             if "M" in kept[line.number]:
                 before.append(line.number)
             out[line.number] = tuple(reasoned(mark) for mark in marks)
