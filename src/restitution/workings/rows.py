@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-import sympy as sp
-
-from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, Sign
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, operand, say
-from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -32,7 +28,6 @@ from restitution.planning.writing.forms import coordinates, negative
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
-from restitution.solving.story.letters import roles
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
@@ -61,6 +56,7 @@ from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.row_sides import turned_side, without_doubles
 from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
 from restitution.workings.naming.sources import is_displacement, is_time, is_vector
+from restitution.workings.naming.values_of_letters import in_the_other_sense, with_values
 from restitution.workings.rendering.steps import REQUIRED, Row
 
 # In these the second line of an equation leaves out the side that stays.
@@ -73,8 +69,6 @@ _TANGENTS = frozenset({"tan", "tan-direction"})
 # What is divided by the length of a direction: a reader sees its root below the line.
 _BY_A_LENGTH = frozenset({"scalar-angle", "component"})
 _ORDERS = frozenset({"<", "<=", ">", ">="})
-# What two values are that are known to differ.
-_STRICT: Mapping[str, Sign] = {"<": "<", "<=": "<", ">": ">", ">=": ">"}
 _VECTORS = ("velocity", "impulse")
 _WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
 
@@ -191,85 +185,9 @@ class Rows:
                 whole = [*before, *whole]
         return tuple(whole)
 
-    def _with_values(self, line: Line, links: tuple[Link, ...]) -> tuple[Link, ...]:
-        """A comparison of two letters with what they are worth: ``w₃ = ¾u < 3u/2 = w₂``.
-
-        A sign is told with its value too: ``w = 3u/8 > 0``. Only products are put in: a sum is too
-        long beside its name.
-        """
-        if line.move.id not in ("sign", "compare") or len(links) != 1:
-            return links
-        (own,) = links
-        known: dict[Expression, Expression] = {}
-        for ref in line.premises:
-            above = self._derivation.line(ref) if isinstance(ref, int) else None
-            match above.relation if above is not None else None:
-                case Relation(((Link(Letter() as letter, "="), *_),) as options):
-                    known[letter] = options[0][-1].right
-                case Relation(
-                    ((Link(Quantity("along", (_, axis)) as whole, "="), *_),)
-                ) as own_ if line.move.id == "sign" and _is_line(axis):
-                    known[whole] = own_.options[0][-1].right
-        if line.move.id == "sign" and own.left in known and is_zero(own.right):
-            value = known[own.left]
-            if has_quantity(value) or any(
-                isinstance(e, Binary) and e.op in ("+", "-") for e in walk(value)
-            ):
-                return links
-            return Link(own.left, "=", value), Link(value, own.sign, own.right)
-        if own.sign not in _STRICT or own.left not in known or own.right not in known:
-            return links
-        left, right = known[own.left], known[own.right]
-        signs = ("+", "-")
-        if any(
-            isinstance(e, Binary) and e.op in signs for tree in (left, right) for e in walk(tree)
-        ):
-            return links
-        if left == right:
-            return Link(own.left, "=", left), Link(left, "=", own.right)
-        return (
-            Link(own.left, "=", left),
-            Link(left, _STRICT[own.sign] if self._differ(left, right) else own.sign, right),
-            Link(right, "=", own.right),
-        )
-
-    def _in_the_other_sense(self, line: Line, links: Sequence[Link]) -> Expression | None:
-        """What a component is in the sense opposite to a unit vector: −**u** · **n**."""
-        own = links[0]
-        if line.move.record != "component" or len(links) > 1 or not isinstance(own.left, Quantity):
-            return None
-        for ref in line.premises:
-            above = self._derivation.line(ref) if isinstance(ref, int) else None
-            match above.relation if above is not None else None:
-                case Relation(
-                    ((Link(Quantity("along" | "across") as whole, "="), *_),)
-                ) as component:
-                    value = component.only[-1].right
-                case _:
-                    continue
-            same = own.left.arguments[0] == whole.arguments[0]
-            number = 0 if above is None else above.move.event or 0
-            if same and not is_zero(value) and self._naming.bold.has_unit(number):
-                return Negate(whole) if own.right in (Negate(value), negative(value)) else None
-        return None
-
-    def _differ(self, left: Expression, right: Expression) -> bool:
-        """Whether two values are known to differ: what has a coefficient in it may be zero."""
-        known = roles(self._naming.problem)
-
-        def letter(name: str) -> sp.Symbol:
-            positive = name in known and known[name].kind == "positive"
-            return sp.Symbol(name, positive=True) if positive else sp.Symbol(name, real=True)
-
-        try:
-            one, other = (sp.sympify(evaluate(e, letter), strict=True) for e in (left, right))
-        except RestitutionError:
-            return False
-        return bool((one - other).is_nonzero)
-
     def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
         """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
-        compared = self._with_values(line, links)
+        compared = with_values(self._derivation, self._naming, line, links)
         if compared != links:
             trees = [compared[0].left, *(link.right for link in compared)]
             laid = [self._naming.layout(each) for each in trees]
@@ -337,7 +255,7 @@ class Rows:
         quotient = self._quotient(line, links[0])
         if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
             sides[1:1], signs[:0] = [quotient], ["="]
-        back = self._in_the_other_sense(line, links)
+        back = in_the_other_sense(self._derivation, self._naming, line, links)
         if back is not None:
             sides[1:1], signs[:0] = [self._naming.layout(back)], ["="]
         shown = [side for side in sides if id(side) not in map(id, idle.values())]
@@ -695,8 +613,3 @@ def _has_root(tree: Expression) -> bool:
 
 def _sign(link: Link) -> str:
     return lay.SIGNS.get(link.sign, link.sign)
-
-
-def _is_line(axis: Expression) -> bool:
-    """Whether a component is along a line of centres, or along **i** or **j**."""
-    return isinstance(axis, Unit) or (isinstance(axis, Quantity) and axis.kind == "line_of_centres")
