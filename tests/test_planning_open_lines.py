@@ -139,4 +139,6 @@ def test_a_speed_is_the_value_of_the_one_component_without_a_vector_between() ->
         and write_relation(line.relation).startswith("velocity(Q, 1) = ")
     ]
     assert len(vectors) == 1  # by its letter
-    assert "2√3 𝐢" not in to_text(explanation_of(derivation, problem))
+    text = to_text(explanation_of(derivation, problem))
+    assert "2√3 𝐢" not in text
+    assert "    V cos φ = 6 sin φ" in text  # and not with a minus on both sides

@@ -904,7 +904,8 @@ def test_an_angle_to_the_line_of_centres_keeps_its_first_letter() -> None:
 def test_an_obtuse_angle_to_who_moves_along_i_gives_the_deflection() -> None:
     text = PAST_A_SPHERE_AT_REST.replace("2m, at rest", "4m, at rest").replace("e = 1/4", "e = 3/4")
     own = said(text)
-    assert "delta = beta - 30° = 180° - arctan(5sqrt(3)/6) - 30° [put]" in own
+    put = "delta = beta - 30° = 180° - arctan(5sqrt(3)/6) - 30° [put]"
+    assert f"{put} = 150° - arctan(5sqrt(3)/6) [rearrange]" in own
     assert sum(each.startswith("tan(") for each in own) == 1
 
 

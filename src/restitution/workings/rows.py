@@ -239,8 +239,7 @@ class Rows:
             if each.sign == "≈":
                 sides[n] = to_three_figures(trees[n]) or sides[n]
         signs = ["≈" if n in in_figures else _sign(link) for n, link in enumerate(links, 1)]
-        angle = self._tangent_of(line, links[0])
-        if angle is not None:
+        if (angle := self._tangent_of(line, links[0])) is not None:
             sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
         match links[0].right:
             case Binary("/") | Negate(Binary("/")) if line.move.record in _BY_A_LENGTH:
@@ -254,7 +253,8 @@ class Rows:
         without_doubles(sides, signs)
         quotient = self._quotient(line, links[0])
         if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
-            sides[1:1], signs[:0] = [quotient], ["="]
+            alone = len(trees) == 2 and self._naming.in_fractions(trees[0])
+            sides[1 : 1 + alone], signs[:alone] = [quotient], ["="]
         back = in_the_other_sense(self._derivation, self._naming, line, links)
         if back is not None:
             sides[1:1], signs[:0] = [self._naming.layout(back)], ["="]

@@ -118,6 +118,8 @@ class Forms:
         self._printed: dict[Expression, Expression] = {}
         self._decimal = False
         self._fractions = {Ratio(1, 2)}
+        #: Whether the statement tells an angle by a fraction, arctan(3/4): then ratios are those.
+        self.angles_by_fractions = False
         decimals: set[Ratio] = set()
         for tree in typed:
             # A percentage of a quantity makes no decimals of other numbers.
@@ -131,11 +133,14 @@ class Forms:
                         decimals.add(value)
                     case Binary("/", Number(a), Number(b)) if b:
                         self._fractions.add(a / b)
+                    case Apply("arctan" | "arcsin" | "arccos", Binary("/", Number(), Number())):
+                        self.angles_by_fractions = True
                 if isinstance(node, Binary) and node.op == "/" and _root_below(node.right):
                     parts = _parts(node)
                     if parts is not None and not parts[2]:
                         self._typed.setdefault(parts[:2], node)
         self._fractions -= decimals  # what was typed in both forms is a decimal
+        self._decimals = frozenset(decimals)
 
     def printed(self, tree: Expression) -> Expression:
         """The tree in which each number has its form, and no component is nothing."""
@@ -149,6 +154,11 @@ class Forms:
                 return left
             case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
                 return Number(a / b)
+            case Apply("arctan" | "arcsin" | "arccos" as inverse, Number(value)) if (
+                self.angles_by_fractions and value.denominator > 1 and value not in self._decimals
+            ):
+                above, below = map(Ratio, value.as_integer_ratio())
+                return Apply(inverse, Binary("/", Number(above), Number(below)))
             case Binary("*", Number(factor) as half, squares) if factor == _HALF and _has_a_square(
                 squares
             ):

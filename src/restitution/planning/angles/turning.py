@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -174,6 +175,8 @@ def _same_angle(scene: Scene, asked: Quantity) -> int | None:
     value = None if line is None else angle_by_the_same(scene, line)
     if line is None or value is None:
         scene.desk.back(mark)
+    elif value == line + 1:
+        scene.desk.lines[line - 1] = replace(scene.desk.line(line), shown="inline")
     return value
 
 

@@ -711,6 +711,8 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
         open_ = scene.unknown(earlier.value) and not scene.unknown(later.value)
         if open_ or isinstance(sides[1], Letter):
             sides.reverse()
+        if all(isinstance(each, Negate) for each in sides):
+            sides = [negative(each) for each in sides]  # along the wall in the other sense
         relation = chain(sides[0], (sides[1], None))
         if not scene.judge.follows(move, refs, relation):
             # Beside a vector that is given, one of the data is resolved in the same line.

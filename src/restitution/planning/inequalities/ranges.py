@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     letters,
+    walk,
 )
 from restitution.planning.angles.turning import turn_in_letters
 from restitution.planning.formulas.named_angles import letter_known
@@ -97,10 +98,13 @@ def _of_a_turn(
     """The range of a deflection by that of the one angle of which it is made that is not given.
 
     ``δ = 120° − arctan(√3/e)`` needs no tangent of a sum. None of another range, and where the
-    tangent is asked too, or stands.
+    tangent is asked too, or stands, or is without roots at the ends, so that it tells more.
     """
     scene = claims.scene
     if not isinstance(asked, Quantity) or asked.kind != "deflection":
+        return None
+    nodes = {n for link in relation.only for e in (link.left, link.right) for n in walk(e)}
+    if not any(isinstance(each, Apply) and each.function == "sqrt" for each in nodes):
         return None
     if Apply("tan", asked) in scene.asked or _has_its_tangent(scene, asked):
         return None

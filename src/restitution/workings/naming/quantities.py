@@ -16,6 +16,7 @@ from restitution.explaining.lines.layouts import AsTyped, of_relation, of_tree
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -116,6 +117,10 @@ class Naming(Moments):
                 sides = {"body": body, "axis": self.layout(axis), "early": first, "late": last}
                 return operand(say("derived.displacement", **sides))
         return None
+
+    def in_fractions(self, tree: Expression) -> bool:
+        """Whether a tree is a tangent where angles are told by fractions, also beside decimals."""
+        return isinstance(tree, Apply) and self.terms.forms.angles_by_fractions
 
     def as_typed(self, tree: Expression) -> lay.Layout:
         """A tree of the statement in the form in which it stands there."""
