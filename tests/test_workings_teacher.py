@@ -839,3 +839,17 @@ def test_a_ratio_of_components_is_shown_as_the_spheres_approach() -> None:
         """)
     assert "not written out" not in own
     assert "v² = (3e − 1)u²/4" in own
+
+
+def test_a_velocity_along_the_line_follows_its_component_at_every_impact() -> None:
+    own = text("""
+        wall W: along j
+        sphere A: mass 3m, velocity u i
+        sphere B: mass m, at rest
+        A hits B: along i, e = 1
+        B hits W: e = 1/2
+        A hits B: along i, e = 1
+        find velocity(A), velocity(B)
+        """)
+    assert "from its components" not in own
+    assert "𝐯_B3 = (9u/8)𝐢" in own

@@ -83,8 +83,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """Whether a velocity along **i** or **j** has the component that the line above says."""
         assert isinstance(line.relation, Relation)
         own = line.relation.options[0][0]
-        above = self._cited(line.number - 1) if line.number - 1 in line.premises else None
-        if above is None or above.shown != "line" or not isinstance(own.left, Quantity):
+        above = self._printed_above(line)
+        cited = above is not None and above.number in line.premises
+        if above is None or not cited or not isinstance(own.left, Quantity):
             return False
         units = [node for node in walk(own.right) if isinstance(node, Unit)]
         return (
@@ -94,6 +95,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             and len(above.relation.options) == 1
             and isinstance(above.relation.only[0].left, Letter)
         )
+
+    def _printed_above(self, line: Line) -> Line | None:
+        """The nearest line above one that is printed by itself; a letter that is let is none."""
+        above = (self._derivation.line(n) for n in range(line.number - 1, 0, -1))
+        return next((e for e in above if e and e.shown == "line" and _is_said(e)), None)
 
     def _by_a_multiple(self, line: Line) -> bool:
         """Whether a speed is read off a velocity that is a multiple of another."""
@@ -679,3 +685,10 @@ def _off_lines(line: Line) -> tuple[tuple[str, int], ...]:
     )
     at_sight = straight or (line.move.record == "perpendicular" and len(moving) < len(arguments))
     return () if at_sight else moving
+
+
+def _is_said(line: Line) -> bool:
+    """Whether a line is no letter that is let, and no component that there is none of."""
+    if not isinstance(line.relation, Relation):
+        return False
+    return line.move.record != "unchanged" or not is_zero(line.relation.options[0][-1].right)
