@@ -194,6 +194,19 @@ def test_the_length_of_a_chord_is_by_the_angle_of_the_data() -> None:
     assert "distance(position(P, 0), position(P, 1)) = 2a cos(alpha)" in lines(derivation, "chord")
 
 
+def test_a_deflection_on_a_chord_is_by_angles_that_need_no_place() -> None:
+    problem, derivation = planned(
+        """
+        wall C: circle centre (0, 0) radius a
+        sphere P: at (-a, 0), velocity u at 30°
+        P hits C: e = 1/3
+        find deflection(P)
+        """
+    )
+    assert "angle of deflection of P = 60° + 30° = 90°" in printed(problem, derivation)
+    assert "position(P, 1)" not in " ".join(each for each in said(derivation) if "=" in each)
+
+
 def test_an_angle_with_a_circle_is_with_the_tangent_where_the_velocity_begins() -> None:
     problem = parse(
         """

@@ -81,6 +81,18 @@ def test_places_at_one_wall_are_apart_by_their_coordinates() -> None:
     assert answers(derivation) == ["distance(position(P, 1), position(P, 3)) = 36"]
 
 
+def test_a_distance_may_be_to_a_place_that_is_told_by_its_coordinates() -> None:
+    derivation = working(
+        """
+        wall W: along j, through (6, 0)
+        sphere P: at (0, 0), velocity 3i + 2j
+        P hits W: e = 1/2
+        find distance(position(P, 1), (3, 0)), position(P)
+        """
+    )
+    assert answers(derivation)[0] == "distance(position(P, 1), (3, 0)) = 5"
+
+
 def test_letters_of_length_and_speed() -> None:
     derivation = working(
         """

@@ -77,6 +77,7 @@ from restitution.planning.formulas.velocity_formulas import (
 )
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.angles import angle_to_a_line
+from restitution.planning.writing.circles import chord_from
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     TWO,
@@ -481,6 +482,8 @@ def _deflection(
     frame = scene.frame(event)
     if frame.wall and not wanted and isinstance(angle_of_approach(scene, body, frame), Degrees):
         return _by_sum(scene, asked)
+    if wanted is None and frame.wall and chord_from(scene, body, event) is not None:
+        return _by_sum(scene, asked)  # the angles are known before the place is
     square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
     if square is not None:
         return square

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref
-from restitution.expression.tree import Apply, AtTime, Expression, Name, Quantity, Unit
+from restitution.expression.tree import Apply, AtTime, Expression, Name, Pair, Quantity, Unit
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.separations import separation_known
 from restitution.planning.formulas.whereabouts import (
@@ -190,6 +190,8 @@ def _end(scene: Scene, tree: Expression, stage: Any) -> Source:
         case Name(name) if f"point {name}" in scene.facts:
             value = tidied(scene, scene.value(tree))
             return Source(value, (f"point {name}",))
+        case Pair():
+            return Source(tidied(scene, scene.value(tree)), ())
         case Name(name):
             return _end(scene, Quantity("position", (tree,), stage), stage)
         case Quantity("position", (Name(body),), int(number)):
