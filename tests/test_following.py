@@ -14,6 +14,8 @@ from restitution.explaining.lines.quotients import NotComparableError
 from restitution.explaining.lines.storing import from_json, to_json
 from restitution.language.reading import parse
 from restitution.oracle.roles import POSITIVE
+from restitution.solving import solve
+from restitution.workings import explain
 
 WHOLE = ("leads-nowhere", "fact-not-used", "answer-missing")
 
@@ -675,3 +677,58 @@ def test_an_inequality_has_its_values_from_lines_that_it_cites() -> None:
         complaints = follow(derivation_of(problem, lines.format(cited)), oracle_of(problem))
         bad = {each.line for each in complaints if each.reason == "does-not-follow"}
         assert bad == ({8} if wrong else set())
+
+
+@pytest.mark.parametrize(
+    ("line", "follows"),
+    [
+        ("energy(0) (1 - e^2) = (m u^2 + M v^2)(1 - e^2)/2", True),
+        ("(1 - e^2) energy(0) = (1 - e^2)(m u^2 + M v^2)/2", True),
+        ("energy(0) (1 - e^2) = (m u^2 + M v^2)(1 + e^2)/2", False),
+        ("energy(0) (1 - e^2) = (m u^2 - M v^2)(1 - e^2)/2", False),
+    ],
+)
+def test_both_sides_times_what_may_vanish(line: str, follows: bool) -> None:
+    """1 − e² is 0 for e = 1, and yet an equation may be multiplied by it."""
+    problem = parse(
+        "sphere A: mass m, velocity u i\nsphere B: mass M, velocity -v i\nA hits B: along i\n"
+        "find energy(0) (1 - e^2)"
+    )
+    lines = f"""
+    1 a | define energy | mass A, velocity A, mass B, velocity B | energy(0) = (m u^2 + M v^2)/2
+    2 a | rearrange | 1 | {line}
+    """
+    complaints = follow(derivation_of(problem, lines), oracle_of(problem))
+    assert (2 in {each.line for each in complaints if each.reason == "does-not-follow"}) != follows
+
+
+@pytest.mark.parametrize(
+    ("impulse", "follows"),
+    [
+        ("abs(m (a + e a))", True),
+        ("abs(-m (1 + e) a)", True),
+        ("abs(m (a - e a))", False),
+        ("abs(m a) + abs(e a)", False),
+    ],
+)
+def test_the_size_of_an_impulse_in_either_sense(impulse: str, follows: bool) -> None:
+    """The letter a is a component of the data, and P may come from either side."""
+    problem = parse("wall W: along j\nsphere P: mass m, velocity a i - b j\nP hits W\nfind impulse")
+    lines = f"""
+    1 a | law restitution-wall 1 P | axis 1, velocity P, e 1 | along(velocity(P, 1), i) = -e a
+    2 a | law impulse 1 P | mass P, velocity P, axis 1, 1 | impulse(1) = {impulse}
+    """
+    complaints = follow(derivation_of(problem, lines), oracle_of(problem))
+    assert (2 in {each.line for each in complaints if each.reason == "does-not-follow"}) != follows
+
+
+def test_a_fact_of_a_letter_that_nothing_needs_is_no_fault() -> None:
+    """With e₂ = e₁ the speed is e₁u at any angle, and the working says so."""
+    problem = parse(
+        "wall AB: along i\nwall BC: along j\nsphere P: mass m, velocity u at alpha to AB\n"
+        "P hits AB: e = e1\nP hits BC: e = e2\nfind speed(P)\n"
+        "part b\ngiven e1 = e2, tan(alpha) = 2, speed(P) = 3/5 u\nfind e1"
+    )
+    explanation = explain(solve(problem), check=True)
+    assert explanation.followed
+    assert "It is also given that tan α = 2, which is not needed here." in str(explanation)

@@ -282,6 +282,23 @@ part b
 given e = 1/3
 find alpha
 """,
+    "a cosine that two parts give, of which only the later one needs the sine": """
+sphere A: mass m, velocity 2u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+part a
+given energy_lost = 1/4 energy(0), cos(alpha) = 4/5
+find e
+part b
+given speed(B) = 3/4 u, cos(alpha) = 4/5
+find e, direction(A)
+""",
+    "a share of an energy that may be none of it": """
+sphere A: mass m, velocity u i
+sphere B: mass M, velocity -v i
+A hits B: along i
+show energy_lost <= energy(0) (1 - e^2)
+""",
     "an angle that is no plain one, of a coefficient that a later part gives": """
 wall W: along i
 sphere P: velocity u at theta to W

@@ -14,7 +14,8 @@ from restitution.components.models import Model
 from restitution.components.telling import model
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Derivation, Link, Meaning, Relation
+from restitution.explaining.data.unused import first_lines_of_letters
+from restitution.explaining.lines.derivation import Derivation, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Apply, Letter, has_quantity, is_zero, letters
@@ -184,18 +185,6 @@ class Known:
     anywhere: AbstractSet[str]
     above: AbstractSet[str]
     squares: Mapping[str, Layout]
-
-
-def first_lines_of_letters(derivation: Derivation) -> dict[str, int]:
-    """The letters of which, or of a ratio of which, a line says the value, with the first one."""
-    first: dict[str, int] = {}
-    for line in derivation.lines:
-        for links in () if isinstance(line.relation, Meaning) else line.relation.options:
-            for side in (*(link.left for link in links), links[-1].right):
-                own = side.argument if isinstance(side, Apply) else side
-                if isinstance(own, Letter):
-                    first.setdefault(own.name, line.number)
-    return first
 
 
 def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:

@@ -17,7 +17,7 @@ from itertools import takewhile
 from typing import TYPE_CHECKING, Any
 
 from restitution.explaining.data.offset_angles import letter_of_offset
-from restitution.explaining.data.unused import spare_facts
+from restitution.explaining.data.unused import is_of_open_data, spare_facts
 from restitution.explaining.lines.derivation import (
     Derivation,
     ItemEnd,
@@ -34,14 +34,13 @@ from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Expression,
     Quantity,
-    has_quantity,
     letters,
     walk,
 )
 from restitution.problem import Problem, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
-from restitution.workings.conditions import first_lines_of_letters, is_same
+from restitution.workings.conditions import is_same
 from restitution.workings.leads.carried import Carried
 from restitution.workings.leads.given_leads import GivenLeads
 from restitution.workings.leads.introductions import Introductions
@@ -313,16 +312,13 @@ class _Writer:
 
         What is given of a letter of which no line says the value has nothing with which to agree.
         """
-        valued = set(first_lines_of_letters(self.derivation))
         labels = list(dict.fromkeys(self.derivation.asked.values()))
         for fact in spare_facts(self.derivation):
             home = fact.part if fact.part in labels else labels[-1]
             if home == label:
                 words = fact_in_words(self.naming, fact)
                 yield from self._introduced()
-                trees = tuple(trees_of(fact.relation))
-                of_data = not any(map(has_quantity, trees))
-                open_ = of_data and not any(valued & letters(each) for each in trees)
+                open_ = is_of_open_data(fact, self.derivation)
                 sentence = say("given.not-needed" if open_ else "given.agrees", fact=words)
                 yield Step("note", sentences=(sentence,))
 

@@ -6,7 +6,9 @@ from collections.abc import Callable, Iterator
 from collections.abc import Set as AbstractSet
 from functools import partial
 
-from restitution.explaining.lines.derivation import Derivation, Fact, Ref
+from restitution.explaining.lines.derivation import Derivation, Fact, Meaning, Ref
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.tree import Apply, Letter, has_quantity, letters
 
 
 def unused_facts(
@@ -43,6 +45,28 @@ def spare_facts(derivation: Derivation) -> Iterator[Fact]:
     """The given facts that no answer needs, where there are answers; where there are none, none."""
     if all(note.kind in _OF_A_SOLUTION for note in derivation.notes):
         yield from unused_facts(derivation, partial(lines_under, derivation))
+
+
+def first_lines_of_letters(derivation: Derivation) -> dict[str, int]:
+    """The letters of which, or of a ratio of which, a line says the value, with the first one."""
+    first: dict[str, int] = {}
+    for line in derivation.lines:
+        for links in () if isinstance(line.relation, Meaning) else line.relation.options:
+            for side in (*(link.left for link in links), links[-1].right):
+                own = side.argument if isinstance(side, Apply) else side
+                if isinstance(own, Letter):
+                    first.setdefault(own.name, line.number)
+    return first
+
+
+def is_of_open_data(fact: Fact, derivation: Derivation) -> bool:
+    """Whether a fact is about letters of the data alone, of which no line says the value.
+
+    There is nothing with which it would have to agree.
+    """
+    trees = tuple(trees_of(fact.relation))
+    valued = set(first_lines_of_letters(derivation))
+    return not any(map(has_quantity, trees)) and not any(valued & letters(each) for each in trees)
 
 
 def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:

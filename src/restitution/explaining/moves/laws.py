@@ -122,6 +122,8 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     if isinstance(left, Plane) or isinstance(right, Plane) or isinstance(above, Plane):
         return False
     if isinstance(link.left, Quantity):
+        if _is_size_of(step, line, link.left, right):
+            return True
         squares = left * left - right * right
         if may_match(step, line, (squares,)) and matches(step, line, squares):
             return True  # the size of an impulse, in whichever sense
@@ -134,6 +136,18 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     if sign is None:
         return False
     return matches(step, line, left + right if sign == -1 else left - right)
+
+
+def _is_size_of(step: Step, line: Link, quantity: Quantity, value: Quotient) -> bool:
+    """Whether a line says a size to be the one of a value: ``|m(a + ea)|`` of either sign."""
+    if (line.left, line.sign) != (quantity, "="):
+        return False
+    if not isinstance(line.right, Apply) or line.right.function != "abs":
+        return False
+    inside = step.rules().put_into(step.world.value(line.right.argument))
+    if isinstance(inside, Plane):
+        return False
+    return step.world.reduced(inside * inside - value * value).vanishes
 
 
 def _note_pace(step: Step, link: Link, rules: Rules) -> None:

@@ -162,12 +162,31 @@ def is_rearrangement(step: Step, line: Link) -> bool:
         return _with_factor_known(step, line)
     return any(
         _same_direction(step, line, each)
+        or _is_multiplied(step, line, each)
         or _is_squared(step, line, each)
         or is_root_of(step, line, each)
         or matches(step, line, expected_residual(step, each, Rules(step.world)), each.sign)
         for each in flat(base.only)
         if each.sign != "≈"
     )
+
+
+def _is_multiplied(step: Step, line: Link, base: Link) -> bool:
+    """Whether a line has both sides times a factor that stands beside the left one.
+
+    The factor may vanish somewhere, as 1 − e² does.
+    """
+    match line.left:
+        case Binary("*", first, second) if base.left in (first, second):
+            factor = step.world.value(second if first == base.left else first)
+        case _:
+            return False
+    own, other = (step.world.value(each.right) for each in (line, base))
+    if line.sign != "=" or base.sign != "=":
+        return False
+    if not all(isinstance(each, Quotient) for each in (factor, own, other)):
+        return False
+    return step.world.reduced(own - factor * other).vanishes  # type: ignore[operator]
 
 
 def _is_squared(step: Step, line: Link, base: Link) -> bool:

@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Link,
     Meaning,
     Note,
+    Ref,
     Relation,
 )
 from restitution.explaining.lines.trees import trees_of
@@ -107,7 +108,10 @@ def _where_needed(derivation: Derivation) -> Derivation:
             )
             and items[item or ""] > items[line.item or ""]
         )
-        own = replace(line, item=item) if moves else line
+        own = line
+        if moves:
+            premises = _cited_in(derivation, line.premises, parts[item or ""])
+            own = replace(line, item=item, premises=premises)
         lines.insert(0, own)
         for ref in own.premises:
             if isinstance(ref, int) and own.item in items:
@@ -119,6 +123,19 @@ def _where_needed(derivation: Derivation) -> Derivation:
     last = len(items)
     lines.sort(key=lambda each: items.get(each.item or "", last))
     return numbered_anew(derivation, lines)
+
+
+def _cited_in(
+    derivation: Derivation, premises: tuple[Ref, ...], part: str | None
+) -> tuple[Ref, ...]:
+    """What a line cites, in another part: a fact that is given there too, as it is given there."""
+    own = {fact.relation: fact.id for fact in derivation.facts if fact.part == part}
+    cited: list[Ref] = []
+    for ref in premises:
+        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        elsewhere = fact is not None and fact.part not in (None, part)
+        cited.append(own.get(fact.relation, ref) if fact is not None and elsewhere else ref)
+    return tuple(cited)
 
 
 def _in_pairs(derivation: Derivation) -> Derivation:
