@@ -300,7 +300,7 @@ def test_the_letter_of_a_component_answers_as_that_of_the_velocity():
     marks = restitution.mark(solution(PAIR), typed).marks
     assert marks.earned == marks.of
     wrong = restitution.mark(solution(PAIR), [*typed[:4], "vB = i + 2j"]).marks
-    assert wrong.earned == wrong.of - 1
+    assert wrong.earned == wrong.of - 2  # the component across of B, and its velocity
 
 
 def test_two_components_answer_for_a_velocity():
@@ -864,3 +864,54 @@ given tan(alpha) = 2
 show energy(P)/energy(0) = (1 + 4 e^2)/5
 """
     assert states(wall, f"sinα = 2/√5, cosα = 1/√5\n{line}")[-1] == state
+
+
+INVERTED = """
+wall W
+sphere P: mass 0.5, velocity 5i - 5j
+P hits W
+given velocity(P) = i + 3j
+find e
+"""
+
+
+def test_components_below_which_a_law_is_upside_down_imply_no_law() -> None:
+    lines = "n = (-i + 2j)/√5\nu.n = -15/√5, v.n = 5/√5\n"
+    right, wrong = (states(INVERTED, lines + end) for end in ("e = 5/15", "e = 15/5 = 3"))
+    assert right[-3:] == ["earned"] * 3
+    assert wrong[-3:] == ["lost"] * 3
+
+
+IMPULSE_AND_LOSS = """
+sphere A: mass 3, velocity 3i + 5j
+sphere B: mass 1, velocity -5i + 2j
+A hits B: along i, e = 1/4
+find impulse, energy_lost
+"""
+
+
+@pytest.mark.parametrize(
+    ("last", "state"),
+    [("I = 3(3 + 0.5) = 10.5", "lost"), ("I = 7.6", "earned"), ("I = 7.5 = 15", "earned")],
+)
+def test_an_answer_that_another_one_replaces_is_withdrawn(last: str, state: str) -> None:
+    """A decimal of it that is a little wrong, and a chain from it, withdraw nothing."""
+    lines = f"v = 0.5, w = 2.5\nI = 3(3 - 0.5) = 7.5\nloss = 22.5\n{last}"
+    marking = restitution.mark(restitution.parse(IMPULSE_AND_LOSS), lines).json()
+    impulse = [each for each in marking["marks"]["points"] if each["line"] in (2, 4)]
+    assert impulse[-1]["state"] == state
+
+
+IN_NUMBERS = """
+sphere A: mass 4m, velocity 5u at alpha
+sphere B: mass m, velocity 13u at beta from -i
+given tan(alpha) = 4/3, tan(beta) = 12/5
+A hits B: along i, e = 1/4
+find speed(A)
+"""
+
+
+def test_what_follows_from_sine_for_cosine_in_both_laws_keeps_their_methods() -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    lines = "along loc: A 5usinα = 4u\n4m(4u) - m(12u) = 4mv + mw\nw - v = ¼(4u + 12u)"
+    assert states(IN_NUMBERS, lines, letters)[1:5] == ["earned", "lost", "earned", "lost"]

@@ -70,8 +70,8 @@ def _corrections(
             continue  # the coefficient is there: e(4 - 1) has a wrong sign, ½ × 5 = 3.5 a wrong sum
         for base in (approach, None) if is_numeric(side) else (approach,):
             factor = _factor(size, base, own)
-            if factor is None:
-                continue
+            if factor is None or not _has_value(side, np.float64(factor.value)):
+                continue  # q - p = 5 quotes no number for a coefficient
             put = Binary("*", side, Binary("/", coefficient, factor))
             left = place == "left"
             yield replace(entry.claim, left=put) if left else replace(entry.claim, right=put)

@@ -133,7 +133,7 @@ class EachPoint:
             if divided is not None:
                 return self._earned(point, divided, "")
         if lost is None and point.principle in ("solve", "condition", "method"):
-            line_of_value = self._elimination(point)
+            line_of_value = self._elimination(point) or self._worked_out(point)
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         tangent = self._by_tangent(point)
@@ -340,7 +340,9 @@ class EachPoint:
                 state: State = "earned" if through else "lost"
                 last = PointMark(point, state, line.line.number, "follows from an earlier slip")
             elif line.verdict == "false":
-                if last is not None and last.state == "earned" and not self._is_begun(point, last):
+                stands = last is not None and last.state == "earned"
+                stands = stands and not (last and self._is_begun(point, last))
+                if stands and not self.values.replaces(point, line):
                     continue  # what is wrong behind a right answer loses nothing
                 last = PointMark(point, "lost", line.line.number, self._reason(line))
             elif line.verdict == "unsupported":
@@ -486,6 +488,18 @@ class EachPoint:
             None,
         )
 
+    def _worked_out(self, point: MarkPoint) -> JudgedLine | None:
+        """The line of an answer for which no working is known, with a step in it or above it."""
+        answer = next((each for each in self.scheme.points if point.id in each.depends), None)
+        if point.principle != "method" or answer is None:
+            return None
+        mark = self._value(answer)
+        line = self._line(mark.line) if mark.state == "earned" else None
+        first = line is not None and all(
+            each is line or each.verdict != "true" for each in self.lines
+        )
+        return None if line is None or (first and len(line.line.links) < 2) else line
+
     def _first_line(self, point: MarkPoint) -> int:
         """The number of the line in which all that a point depends on has been attempted."""
         needed = (self.states[name].line or 0 for name in point.depends if name in self.states)
@@ -538,7 +552,8 @@ class EachPoint:
     def _is_stated_wrongly(self, line: JudgedLine, use: Use, point: MarkPoint) -> bool:
         """Whether a line only implies a law, or follows, that a line above states wrongly.
 
-        The impulse on one sphere implies no momentum of two.
+        The impulse on one sphere implies no momentum of two, and components imply no law that is
+        stated wrongly below them.
         """
         law = point.principle
         if law not in LAWS or use.altered is not None or line.verdict == "false":
@@ -552,7 +567,7 @@ class EachPoint:
                 for own in fitting_uses(each)[:1]
             )
             for each in self.lines
-            if each.line.number < line.line.number
+            if each.line.number < line.line.number or is_of_what_stays(line)
         )
 
     def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
@@ -598,6 +613,9 @@ class EachPoint:
         """Whether a false line of a principle keeps its method, and why."""
         mistake = line.mistake
         name = (use.altered or "").partition("/")[0] or (mistake.id if mistake else None)
+        above = [each.mistake.id for each in self._roots(line) if each.mistake is not None]
+        if line.verdict == "follows" and len(above) == 1 and above[0] in MISCONCEPTIONS:
+            name = above[0]  # what follows from one mistake has no other
         named = MISCONCEPTIONS.get(name or "")
         if named is not None:
             rule = named.mark_of(use.principle) or "M0"

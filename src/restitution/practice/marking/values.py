@@ -50,6 +50,8 @@ _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
     "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
     "parallel to": re.compile(r"\b(parallel|direction|along|line of centres|loc)\b", re.IGNORECASE),
 }
+# So near, relative to it, a decimal may be meant for a value that stands above.
+_CONVERTED = 0.05
 # Of a decimal that is an answer.
 _FIGURES = 3
 # What is said of a line that rests on several laws.
@@ -122,6 +124,28 @@ class Values(Sides):
             for side in (claim.left, claim.right)
             for each in ranged
         )
+
+    def replaces(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives what is asked another value, and no decimal of the true one.
+
+        A chain that has the true value as well withdraws nothing.
+        """
+        link = point.link
+        if link is None or point.item is None or point.shown or link.sign != "=":
+            return False
+        value = self.value_of(link.left, line)
+        sides = [
+            side for chain in chains(line) for each in chain for side in (each.left, each.right)
+        ]
+        bare = (side for side in sides if not any(names_in(side)))
+        if value is None or any(self._is_worth(side, link.left, line) for side in bare):
+            return False
+        try:
+            own = np.abs(self._base.scalar(value, self._meanings(line), scope=line.line.scope))
+            true = np.abs(self._base.scalar(link.left))
+        except RestitutionError:
+            return True  # a vector is not rounded to be another one
+        return not bool(np.all(np.abs(own - true) <= _CONVERTED * true))
 
     def compares(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a true line compares the values of what a printed inequality compares."""
