@@ -436,7 +436,7 @@ def _sides(
         # a x² + b x + c = 0
         minus = scene.model.sign(left[0][1]) < 0
         return _descending([(m, -c if minus else c) for m, c in left], generators), number(0)
-    falling = len(generators) == 1 and max(m[0] for m, _ in (*left, *right)) > 1
+    falling = len(generators) == 1 and max((m[0] for m, _ in (*left, *right)), default=0) > 1
     highest = [max(each)[1] for each in (left, right) if each]
     falling = falling and all(scene.model.sign(each) > 0 for each in highest)
     falling = falling and not _is_a_coefficient(scene, generators[0])

@@ -85,7 +85,7 @@ def by_roots(
         linear = [sp.expand(sides[0] - sides[1]), sp.expand(sides[0] + sides[1])]
     if sides is not None or (len(linear) > 1 and any(each.atoms(sp.Pow) for each in linear)):
         factors = [(each, 1) for each in linear]  # with roots of numbers they are not found again
-    polynomials = [sp.Poly(base, generator) for base, _ in factors]
+    polynomials = [_without_root_in_front(sp.Poly(base, generator)) for base, _ in factors]
     if not factors or any(
         polynomial.degree() > 2
         or symbol in (c for x in polynomial.coeffs() for c in x.free_symbols)
@@ -440,8 +440,24 @@ def _is_in_powers(scene: Scene, link: Link, letter: sp.Expr) -> bool:
 def _plain(scene: Scene, above: sp.Expr, generator: sp.Expr) -> sp.Poly:
     """A polynomial without a common factor, and with what is positive in front."""
     x = sp.Dummy(real=True)
-    _, rest = sp.Poly(above.xreplace({generator: x}), x).primitive()
+    _, rest = _without_root_in_front(sp.Poly(above.xreplace({generator: x}), x)).primitive()
     return -rest if scene.model.sign(rest.LC()) < 0 else rest
+
+
+def _without_root_in_front(polynomial: sp.Poly) -> sp.Poly:
+    """A quadratic divided by the root of a number in its first term, where roots go by that.
+
+    ``2√3 x² − 3(1 + e)x + √3(1 − e)`` is √3 times ``2x² − √3(1 + e)x + 1 − e``.
+    """
+    if polynomial.degree() != 2:
+        return polynomial
+    lead = polynomial.LC()
+    _, root = lead.as_independent(*lead.free_symbols)[0].as_coeff_Mul()
+    if not (root.is_Pow and root.base.is_Integer and root.exp == sp.Rational(1, 2)):
+        return polynomial
+    divided = sp.Poly([sp.expand(each / root) for each in polynomial.all_coeffs()], polynomial.gen)
+    before, after = (sum(c.has(root) for c in e.all_coeffs()) for e in (polynomial, divided))
+    return divided if after < before else polynomial
 
 
 def _in_factors(
