@@ -30,6 +30,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Expression,
@@ -37,7 +38,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.problem import Problem, Show
+from restitution.problem import Problem, Show, Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.conditions import is_same
@@ -56,17 +57,22 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.row_sides import root_but_for_sign
 from restitution.workings.naming.sources import Sources
 from restitution.workings.noted import Notes
 from restitution.workings.reasons.premises import Reasons
 from restitution.workings.rendering.explanation import Explanation
 from restitution.workings.rendering.joining import joined
 from restitution.workings.rendering.steps import REQUIRED, PartExplanation, Row, Step
-from restitution.workings.rows import Rows, is_one_size
+from restitution.workings.rows import Rows
 
 if TYPE_CHECKING:
     from restitution.solving.equations.solution import Solution
 
+_PERCENTAGES: Mapping[SentenceId, SentenceId] = {
+    "made.fraction-lost": "made.percentage-lost",
+    "fraction-lost.title": "fraction-lost.percentage",
+}
 # Definitions that speak of the whole motion: they begin no working of an impact.
 _OF_THE_WHOLE = frozenset(
     {"energy", "total", "total-lost", "energy-ratio", "energy-lost", "assemble", "speed"}
@@ -282,7 +288,7 @@ class _Writer:
             and line.number in after.premises
             and line.number not in self.sources.numbers
             and isinstance(line.relation, Relation)
-            and is_one_size(line.relation)
+            and root_but_for_sign(line.relation.options) is not None
             and not line.marks
             and self.ends.of(line) is None
             and line.number not in self.conditions
@@ -434,6 +440,11 @@ class _Writer:
             self.afresh()
             yield Step("heading", sentences=(self.naming.heading(event),), event=number)
 
+    def _is_a_percentage(self, line: Line) -> bool:
+        """Whether what a line ends with is asked as a percentage."""
+        asked = self.ends.asked(line)
+        return isinstance(asked, Value) and asked.percentage
+
     def _unchanged(self, lines: Sequence[Line]) -> Step:
         """The components that stay as a sentence."""
         title, sentence = self.staying.sentences(lines)
@@ -470,6 +481,9 @@ class _Writer:
         again = bool(sentences) and sentences == self.before and not given
         self.before = sentences
         title = None if named else title
+        if self._is_a_percentage(line):
+            sentences = tuple(map(_of_a_percentage, sentences))
+            title = None if title is None else _of_a_percentage(title)
         sentences, source = self.carried.beside(title, () if again else sentences, _subject(line))
         decimals = self.rows.decimals(line)
         numbers = self.sources.numbers
@@ -479,7 +493,7 @@ class _Writer:
             rows[-1],
             points=points,
             reasons=(*rows[-1].reasons, *self.leads.behind(line), *self.reasons.of(line)),
-            asides=(*rows[-1].asides, *self.rows.asides(line)),
+            asides=(*rows[-1].asides, *self.rows.asides(line, line.number in self.conditions)),
             number="" if behind is None else str(behind),
             label=self.ends.label(line, self.said_again),
         )
@@ -578,6 +592,12 @@ def _before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
 
 def _is_axis(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
+
+
+def _of_a_percentage(sentence: Sentence) -> Sentence:
+    """What speaks of a fraction, of a percentage."""
+    name = _PERCENTAGES.get(sentence.id)
+    return sentence if name is None else Sentence(name, sentence.slots)
 
 
 def _subject(line: Line) -> Expression | None:

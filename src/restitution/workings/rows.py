@@ -53,7 +53,12 @@ from restitution.workings.naming.measured import (
     with_unit,
 )
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.naming.row_sides import turned_side, without_doubles
+from restitution.workings.naming.row_sides import (
+    are_values,
+    root_but_for_sign,
+    turned_side,
+    without_doubles,
+)
 from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
 from restitution.workings.naming.sources import is_displacement, is_time, is_vector
 from restitution.workings.naming.values_of_letters import in_the_other_sense, with_values
@@ -150,8 +155,11 @@ class Rows:
         name = self._naming.unit_vector(self._naming.events[stage])
         return Row((operand(name), self._naming.layout(unit)), ("=",))
 
-    def asides(self, line: Line) -> Iterator[Sentence]:
-        """What stands behind a row in brackets: that it was to be shown."""
+    def asides(self, line: Line, conditioned: bool) -> Iterator[Sentence]:
+        """What stands behind a row in brackets: that it was to be shown, which roots there are.
+
+        Of roots that are ``conditioned`` another sentence says when.
+        """
         end = self._ends.of(line)
         if self._ends.is_required(line):
             yield from REQUIRED
@@ -161,6 +169,9 @@ class Rows:
                 yield called
             if self._is_gain(line):
                 yield say("derived.gained")
+            if are_values(line.relation) and not conditioned:
+                both = len(line.relation.options) == 2
+                yield say("derived.both-possible" if both else "derived.all-possible")
 
     def _is_gain(self, line: Line) -> bool:
         """Whether a loss of kinetic energy that was asked is a negative number."""
@@ -506,7 +517,7 @@ class Rows:
     def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
         """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
         first, *rest = options
-        root = None if asked else _opposite(options)
+        root = None if asked else root_but_for_sign(options)
         if root is not None:
             subject, size = self._naming.layout(root.left), self._naming.layout(root.right)
             either = lay.Brackets(size) if isinstance(size, lay.Sum) else size
@@ -577,23 +588,6 @@ def _without_subject(relation: lay.Relation) -> lay.Layout:
     """The right sides of an equation."""
     sides, signs = relation.operands[1:], relation.signs[1:]
     return sides[0] if len(sides) == 1 else lay.Relation(sides, signs)
-
-
-def is_one_size(relation: Relation) -> bool:
-    """Whether a relation has two roots that differ in their sign alone."""
-    return _opposite(relation.options) is not None
-
-
-def _opposite(options: tuple[tuple[Link, ...], ...]) -> Link | None:
-    """The positive one of two roots that differ in their sign alone."""
-    if len(options) != 2 or any(len(option) != 1 or option[0].sign != "=" for option in options):
-        return None
-    (one,), (two,) = options
-    if one.left != two.left:
-        return None
-    if two.right == Negate(one.right):
-        return one
-    return two if one.right == Negate(two.right) else None
 
 
 def _has_decimals(side: lay.Layout) -> bool:

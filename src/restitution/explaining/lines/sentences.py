@@ -60,6 +60,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "perpendicular to the wall."
     ),
     "momentum.title": "Conservation of momentum along the line of centres",
+    "momentum.of-one": (
+        "Conservation of momentum along the line of centres, as both masses are 1 kg"
+    ),
     "momentum.why": (
         "The spheres push each other with equal and opposite impulses, so what one gains in "
         "momentum the other loses: the total is the same before and after. The impulses act "
@@ -991,6 +994,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",
     "made.fraction-lost": "Fraction of the kinetic energy that is lost:",
+    "made.percentage-lost": "Percentage of the kinetic energy that is lost:",
     "derived-speed.one": "The velocity of {body} has one component only",
     "derived-speed.along": "{body} moves along the line of centres",
     "derived-speed.along-from-rest": "{body} was at rest, so it moves along the line of centres",
@@ -1013,6 +1017,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.by": "{how:capital}:",
     "derived.by-from": "From {equations:and}, {how}:",
     "derived.gained": "kinetic energy is gained",
+    "derived.both-possible": "both are possible",
+    "derived.all-possible": "all are possible",
     "derived.pythagoras": "as sin² + cos² = 1",
     "derived.double-angle": "by the formulae for the double angle",
     "derived.multiple-angle": "by the formulae for multiple angles",
@@ -1120,6 +1126,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
     "fraction-lost.title": "Fraction of the kinetic energy that is lost, in which the mass cancels",
+    "fraction-lost.percentage": (
+        "Percentage of the kinetic energy that is lost, in which the mass cancels"
+    ),
     "fraction-lost.why": (
         "The kinetic energy of one body is half its mass times the square of its speed. Where one "
         "body loses energy, half its mass stands above and below in the fraction that is lost, and "

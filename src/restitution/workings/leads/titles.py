@@ -164,6 +164,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if record.id == "distance":
             return distance_title(self._derivation, line)
         match record.id, first.left:
+            case "momentum", _ if all(map(self._is_of_one, bodies)):
+                name = "momentum.of-one"
             case "assemble", _ if self._under_a_tie(line):
                 return None  # the given fact says so
             case "assemble", _ if self._goes_off(line):
@@ -220,6 +222,11 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return say("restitution.none")
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{each: slots[each][0] for each in slots_of(name)})
+
+    def _is_of_one(self, body: str) -> bool:
+        """Whether a mass is the number 1, which no line writes."""
+        fact = self._derivation.fact(" ".join(("mass", body)))
+        return fact is not None and fact.relation.only[-1].right == Number(Fraction(1))
 
     def _moves_along(self, line: Line) -> bool:
         """Whether a direction is that of the line of centres, as there is no component across."""

@@ -1,8 +1,11 @@
-"""Sides of a row: with the other sign, and without those that say the same."""
+"""Sides of a row: with another sign, with either, as alternatives, without doubles."""
 
 from __future__ import annotations
 
+from restitution.explaining.lines.derivation import Link, Relation
+from restitution.expression.tree import Negate
 from restitution.render import layout as lay
+from restitution.workings.naming.sources import is_vector
 
 
 def turned_side(side: lay.Layout) -> lay.Layout | None:
@@ -19,4 +22,25 @@ def without_doubles(sides: list[lay.Layout], signs: list[str]) -> None:
             del sides[n], signs[n - 1]
 
 
-__all__ = ["turned_side", "without_doubles"]
+def root_but_for_sign(options: tuple[tuple[Link, ...], ...]) -> Link | None:
+    """The positive one of two roots that differ in their sign alone."""
+    if len(options) != 2 or any(len(option) != 1 or option[0].sign != "=" for option in options):
+        return None
+    (one,), (two,) = options
+    if one.left != two.left:
+        return None
+    if two.right == Negate(one.right):
+        return one
+    return two if one.right == Negate(two.right) else None
+
+
+def are_values(relation: Relation) -> bool:
+    """Whether a line gives several values of one quantity that is no vector."""
+    lefts = {links[0].left for links in relation.options}
+    return len(lefts) == 1 < len(relation.options) and all(
+        all(link.sign in ("=", "≈") for link in links) and not is_vector(links[0].left)
+        for links in relation.options
+    )
+
+
+__all__ = ["are_values", "root_but_for_sign", "turned_side", "without_doubles"]

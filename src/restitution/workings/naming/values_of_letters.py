@@ -55,7 +55,8 @@ def with_values(
             isinstance(e, Binary) and e.op in ("+", "-") for e in walk(value)
         ):
             return links
-        return Link(own.left, "=", value), Link(value, own.sign, own.right)
+        named = Link(own.left, "=", value)
+        return (named,) if is_zero(value) else (named, Link(value, own.sign, own.right))
     if own.sign not in _STRICT or own.left not in known or own.right not in known:
         return links
     left, right = known[own.left], known[own.right]
