@@ -422,6 +422,45 @@ find maximum of deflection(A) over alpha
 """,
         ["greatest value of δ = arctan(4/3)", "when 1 − 3 tan α = 0, so tan α = ⅓ and α ≈ 18.4°"],
     ),
+    # v = (1 - k)u/3 is u/2 or -u/2 only for k < 0: so e = 1/2 and u/4.
+    "of several values it is said that all are possible": (
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
+            "A hits B: along i, e = 1/2\ngiven speed(A) = u/4\nfind k"
+        ),
+        ["1 + k = ±2(2 − k)", "k = 5 or k = 1   (both are possible)"],
+    ),
+    # mu²/2 - 3mu²/16 is 5mu²/16; of all 37.5 % is lost.
+    "a percentage is called so, and what is left is what was there less what is lost": (
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass m, at rest\n"
+            "A hits B: along i, e = 1/2\n"
+            "find energy_lost/energy(0) as a percentage, energy(A), energy"
+        ),
+        [
+            "Percentage of the kinetic energy that is lost:",
+            "total kinetic energy after the impact = ½mu² − 3mu²/16",
+        ],
+    ),
+    "masses of 1 kg are said to be these, as no line has them": (
+        (
+            "sphere A: mass 1, velocity 3i\nsphere B: mass 1, at rest\nA hits B: along i, e = 1/3\n"
+            "find velocity(A)"
+        ),
+        [
+            "Conservation of momentum along the line of centres, as both masses are 1 kg:",
+            "3 = v + w",
+        ],
+    ),
+    # A stops: 2u = 2v + 4w and w - v = u/2.
+    "who is at rest does not come back, and 0 is compared with nothing": (
+        (
+            "wall W: along j, through (0, 0)\nsphere A: mass 2m, at (a, 0), velocity u i\n"
+            "sphere B: mass 4m, at (3a, 0), at rest\nA hits B: along i, e = 1/2\n"
+            "show A will not hit W"
+        ),
+        ["not move towards W.\n    v = 0\n", "So A will not hit W, as required."],
+    ),
     "a greatest value at an angle that is known by heart": (
         REST.format(m="m", e=", e = 1/3") + "find maximum of deflection(A) over alpha",
         ["greatest value of δ = 30°, when 1 − √3 tan α = 0, so α = 30°"],

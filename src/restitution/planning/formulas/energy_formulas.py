@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     is_zero,
+    walk,
 )
 from restitution.planning.formulas.angle_formulas import velocity_as_a_line
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
@@ -192,17 +193,22 @@ def _known_value(scene: Scene, tree: Expression) -> Source | None:
 
 
 def _left_of_energy(scene: Scene, quantity: Quantity) -> Formula | None:
-    """The energy of all after an impact: that before it less what is lost, if both are lines."""
+    """The energy of all after an impact: that before it less what is lost, if both are lines.
+
+    None where the energies of the spheres are lines too, and their sum is no longer.
+    """
     stage = quantity.stage
     if not isinstance(stage, int) or stage not in scene.model.frames:
-        return None
-    if any(_known_energy(scene, stage, body) for body in scene.model.story.spheres):
         return None
     before = _known_energy(scene, stage - 1)
     lost = _known_value(scene, Quantity("energy_lost", (), stage))
     if before is None or lost is None:
         return None
     right = difference(tree_of(before.value), tree_of(lost.value))
+    own = [_known_energy(scene, stage, body) for body in scene.model.story.spheres]
+    shares = [tree_of(each.value) for each in own if each is not None]
+    if len(shares) == len(own) and len(walk(total(shares))) <= len(walk(right)):
+        return None
     value = tidy(expanded(before.value - lost.value))
     move, refs = Move("define", "total", stage), together(before.refs, lost.refs)
     return Formula(move, itself, quantity, right, value, refs)

@@ -447,6 +447,7 @@ def _first_meeting(claims: Claims, relation: Meets, now: int) -> tuple[int, Rela
         raise NotPlannedError("a wall across the line of centres")
     value = story.velocity(body, stage).dot(frame.n)
     claims.solver.determine([value])
-    sign = ">" if scene.model.sign(value) > 0 else "<"
+    # Who is at rest moves towards nothing, on whichever side of the wall.
+    sign = {1: ">", 0: ">=", -1: "<"}[scene.model.sign(value)]
     link = Link(frame.component("along", body, stage), sign, ZERO)  # type: ignore[arg-type]
     return Comparison(claims).write(link)
