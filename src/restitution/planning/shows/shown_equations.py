@@ -279,10 +279,11 @@ class Equation:
         fixed = {symbol for symbol in scene.model.final if symbol.name in names}
         free = scene.free & fixed
         scene.free -= free
+        above = len(scene.desk.lines)
         try:
             for symbol in sorted(fixed & scene.unknown(sp.Add(*fixed)), key=str):
                 self.claims.solver.determine([symbol])
-                standing = self._standing() or self._by_its_letter()
+                standing = self._standing() or self._by_its_letter() or self._on_the_way(above)
                 if standing is not None:
                     return standing
             known = (scene.desk.known(Letter(symbol.name)) for symbol in fixed)
@@ -290,6 +291,21 @@ class Equation:
             return self._last([*lines, *self.judge.known(names)]) if lines else None
         finally:
             scene.free |= free
+
+    def _on_the_way(self, above: int) -> int | None:
+        """What is to be shown, by a line on the way to a letter of it, before that is solved."""
+        for number in reversed([each for each in self._equations() if each > above]):
+            relation = self.scene.desk.relation(number)
+            if len(relation.options) > 1 or isinstance(relation.only[0].left, Letter):
+                continue
+            own = self.scene.desk.last_link(number)
+            if alike(own.left, self.link.right) and alike(own.right, self.link.left):
+                continue  # it says so from the other side
+            known = self.judge.known(letters(own.left) | letters(own.right))
+            line = self.judge.write(_TO_CLEAR, [number, *known], self.relation)
+            if line is not None:
+                return line
+        return None
 
     def _by_its_letter(self) -> int | None:
         """What the working has a letter for, by the line that says what that is."""
@@ -310,15 +326,16 @@ class Equation:
 
     def _of_ties(self) -> int:
         """The equation that the facts give, rearranged."""
+        above = len(self.scene.desk.lines)
         lines = self.claims.ties.lines()
         known = self.judge.known(letters(self.link.left) | letters(self.link.right))
+        standing = self._standing() or self._on_the_way(above)
+        if standing is not None:
+            return standing
         for each in lines:
             cleared = self._cleared(each, known)
             if cleared is not None:
                 return cleared
-        standing = self._standing()
-        if standing is not None:
-            return standing
         for each in lines:
             others = [other for other in lines if other != each]
             line = self._last([each, *others, *known])
