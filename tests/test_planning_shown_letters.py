@@ -93,6 +93,12 @@ CASES = {
         + "show along(velocity(A), i) = -1/2 u (4 cos(theta) - 1)",
         "v = -1/2 u (4cos(theta) - 1)",
     ),
+    # v = (1 - ek)u cos(alpha)/(1 + k) is zero.
+    "a product, read off before a letter of it is solved": (
+        EQUAL.replace("A, B: mass m", "A: mass m").replace("sphere B: ", "sphere B: mass k m, ")
+        + "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B)\nshow e k = 1",
+        "e k = 1",
+    ),
     "a coefficient by an impulse": (
         PAIR.format(velocity="2u i + u j", mass="m", motion="velocity -u i", e="")
         + "given impulse = 3 m u\nshow e = 1/2",
