@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from restitution.cli.files import printable, say, shown_name, terminal_width
+from restitution.cli.files import first_bytes, printable, say, shown_name, terminal_width
 from restitution.cli.output import RefusedError, put, write_file
-from restitution.cli.statuses import CLOSED, UNANSWERED, UNREADABLE
+from restitution.cli.statuses import UNANSWERED, UNREADABLE
 from restitution.errors import RestitutionError, StatementError
 
 if TYPE_CHECKING:
@@ -118,30 +117,15 @@ def experiment(asked: Experimenting) -> int:
 
 def _result(asked: Experimenting) -> Experiment:
     from restitution.experiments import experiment
+    from restitution.experiments.rows import MAX_BYTES
 
     return experiment(
-        _read(asked.data),
+        first_bytes(asked.data, MAX_BYTES + 1),
         kind=asked.kind,
         angle_error=asked.angle_error,
         speed_error=asked.speed_error,
         from_normal=asked.from_normal,
     )
-
-
-def _read(file: str) -> bytes:
-    """The bytes of a file, no more than one beyond what a table may have."""
-    from restitution.experiments.rows import MAX_BYTES
-
-    if file == "-" and CLOSED & {0}:
-        raise StatementError("cannot be read: standard input is closed")
-    try:
-        if file == "-":
-            return sys.stdin.buffer.read(MAX_BYTES + 1)
-        with Path(file).open("rb") as stream:
-            return stream.read(MAX_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else str(error)
-        raise StatementError(f"cannot be read: {reason}") from None
 
 
 def _tell(file: str, error: RestitutionError) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,22 +19,30 @@ if TYPE_CHECKING:
 
 
 def read(file: str) -> bytes:
-    """The bytes of a file, no more than one beyond what a statement may have.
+    """The bytes of a statement, no more than one beyond what it may have.
 
     Raises StatementError where there is nothing to read.
     """
     from restitution.expression.limits import MAX_TEXT_BYTES
 
+    return first_bytes(file, MAX_TEXT_BYTES + 1, _hint)
+
+
+def first_bytes(file: str, most: int, hint: Callable[[str], str] = lambda _: "") -> bytes:
+    """The first bytes of a file, or of standard input (``-``); ``hint`` says what may help.
+
+    Raises StatementError where there is nothing to read.
+    """
     if file == "-" and CLOSED & {0}:
         raise StatementError("cannot be read: standard input is closed")
     try:
         if file == "-":
-            return sys.stdin.buffer.read(MAX_TEXT_BYTES + 1)
+            return sys.stdin.buffer.read(most)
         with Path(file).open("rb") as stream:
-            return stream.read(MAX_TEXT_BYTES + 1)
+            return stream.read(most)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else str(error)
-        raise StatementError(f"cannot be read: {reason}{_hint(file)}") from None
+        raise StatementError(f"cannot be read: {reason}{hint(file)}") from None
 
 
 def _hint(file: str) -> str:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from html import escape
 
+from restitution.render.layout import Layout
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
+from restitution.render.paragraph import paragraph
 from restitution.wording.structure import (
     Block,
     Listing,
@@ -68,21 +70,11 @@ def opening(question: QuestionContent) -> list[str]:
 
 def inline(words: Words) -> str:
     """Words with their mathematics; what follows a formula without a blank stays on its line."""
-    out = ""
-    rest = list(words)
-    for index, each in enumerate(rest):
-        if isinstance(each, str):
-            out += escape(each)
-        elif isinstance(each, Named):
-            out += f"<i>{escape(each.text)}</i>"
-        else:
-            following = rest[index + 1] if index + 1 < len(rest) else ""
-            close = following.split(" ", 1)[0] if isinstance(following, str) else ""
-            if isinstance(following, str) and close:
-                rest[index + 1] = following[len(close) :]
-            whole = to_mathml(each) + escape(close)
-            out += f'<span class="whole">{whole}</span>' if close else whole
-    return out
+    return paragraph(words, _markup, lambda piece: not isinstance(piece, Named))
+
+
+def _markup(piece: Named | Layout) -> str:
+    return f"<i>{escape(piece.text)}</i>" if isinstance(piece, Named) else to_mathml(piece)
 
 
 def _paragraph(*sentences: Words) -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import cast
 
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -28,35 +28,23 @@ def radians(number: Number) -> Expression:
     return cast("Expression", Measured(number, "rad", place=number.place))
 
 
-def _marked(tree: object) -> Expression | None:
-    """The number of radians that a node marks, or None."""
-    return tree.operand if isinstance(tree, Measured) else None
-
-
 def without_marks(tree: Expression) -> Expression:
     """A tree whose numbers of radians are plain numbers."""
-    inside = _marked(tree)
-    if inside is not None:
-        return inside
-    if all(_marked(each) is None for each in walk(tree)):
-        return tree
-    match tree:
-        case Binary(_, left, right):
-            return replace(tree, left=without_marks(left), right=without_marks(right))
-        case Negate(operand):
-            return replace(tree, operand=without_marks(operand))
-        case Apply(_, argument):
-            return replace(tree, argument=without_marks(argument))
-        case Pair(x, y):
-            return replace(tree, x=without_marks(x), y=without_marks(y))
-        case Quantity(_, arguments):
-            return replace(tree, arguments=tuple(map(without_marks, arguments)))
-    return tree
+    return rebuilt(tree, _without_mark)
+
+
+def _without_mark(node: Expression | Measured) -> Expression:
+    return node.operand if isinstance(node, Measured) else node
+
+
+def _is_marked(tree: object) -> bool:
+    """Whether a tree is a number of radians that is marked."""
+    return isinstance(tree, Measured)
 
 
 def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
     """Whether a tree is an angle; ``angles`` are the letters that are."""
-    if _marked(tree) is not None:
+    if _is_marked(tree):
         return True
     match tree:
         case Degrees():

@@ -2,17 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
-    Apply,
-    Binary,
     Expression,
     Letter,
     Name,
-    Negate,
-    Pair,
-    Quantity,
 )
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim
@@ -30,25 +24,15 @@ def write_claim(claim: Claim) -> str:
 
 def write_side(tree: Expression) -> str:
     """An expression of a working in symbols, with its phrases as words."""
-    return to_text(from_tree(_with_names(tree)))
+    return to_text(from_tree(rebuilt(tree, _with_name)))
 
 
-def _with_names(tree: Expression) -> Expression:
-    """A tree in which phrases are names, which are written as words."""
-    match tree:
+def _with_name(node: Expression) -> Expression:
+    """A phrase as a name, which is written as words; another node as it is."""
+    match node:
         case Letter(name) if is_phrase(name):
             return Name(_words(name))
-        case Binary(_, left, right):
-            return replace(tree, left=_with_names(left), right=_with_names(right))
-        case Negate(operand):
-            return replace(tree, operand=_with_names(operand))
-        case Apply(_, argument):
-            return replace(tree, argument=_with_names(argument))
-        case Pair(x, y):
-            return replace(tree, x=_with_names(x), y=_with_names(y))
-        case Quantity(_, arguments):
-            return replace(tree, arguments=tuple(map(_with_names, arguments)))
-    return tree
+    return node
 
 
 def _words(name: str) -> str:

@@ -27,6 +27,12 @@ from restitution.workings.reasons.right_angles import in_letters_alone
 
 def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
     """The factor in letters by which a line was divided; None where it has no short form."""
+    both = _before_and_after(derivation, line)
+    return None if both is None else _cancelled(*both)
+
+
+def _before_and_after(derivation: Derivation, line: Line) -> tuple[Relation, Relation] | None:
+    """What stands in the first line that a line cites, and in itself; None where one has roots."""
     first = line.premises[0] if line.premises else None
     above = derivation.line(first) if isinstance(first, int) else None
     if above is None or not isinstance(above.relation, Relation):
@@ -34,7 +40,7 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
     assert isinstance(line.relation, Relation)
     if len(above.relation.options) != 1 or len(line.relation.options) != 1:
         return None
-    return _cancelled(above.relation, line.relation)
+    return above.relation, line.relation
 
 
 @remembered(1024)
@@ -58,14 +64,8 @@ def cosine_divided(derivation: Derivation, line: Line) -> Letter | None:
 
     None where only squares stand in it: that a tangent is a quotient is seen there.
     """
-    first = line.premises[0] if line.premises else None
-    above = derivation.line(first) if isinstance(first, int) else None
-    if above is None or not isinstance(above.relation, Relation):
-        return None
-    assert isinstance(line.relation, Relation)
-    if len(above.relation.options) != 1 or len(line.relation.options) != 1:
-        return None
-    return _cosine(above.relation, line.relation)
+    both = _before_and_after(derivation, line)
+    return None if both is None else _cosine(*both)
 
 
 @remembered(1024)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from html import escape
-from itertools import pairwise
 
 from restitution.drawing.svg import to_svg
 from restitution.explaining.lines.saying import note, say
@@ -19,6 +18,7 @@ from restitution.render.layout import (
 from restitution.render.layout import Words as Said
 from restitution.render.mathml import to_mathml
 from restitution.render.page import page
+from restitution.render.paragraph import paragraph
 from restitution.render.text import NO_BREAK, to_text, width
 from restitution.workings.rendering.steps import PartExplanation, Row, Step, Words, Working
 
@@ -56,7 +56,7 @@ STYLE = """
 .restitution .mark { float: right; padding: .4rem 0 0 .6rem; }
 .restitution figure { margin: .8rem 0; text-align: center; break-inside: avoid; }
 .restitution figure svg { width: 30rem; max-width: 100%; height: auto; }
-.restitution .u { white-space: nowrap; }
+.restitution .whole { white-space: nowrap; }
 .restitution .answer { border-bottom: 3px double var(--soft); }
 .restitution .note { color: var(--soft); font-size: .9em; }
 .restitution math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math;
@@ -140,18 +140,7 @@ def inline(words: Words) -> str:
 
     What follows a short formula without a blank stays on its line.
     """
-    out = held = ""
-    for word, after in pairwise((*words, "")):
-        if isinstance(word, str):
-            out += escape(word.removeprefix(held))
-            held = ""
-            continue
-        held = after.split(" ", 1)[0] if isinstance(after, str) else ""
-        if width(to_text(word)) > _WHOLE:
-            held = ""
-        cell = _cell(word)
-        out += f'<span class="u">{cell}{escape(held)}</span>' if held else cell
-    return out.strip()
+    return paragraph(words, _cell, lambda formula: width(to_text(formula)) <= _WHOLE).strip()
 
 
 def table_rows(row: Row) -> list[str]:
@@ -195,7 +184,7 @@ def _piece(sign: str, cell: str, operand: Layout | None) -> str:
         return cell
     whole = f"<math><mo>{escape(sign)}</mo></math>{cell}"
     short = operand is not None and width(to_text(operand)) <= _WHOLE
-    return f'<wbr><span class="u">{whole}</span>' if short else whole
+    return f'<wbr><span class="whole">{whole}</span>' if short else whole
 
 
 def goes_on(words: Words) -> bool:
@@ -272,7 +261,7 @@ def _cell(layout: Layout | None) -> str:
     if isinstance(layout, Phrase):
         gap = escape(layout.separator)
         whole = gap.join(_cell(item) for item in layout.items)
-        return f'<span class="u">{whole}</span>' if layout.separator == NO_BREAK else whole
+        return f'<span class="whole">{whole}</span>' if layout.separator == NO_BREAK else whole
     if isinstance(layout, Product) and _is_long(layout):
         return _long_product(layout)
     if isinstance(layout, Fraction) and any(map(_worded, (layout.above, layout.below))):
