@@ -143,3 +143,21 @@ def test_spheres_that_keep_to_their_line_meet_again_on_it() -> None:
 def test_spheres_that_leave_their_line_have_another(wall: str, before: str) -> None:
     (part,) = solve(parse(BACK_FROM_A_WALL.format(wall=wall, before=before))).parts.values()
     assert all(isinstance(item.error, RestitutionError) for item in part.items)
+
+
+# A goes on with u/4, B with 3u/4, which comes back with 3eu/4. Then A has (1 - 9e)u/16 and B
+# (3 - 3e)u/16, which the wall sends back with 3e(1 - e)u/16: they meet if 1 - 6e - 3e² > 0.
+TWICE = """
+wall W: along j
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+B hits W: e = {0}
+A hits B: along i, e = 1/2
+"""
+
+
+@pytest.mark.parametrize(("e", "meet"), [("1/10", True), ("1/4", False), ("1/2", False)])
+def test_a_sphere_that_moves_on_to_a_wall_comes_back(e: str, meet: bool) -> None:
+    assert only(TWICE.format(e) + "show A and B collide again").holds is meet
+    assert only(TWICE.format(e) + "show A and B do not collide again").holds is not meet

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Literal
 
 import sympy as sp
@@ -215,6 +215,13 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
         if _leave_their_line(story, event, one, other, now) and _placed(story, event, now):
             return _met_by_places(relation, story, now, reason, refused)
         conditions = [_approach(story, event, one, other, now)]
+        rebounds = [
+            each
+            for pair in ((one, other), (other, one))
+            for each in _rebound(story, event, *pair, now)
+        ]
+        if rebounds:
+            return _met_after_a_rebound(relation, story, conditions[0], rebounds, reason, refused)
     if relation.happens:
         return [Condition(condition, ">", reason, "fact") for condition in conditions]
     options = tuple(Condition(-condition, ">=", refused, "fact") for condition in conditions)
@@ -225,6 +232,55 @@ def _approach(story: Story, event: Happening, one: str, other: str, stage: int) 
     """The speed of approach after event ``stage``, along the line of centres of a given one."""
     towards = event.oriented() if event.bodies[0] == one else -event.oriented()
     return (story.velocity(one, stage) - story.velocity(other, stage)).dot(towards)
+
+
+def _rebound(
+    story: Story, event: Happening, ahead: str, behind: str, now: int
+) -> Iterator[tuple[Scalar, Scalar]]:
+    """How fast a sphere moves to the wall ahead of it, and how fast both approach after that.
+
+    Nothing where the sphere has hit no wall on their line that lies beyond it, or is seen not to
+    move towards that: it comes back with the coefficient with which it came back before.
+    """
+    away = event.oriented() if event.bodies[0] == behind else -event.oriented()
+    walls = [
+        each
+        for each in story.happenings[:now]
+        if each.bodies[0] == ahead and each.bodies[-1] in story.walls
+    ]
+    if not walls or not _keep_to_their_line(story, event, ahead, behind, now):
+        return
+    normal = walls[-1].oriented()
+    beyond = story.rational(normal.dot(away))
+    if not story.field.is_zero(story.rational(normal.cross(away))) or story.sign(beyond) != 1:
+        return
+    pace = story.velocity(ahead, now)
+    heading = pace.dot(away)
+    if story.sign(heading) not in (0, -1):
+        yield heading, (story.velocity(behind, now) + pace * walls[-1].e).dot(away)
+
+
+def _met_after_a_rebound(
+    relation: Meets,
+    story: Story,
+    approach: Scalar,
+    rebounds: Sequence[tuple[Scalar, Scalar]],
+    reason: str,
+    refused: str,
+) -> list[Requirement]:
+    """What two spheres need to meet, or not to meet, where one may come back from a wall."""
+    if relation.happens:
+        if story.sign(approach) in (1, None) or len(rebounds) > 1:
+            return [Condition(approach, ">", reason, "fact")]
+        return [Condition(each, ">", reason, "fact") for each in rebounds[0]]
+    apart = [Condition(-approach, ">=", refused, "fact")]
+    return [
+        *apart,
+        *(
+            AnyOf(tuple(Condition(-each, ">=", refused, "fact") for each in pair), refused, "fact")
+            for pair in rebounds
+        ),
+    ]
 
 
 def _leave_their_line(story: Story, event: Happening, one: str, other: str, now: int) -> bool:
