@@ -230,6 +230,13 @@ BROKEN = {
     "find the coefficient of restitution": "find e",
     "find speed(a)": "find speed(A)",
     "find speed(A) when e = 1": "given e = 1\nfind speed(A)",
+    "find speed(A) at e = 1": "given e = 1\nfind speed(A)",
+    "find range of speed(A) for e = 1": "given e = 1\nfind range of speed(A)",
+    "find range of speed(A) with e <= 1/2 in terms of u": (
+        "given e <= 1/2\nfind range of speed(A) in terms of u"
+    ),
+    "find range of speed(A) over e": "unknown e\nfind range of speed(A)",
+    "find range of speed(A) as e varies": "unknown e\nfind range of speed(A)",
     "find speed(A), find speed(B)": "find speed(A), speed(B)",
     "find speed(A) in m/s": "find speed(A)",
     "find tan^-1(3/4)": "find arctan(3/4)",

@@ -179,3 +179,39 @@ find minimum of alpha over e
     shown = " ".join(to_text(explain(solve(parse(text)))).split())
     assert "α ≥ 60°, as α is acute" in shown
     assert "least value of α = 60°, when e = 0" in shown
+
+
+AT_ITS_LEAST = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass m, at rest
+A hits B: along i
+let v = speed(A)
+{}
+part a
+given e = 1
+find v
+"""
+
+
+def test_a_line_that_stands_takes_a_letter_at_which_it_is_least() -> None:
+    """At e = 1 the slope of v against e is 0: what is put in is seen in the line itself."""
+    for asked, line in (
+        ("find v", "v = √3 u/2 ≈ 0.866u"),
+        ("find range of v", "w = 0 A moves perpendicular to the line of centres: v = √3 u/2"),
+    ):
+        explanation = explain(solve(parse(AT_ITS_LEAST.format(asked))), check=True)
+        assert f"Since e = 1, from (3): {line}" in " ".join(to_text(explanation).split())
+        assert explanation.followed
+
+
+def test_what_is_given_of_a_coefficient_alone_bounds_no_other_letter() -> None:
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+given e = 1/2
+find range of k
+"""
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "e ≤ 1" not in shown
+    assert "k > 0 B1" in shown

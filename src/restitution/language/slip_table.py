@@ -1338,11 +1338,25 @@ SLIPS: tuple[tuple[str, str, Cure | str], ...] = (
         "find",
         (
             r"^(?P<all>\s*(?P<asked>find\b.*?)\s*,?\s*"
-            r"\b(?P<x>when|if|where|given(?:\s+that)?|assuming|for\s+which)\s+(?P<fact>\S.*?))\s*$"
+            r"\b(?P<x>when|if|where|given(?:\s+that)?|assuming|for\s+which"
+            r"|(?:at|for|with)(?=[^(),]*[<>=≤≥][^()]*$))\s+(?P<fact>\S.*?)"
+            r"(?P<terms>(?:\s+in\s+terms\s+of\s.*)?))\s*$"
         ),
         Cure(
             "a fact stands on a line of its own before this: 'given {fact}'",
-            "given {fact}\n{asked}",
+            "given {fact}\n{asked}{terms}",
+            of="all",
+        ),
+    ),
+    (
+        "find",
+        (
+            r"^(?P<all>\s*(?P<asked>find\s+range\b.*?)\s+(?P<x>over|as)\s+(?P<letter>\w+)"
+            r"(?:\s+var(?:ies|y))?)\s*$"
+        ),
+        Cure(
+            "what varies stands on a line of its own before this: 'unknown {letter}'",
+            "unknown {letter}\n{asked}",
             of="all",
         ),
     ),

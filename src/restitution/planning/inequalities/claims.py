@@ -210,7 +210,8 @@ class Claims(Eliminated):
             if len(self.scene.desk.relation(tie).options) > 1:
                 continue
             link = self.scene.desk.last_link(tie)
-            for name in sorted((letters(link.left) | letters(link.right)) - own):
+            tied = letters(link.left) | letters(link.right)
+            for name in sorted(tied - own) if tied & own else ():
                 if name not in known or known[name].kind != "restitution":
                     continue
                 most = Relation(((Link(Letter(name), "<=", ONE),),))

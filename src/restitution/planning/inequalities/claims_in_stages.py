@@ -254,6 +254,8 @@ class InStages(ClaimLines):
         whole = self.scene.desk.last_link(line)
         value = self.worths.value(whole.right)
         (link,) = relation.only
+        if link.sign not in FLIPPED:
+            return None  # one value alone
         turned = not has_quantity(link.left)
         sign = FLIPPED[link.sign] if turned else link.sign
         for symbol in sorted(value.free_symbols, key=lambda s: s.name):

@@ -76,6 +76,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     elif not _by_a_line_above(scene, solver, asked):
         determine(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
+        _determine_what_stands(scene, solver, asked)
     write_related(scene, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     asked = in_a_frame(scene, asked, write=True)
@@ -85,7 +86,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         case Apply("sin" | "cos" | "tan" as function, angle) if is_angle(scene, angle):
             scene.desk.end(name, *write_ratio(scene, function, angle))
         case Letter() if named is not None:
-            _named(scene, asked, named, name)
+            _named(scene, solver, asked, named, name)
         case Letter() if (defining := _defining(scene, asked)) is not None:
             _named_expression(scene, asked, defining, defining.relation.only[0].right, name)
         case Letter(letter):
@@ -137,6 +138,23 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _of_letters(scene, solver, asked, name)
         case _:
             _expression(scene, asked, name)
+
+
+def _determine_what_stands(scene: Scene, solver: Solver, asked: Expression) -> None:
+    """Finds the letters in the line that gives what is asked.
+
+    Where it is greatest or least no gradient tells of them.
+    """
+    known = scene.desk.known(asked)
+    if known is None or isinstance(known.value, Vector) or scene.others:
+        return
+    open_ = sorted(scene.unknown(known.value) & scene.model.final.keys(), key=str)
+    if open_:
+        standing = solver.mark()
+        try:
+            solver.determine(open_)
+        except NotPlannedError:
+            solver.back(standing)
 
 
 def _by_a_line_above(scene: Scene, solver: Solver, asked: Expression) -> bool:
@@ -249,7 +267,7 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
     scene.desk.end(name, line, relation)
 
 
-def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
+def _named(scene: Scene, solver: Solver, asked: Letter, fact: Fact, name: str) -> None:
     """A letter by which the statement calls a quantity."""
     quantity = fact.relation.only[0].left
     if not isinstance(quantity, Quantity):
@@ -266,6 +284,10 @@ def _named(scene: Scene, asked: Letter, fact: Fact, name: str) -> None:
         scene.desk.end(name, scene.desk.write(Move("put"), (line, fact.id), relation), relation)
         return
     own = formula(scene, quantity)
+    if scene.unknown(own.value):
+        # Where it is greatest or least no gradient has told of its letters.
+        solver.determine(sorted(scene.unknown(own.value), key=str))
+        own = formula(scene, quantity)
     if asked.name in letters(tree_of(own.value)):
         raise NotPlannedError(f"{asked.name} by itself")
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
