@@ -483,3 +483,17 @@ def test_a_sine_of_a_sum_that_is_zero_gives_the_sum(fact: str, lines: list[str])
     assert [first, second] == lines
     degrees = "90°" if "180°" in second else "45°"
     assert last == f"theta = {degrees} - alpha/2"
+
+
+def test_a_complement_is_named_as_that_in_both_laws() -> None:
+    _, derivation = planned(
+        """
+        wall W: along j
+        sphere P: velocity w at beta to W
+        P hits W
+        given deflection(P) = 90°, speed(P) = w/3
+        find beta, e
+        """
+    )
+    identities = [line.move.record for line in derivation.lines if line.move.id == "identity"]
+    assert identities == ["complement", "complement"]

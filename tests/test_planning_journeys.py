@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import random
 from fractions import Fraction
 
 import pytest
+import sympy as sp
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Meaning, Relation
 from restitution.explaining.lines.notation import write_relation
+from restitution.expression.evaluate import in_letters
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
@@ -229,6 +232,27 @@ def test_a_slanted_wall() -> None:
         """
     )
     assert answers(derivation) == ["time(1) = 16/7", "position(P, 1) = 16/7 i + 12/7 j"]
+
+
+@pytest.mark.parametrize("angle", ["60°", "40°", "150°", "theta"])
+def test_a_wall_that_is_told_by_its_angle_is_on_a_line_too(angle: str) -> None:
+    statement = f"""
+        wall W: along {angle}, through (0, 0)
+        sphere P: at (2, 0), velocity {"-i - 3j" if angle == "150°" else "i + 3j"}
+        P hits W: e = 1/2
+        find time(1), position(P, 1)
+        """
+    derivation = working(statement)
+    degrees = 35.0 if angle == "theta" else float(angle[:-1])
+    slope = math.tan(math.radians(degrees))
+    sense = -1 if angle == "150°" else 1
+    # At the time t it is at (2 ± t, ±3t), and ±3t = (2 ± t) tan θ.
+    time = 2 * slope / (sense * (3 - slope))
+    (line,) = (each for each in derivation.items if "time(1)" in write_relation(each.answer))
+    tree = line.answer.only[-1].right
+    value = sp.sympify(in_letters(tree))
+    own = value.subs({each: math.radians(degrees) for each in value.free_symbols})
+    assert abs(float(own) - time) < 1e-9
 
 
 def test_a_blow_to_a_ball_at_rest_starts_the_clock() -> None:

@@ -43,6 +43,7 @@ from restitution.planning.axes.offsets import given_by_offsets, paths_beside
 from restitution.planning.axes.open_lines import write_open_lines
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.clashes import write_clash
+from restitution.planning.closing.complements import with_complements
 from restitution.planning.closing.wanted_letters import with_wanted_letters
 from restitution.planning.early import Early, above_event, early_items, terms
 from restitution.planning.ends_required import (
@@ -158,7 +159,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     for shortened in (
         *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
-        *(with_values_first, with_known_directions),
+        *(with_values_first, with_known_directions, with_complements),
     ):
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):

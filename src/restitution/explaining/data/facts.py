@@ -171,6 +171,8 @@ class FactsOf(Arrangement):
         if not isinstance(place, Pair) or along is None:
             return
         axis = turned(along)
+        if axis is None and world_of(self.problem).is_angle(along):
+            axis = Pair(Negate(Apply("sin", along)), Apply("cos", along))
         if along == Unit("i") or (isinstance(along, Pair) and is_zero(along.y)):
             centre = self._off_the_wall(first, "y", place.y)
             if centre is not None:

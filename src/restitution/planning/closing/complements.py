@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from restitution.explaining.lines.derivation import Move
+from dataclasses import replace
+
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import Derivation, Move
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     RIGHT_ANGLE,
@@ -12,6 +15,7 @@ from restitution.expression.tree import (
     Letter,
     walk,
 )
+from restitution.oracle import Oracle
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import ONE
 from restitution.planning.writing.scene import Scene
@@ -33,6 +37,16 @@ def without_complements(scene: Scene, number: int) -> int:
         (Move("identity", "complement"),), (number,), chain(left, (right, None))
     )
     return number if written is None else written
+
+
+def with_complements(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which 90° − θ is a complement, and no difference like any other."""
+    read, lines = reader_of(derivation, oracle), list(derivation.lines)
+    for index, line in enumerate(lines):
+        if line.move.id == "identity" and line.move.record == "sum-of-angles":
+            own = replace(line, move=replace(line.move, record="complement"))
+            lines[index] = own if read.accepts(own) else line
+    return replace(derivation, lines=tuple(lines))
 
 
 def _of_the_angle(node: Expression) -> Expression | None:

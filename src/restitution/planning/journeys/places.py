@@ -78,6 +78,7 @@ from restitution.planning.writing.place_trees import (
     place_tree,
     time_tree,
 )
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.straight_walls import equation_of_line
 from restitution.planning.writing.unit_vectors import whole_direction
@@ -680,11 +681,18 @@ def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
         total((tree_of(a), product(tree_of(v), flight)))
         for a, v in zip(first.value, pace.value, strict=True)
     ]
-    fact = scene.desk.write(
-        Move("fact"),
-        (f"contact {number}", open_),
-        Relation(((equation_of_line(axis, place, there),),)),
-    )
+    names = {symbol.name for each in axis for symbol in each.free_symbols}
+    refs = (f"contact {number}", open_, *background(scene, names))
+    for by_slope in (True, False):
+        own = equation_of_line(axis, place, there, by_slope=by_slope)
+        fact = scene.judge.write((Move("fact"),), refs, Relation(((own,),)))
+        if fact is not None:
+            break
+    else:
+        raise NotPlannedError("a place on the line of a wall")
+    slope = tidy(sp.trigsimp(-axis.x / axis.y))
+    if by_slope and isinstance(slope, sp.tan):
+        axis = Vector(-slope, sp.Integer(1))
     closing = tidy(pace.value.dot(axis))
     value = tidy((place - first.value).dot(axis) / closing)
     line = scene.desk.write(

@@ -16,13 +16,19 @@ from restitution.planning.writing.unit_vectors import plain_direction
 from restitution.vector import Vector
 
 
-def equation_of_line(normal: Vector, through: Vector, point: Sequence[Expression]) -> Link:
+def equation_of_line(
+    normal: Vector, through: Vector, point: Sequence[Expression], *, by_slope: bool = False
+) -> Link:
     """That a point, by its coordinates, is on a line, by a vector across it and a point of it.
 
-    What is taken away stands on the other side, and the constant on the right.
+    What is taken away stands on the other side, and the constant on the right. A line through the
+    origin at an angle is told ``by_slope``, y = x tan θ, if that is wanted.
     """
     plain = plain_direction(normal)
     constant = tidy(plain.dot(through))
+    slope = tidy(sp.trigsimp(-plain.x / plain.y)) if by_slope and constant == 0 else sp.S.One
+    if isinstance(slope, sp.tan):
+        return link(point[1], product(point[0], tree_of(slope)))
     if _is_taken_away(plain.x):
         plain, constant = -plain, -constant
     left: list[Expression] = []

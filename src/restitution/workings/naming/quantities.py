@@ -473,7 +473,8 @@ class Naming(Moments):
                 across, place = vector_worth(normal), vector_worth(through)
                 if across is None or place is None:
                     return None
-                return self.relation(Relation(((equation_of_line(across, place, (x, y)),),)))
+                line = equation_of_line(across, place, (x, y), by_slope=True)
+                return self.relation(Relation(((line,),)))
         return None
 
     def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:
