@@ -24,6 +24,39 @@ find range of k in terms of e
 """,
         ("It is given that the angle from 𝐢 to 𝐯_A is 180°:", "v < 0", "(1 − ek)u/(1 + k) < 0"),
     ),
+    "back along its path from a wall": (
+        """
+wall OA: along i
+wall OB: along 60°
+sphere P: mass m, velocity u at theta from -i
+P hits OA: e = 1/2
+P hits OB: e = 1/3
+given velocity(P) opposite to velocity(P, 1)
+find tan(theta)
+""",
+        # tan⁻¹(½ tan θ) is 30°.
+        ("It is given that 𝐯₂ is opposite to 𝐯₁, so P hits OB at right angles:", "= 2√3/3"),
+    ),
+    "back along its path from a wall at an unknown angle": (
+        """
+wall W: along alpha
+sphere P: velocity 2 at 30°
+P hits W: e = 1/2
+given alpha < 180°, velocity(P) opposite to velocity(P, 0)
+find alpha
+""",
+        ("√3 cos α + sin α = 0", "tan α = −√3", "α = 120°, as 0° < α < 180°"),
+    ),
+    "on along its path after a sphere": (
+        """
+sphere A: mass 3m, velocity 2u i + p j
+sphere B: mass m, velocity -u i + u j
+A hits B: along i, e = 1/2
+given velocity(A) parallel to velocity(A, 0)
+find p
+""",
+        ("so A has no component perpendicular to the line of centres:", "p = 0"),
+    ),
     "on, as the ratio of two speeds": (
         """
 sphere P: mass 3m, velocity 2u i

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Polar,
     Quantity,
@@ -49,6 +50,8 @@ def tied(step: Step, event: Event | None) -> Iterator[Link]:
             yield from ties(step, event, *tie)
             if relation == "perpendicular to" and event is not None and not event.wall:
                 yield from _across_who_moves_along(step, event, *tie[:2])
+            if relation == "parallel to" and event is not None:
+                yield from _without_what_stays(event, *tie[:2])
         past = past_a_right_angle(link)
         if past is not None and step.move.record == "perpendicular":
             for each in ties(step, event, *past[:2], relation):
@@ -73,6 +76,29 @@ def _across_who_moves_along(
                 value = step.rules().put_into(step.world.value(across))
                 if isinstance(value, Quotient) and value.vanishes:
                     yield Link(Quantity("along", (other, axis)), "=", ZERO)
+
+
+def _without_what_stays(event: Event, left: Expression, right: Expression) -> Iterator[Link]:
+    """Who keeps to one line in an impact has no component that it leaves as it is.
+
+    Along the line of centres each velocity changes, as the bodies approach.
+    """
+    early, late = sorted((_unsigned(left), _unsigned(right)), key=lambda own: _stage(own) or 0)
+    match early, late:
+        case (
+            Quantity("velocity", (Name() as body,), int(before)),
+            Quantity("velocity", (Name() as same,), event.number),
+        ) if body == same and before == event.number - 1 and event.kind == "impact":
+            for own in (early, late):
+                yield Link(Quantity("across", (own, axis_of(event))), "=", ZERO)
+
+
+def _unsigned(tree: Expression) -> Expression:
+    return tree.operand if isinstance(tree, Negate) else tree
+
+
+def _stage(tree: Expression) -> int | None:
+    return tree.stage if isinstance(tree, Quantity) and isinstance(tree.stage, int) else None
 
 
 def _named_angles(step: Step) -> Iterator[Link]:

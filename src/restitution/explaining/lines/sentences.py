@@ -613,6 +613,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.component-off": (
         "It is given that {fact}, so the component perpendicular to {wall} is zero:"
     ),
+    "given.straight-on": "It is given that {fact}, so {body} hits {wall} at right angles:",
+    "given.along-the-line": (
+        "It is given that {fact}, so {body} has no component perpendicular to the line of centres:"
+    ),
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before the impact:",
     "given.offset": "{one} does not pass by {other}:",

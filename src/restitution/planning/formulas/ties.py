@@ -109,9 +109,27 @@ def _two_velocities(
         cites = scene.judge.needed(move, together(each.refs, along.whole, still.whole), read)
         if cites is not None:
             return scene.desk.write(move, cites, read)
+    if record == "parallel" and len(bodies) == 1 and d.value != 0:
+        line = _without_what_stays(scene, each, move, b if both[0][1] < both[1][1] else d)
+        if line is not None:
+            return line
     refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     return scene.desk.write(move, refs, Relation(((own,),)))
+
+
+def _without_what_stays(scene: Scene, each: GivenEquation, move: Move, still: Source) -> int | None:
+    """The line that what an impact leaves of a velocity is zero, as that keeps its line.
+
+    Who comes back along his path, hits a wall at right angles. None where that does not follow.
+    """
+    relation = Relation(((link(tree_of(still.value), ZERO),),))
+    pool = (*each.refs, *still.whole)
+    refs = scene.judge.needed(move, pool, relation)
+    if refs is None:  # with components of another axis
+        pool = (*pool, *scene.frame(move.event or 0).refs)
+        refs = scene.judge.needed(move, pool, relation)
+    return None if refs is None else scene.desk.write(move, refs, relation)
 
 
 def _product(values: Iterable[sp.Expr]) -> Expression:

@@ -183,7 +183,8 @@ class GivenLeads(Leads):
             match line.relation.options[0][0].left:
                 case Quantity("along") if nothing:
                     return (say("given.fact", fact=sentence),)
-            return (say("given.proportion", fact=sentence),)
+            straight = self._straight_on(line, sentence) if nothing else None
+            return straight or (say("given.proportion", fact=sentence),)
         if line.move.record in ("energy-lost", "energy-change") and not self._by_speeds(line):
             event = self._naming.events.get(line.move.event or 0)
             spheres = line.move.record == "energy-lost" and event is not None and not event.wall
@@ -206,6 +207,16 @@ class GivenLeads(Leads):
             return (say("given.fact-without-mass", fact=sentence),)
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _straight_on(self, line: Line, fact: Sentence) -> tuple[Sentence, ...] | None:
+        """That a body keeps to one line in an impact, so that it has no component across."""
+        event = self._naming.events.get(line.move.event or 0)
+        if event is None or len(line.move.bodies) != 1:
+            return None
+        (body,) = line.move.bodies
+        if event.wall:
+            return (say("given.straight-on", fact=fact, body=body, wall=event.bodies[-1]),)
+        return (say("given.along-the-line", fact=fact, body=body),)
 
     def _wall_without_what_stays(self, line: Line) -> str | None:
         """The wall at which energies differ by one component, where no line says which stays."""
