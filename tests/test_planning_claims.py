@@ -19,7 +19,7 @@ from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
-from restitution.workings import to_text
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 OBLIQUE = """
@@ -554,3 +554,27 @@ def test_what_is_shown_is_reached_step_by_step(name: str) -> None:
     problem = parse(statement)
     assert follow(plan(solve(problem)), Oracle(roles(problem))) == ()
     assert words in _printed(statement)
+
+
+def test_a_claim_of_the_size_of_a_vector_has_a_working() -> None:
+    """|mu − Mv| ≤ mu + Mv: with the vector itself nothing is compared."""
+    text = """
+sphere A: mass m, velocity u i
+sphere B: mass M, velocity -v i
+A hits B: along i
+show abs(momentum) <= m u + M v
+"""
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "|total momentum| = |Mv − mu|" in shown
+    assert "|total momentum| ≤ mu + Mv (as required)" in shown
+
+
+def test_a_sum_with_a_deflection_is_in_degrees() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at 180° - alpha
+A hits B: along i
+show deflection(A) + 2 alpha <= 180°
+"""
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "δ + 2α = 180° + α − arctan((tan α)/e)" in shown

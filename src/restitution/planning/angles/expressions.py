@@ -18,6 +18,8 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
+    Number,
     Quantity,
     children,
     walk,
@@ -42,6 +44,18 @@ from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
 
 _DATA = ("mass", "restitution")
+
+
+def _has_degrees(tree: Expression) -> bool:
+    """Whether an expression is an angle of the motion, or a sum with such an angle."""
+    match tree:
+        case Quantity(kind):
+            return kind in ANGLES
+        case Negate(operand) | Binary("*", Number(), operand) | Binary("/", operand, Number()):
+            return _has_degrees(operand)
+        case Binary("+" | "-", left, right):
+            return _has_degrees(left) or _has_degrees(right)
+    return False
 
 
 def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
@@ -75,8 +89,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     if not refs:
         raise NotPlannedError("an expression of data")
     value = _worth(scene, asked, values)
-    angle = isinstance(asked, Quantity) and asked.kind in ANGLES
-    final = tree_of(value, angle=angle)
+    final = tree_of(value, angle=_has_degrees(asked))
     if value == 0 and isinstance(asked, Binary) and asked.op == "/":
         nothing = chain(asked, (final, None))
         quotient = (Move("rearrange"), Move("put"), Move("divide"))

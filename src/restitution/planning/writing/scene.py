@@ -202,7 +202,10 @@ class Scene:
         return self.others[0] if self.others else self.model
 
     def worth(self, tree: Expression, others: Mapping[str, sp.Symbol] | None = None) -> sp.Expr:
-        """What a tree of a line is worth; components, and ``others``, are letters."""
+        """What a tree of a line is worth; components, and ``others``, are letters.
+
+        Raises NotPlannedError for a vector.
+        """
         if others:
             return self._worth_of(tree, {**self._named_letters(), **others})
         names = self._named_letters()
@@ -215,6 +218,9 @@ class Scene:
         evaluator = Evaluator(
             self.model.story.field, lambda name: names[name] if name in names else letter(name)
         )
+        value = evaluator.value(tree)
+        if isinstance(value, Vector | tuple):
+            raise NotPlannedError("a vector where a number is put in")
         return sp.sympify(evaluator.scalar(tree), strict=True)
 
     def _named_letters(self) -> Mapping[str, sp.Symbol]:
