@@ -208,7 +208,7 @@ class GivenLeads(Leads):
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 
-    def _straight_on(self, line: Line, fact: Sentence) -> tuple[Sentence, ...] | None:
+    def _straight_on(self, line: Line, fact: Sentence | lay.Layout) -> tuple[Sentence, ...] | None:
         """That a body keeps to one line in an impact, so that it has no component across."""
         event = self._naming.events.get(line.move.event or 0)
         if event is None or len(line.move.bodies) != 1:
