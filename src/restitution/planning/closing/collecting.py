@@ -36,7 +36,9 @@ from restitution.planning.writing.forms import (
     ONE,
     alike,
     difference,
+    factors,
     number,
+    outer_terms,
     product,
     square,
     tree_of,
@@ -58,6 +60,8 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     """
     link = scene.desk.last_link(line)
     if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
+        return line
+    if len(symbols) == 1 and _is_of_one_bracket(link, symbols[0].name):
         return line
     line = _with_plain_squares(scene, line)
     line = with_products_out(scene, line, *symbols)
@@ -263,6 +267,23 @@ def _written(
 def _is_plain(link: Link, name: str) -> bool:
     """Whether the unknown stands alone on a side."""
     return Letter(name) in (link.left, link.right)
+
+
+def _is_of_one_bracket(link: Link, name: str) -> bool:
+    """Whether a product has the unknown in one sum of two terms, and no other sum is there.
+
+    From ``½mu = m(u − v)`` a reader sees v at once.
+    """
+    for near, far in ((link.left, link.right), (link.right, link.left)):
+        own = [each for each in factors(near) if _has(each, name)]
+        if len(own) != 1 or near in own or _has(far, name):
+            continue
+        terms = [e.operand if isinstance(e, Negate) else e for e in outer_terms(own[0])]
+        others = [e for side in (near, far) for e in walk(side) if e is not own[0]]
+        sums = [e for e in others if isinstance(e, Binary) and e.op in ("+", "-")]
+        if len(terms) == 2 and terms.count(Letter(name)) == 1 and not sums:
+            return True
+    return False
 
 
 def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:

@@ -54,7 +54,7 @@ from restitution.planning.formulas.ties import write_tie
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.given_places import write_given_place
 from restitution.planning.routes.given_energies import write_share_of_energy
-from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as
+from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as, quoted_ratio
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between
 from restitution.planning.writing.candidates import Candidate
@@ -135,6 +135,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         return write_sum(scene, each)
     if not has_quantity(own.left) and not has_quantity(own.right):
         return _between_letters(scene, each)
+    ratio = quoted_ratio(scene, each)
+    if ratio is not None:
+        return ratio
     if isinstance(own.left, Quantity):
         standing = quoted(scene, each, own.left)
         if standing is not None:

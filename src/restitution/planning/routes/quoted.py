@@ -9,6 +9,7 @@ from restitution.explaining.lines.derivation import Meaning, Move, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -18,7 +19,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.desk import Source, chain, together
-from restitution.planning.writing.forms import square, tree_of
+from restitution.planning.writing.forms import product_without, square, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
@@ -32,6 +33,41 @@ def quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
     if quantity.kind not in QUOTED and not turned:
         return None
     return quoted_as(scene, each, Apply("tan", quantity) if turned else quantity)
+
+
+def quoted_ratio(scene: Scene, each: GivenEquation) -> int | None:
+    """What is given of the ratio of two quantities that an item above has in letters.
+
+    From ``loss/energy before = ½ cos²α`` and a loss of a quarter of that energy it is
+    ``½ cos²α = ¼``: neither of the two is worked out again.
+    """
+    left, right = each.link.left, each.link.right
+    match left:
+        case Quantity() as one:
+            others = {node for node in walk(right) if isinstance(node, Quantity)}
+            other = next(iter(others)) if len(others) == 1 else None
+            share = None if other is None else product_without(right, other)
+        case Binary("/", Quantity() as one, Quantity() as other):
+            share = right
+        case _:
+            return None
+    if other is None or share is None or has_quantity(share):
+        return None
+    for end in reversed(scene.desk.ends):
+        if not scene.desk.holds(end.line) or len(scene.desk.relation(end.line).options) > 1:
+            continue
+        own = scene.desk.last_link(end.line)
+        if own.sign != "=" or own.left != Binary("/", one, other) or has_quantity(own.right):
+            continue
+        value, refs = scene.put(scene.scalar(own.right))
+        if not scene.unknown(value) or has_root(value):
+            continue
+        relation = chain(own.right if not refs else tree_of(value), (share, None))
+        pool = (each.fact.id, end.line, *each.lets, *refs)
+        written = scene.judge.write((Move("put"),), pool, relation)
+        if written is not None:
+            return written
+    return None
 
 
 def has_root(value: sp.Expr) -> bool:
