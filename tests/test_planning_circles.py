@@ -194,6 +194,18 @@ def test_the_length_of_a_chord_is_by_the_angle_of_the_data() -> None:
     assert "distance(position(P, 0), position(P, 1)) = 2a cos(alpha)" in lines(derivation, "chord")
 
 
+def test_both_radii_in_letters_are_added_up() -> None:
+    problem, derivation = planned(
+        """
+        wall C: circle centre (0, 0) radius 2a
+        sphere P: at (-4a, a), velocity u i, radius a/2
+        P hits C: e = 1/2
+        find speed(P)
+        """
+    )
+    assert "at a distance 2a + a/2 = 5a/2 from" in " ".join(printed(problem, derivation).split())
+
+
 def test_a_deflection_on_a_chord_is_by_angles_that_need_no_place() -> None:
     problem, derivation = planned(
         """

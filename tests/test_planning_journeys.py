@@ -234,6 +234,22 @@ def test_a_slanted_wall() -> None:
     assert answers(derivation) == ["time(1) = 16/7", "position(P, 1) = 16/7 i + 12/7 j"]
 
 
+def test_a_place_after_two_further_ways_follows_from_the_one_between() -> None:
+    derivation = working(
+        """
+        wall L: along j, through (0, 0)
+        wall R: along j, through (d, 0)
+        sphere P: at (0, 0), velocity u at 45°
+        P hits R
+        P hits L
+        P hits R
+        find time(3)
+        find distance(position(P, 1), position(P, 3))
+        """
+    )
+    assert answers(derivation)[-1].endswith("= (1 + e) d/e^2")
+
+
 @pytest.mark.parametrize("angle", ["60°", "40°", "150°", "theta"])
 def test_a_wall_that_is_told_by_its_angle_is_on_a_line_too(angle: str) -> None:
     statement = f"""

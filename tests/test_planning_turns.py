@@ -9,14 +9,17 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+import sympy as sp
 from derivations import oracle_of
 from workings import planned
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Relation
 from restitution.expression.tree import Binary
+from restitution.expression.writing import write_expression
 from restitution.language import parse
 from restitution.planning.planner import plan
+from restitution.planning.writing.forms import tree_of
 from restitution.solving import solve
 from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
@@ -319,3 +322,8 @@ find angle(velocity(A), velocity(B))
 """
     working = to_text(explain(solve(parse(text))), 200)
     assert "β = arccos(v(v − u cos θ)/(|v − u cos θ|√(v² + u² sin²θ)))" in working
+
+
+def test_an_angle_with_letters_has_its_constant_in_degrees() -> None:
+    value = (sp.pi - 2 * sp.Symbol("alpha", positive=True)) / 2
+    assert write_expression(tree_of(sp.factor(value), angle=True)) == "90° - alpha"

@@ -144,10 +144,28 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
             return known
         leg(scene, stage)
     near = _nearest(scene, body, since, stage, axis)
-    pace = velocity(scene, body, since, axis)
     earlier: tuple[Ref, ...] = ()
     if near == since:
         near, earlier = _steady_since(scene, body, since, axis)
+    mark = scene.desk.mark()
+    own = _moved(scene, body, stage, axis, near, earlier)
+    if own is None and near != since:
+        # Over several ways at once it is not seen: one way after the other.
+        scene.desk.back(mark)
+        own = _moved(scene, body, stage, axis, since, ())
+    if own is None:
+        raise NotPlannedError("a coordinate by the time")
+    return own
+
+
+def _moved(
+    scene: Scene, body: str, stage: int, axis: Axis, near: int, earlier: tuple[Ref, ...]
+) -> Source | None:
+    """A coordinate by that at an event before, and the time since; None if it does not follow.
+
+    ``earlier`` tells of the component on the ways before the last one.
+    """
+    pace = velocity(scene, body, last_move(scene, body, stage), axis)
     first = coordinate(scene, body, near, axis)
     refs = [*first.refs, *pace.refs, *earlier]
     tree: Expression = tree_of(first.value)
@@ -155,7 +173,7 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     if pace.value != 0:
         flight, length, used = flight_time(scene, near, stage)
         refs += used
-        in_degrees = _by_degrees(scene, body, since, axis)
+        in_degrees = _by_degrees(scene, body, last_move(scene, body, stage), axis)
         if in_degrees is None or scene.model.sign(scene.model.in_data(pace.value)) < 0:
             in_degrees = tree_of(pace.value)
         distance = swept(product(in_degrees, flight))
@@ -165,12 +183,13 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
         tree = distance if first.value == 0 else swept(total((tree, distance)))
         value = tidy(first.value + pace.value * length)
     quantity = coordinate_tree(body, stage, axis)
-    number = scene.desk.write(
+    move, relation = (
         Move("define", "straight-line", stage, (body,)),
-        refs,
         added_up(scene, quantity, tree, value),
     )
-    return scene.desk.know(quantity, value, (number,))
+    if earlier and not scene.judge.follows(move, refs, relation):
+        return None
+    return scene.desk.know(quantity, value, (scene.desk.write(move, refs, relation),))
 
 
 def _steady_since(scene: Scene, body: str, since: int, axis: Axis) -> tuple[int, tuple[Ref, ...]]:

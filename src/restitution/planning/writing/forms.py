@@ -151,6 +151,11 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
 def _tree_of(own: sp.Expr, angle: bool, as_it_is: bool) -> Expression:
     if own.has(sp.zoo, sp.nan):
         raise UnwrittenError(own)
+    if angle and own.has(sp.pi) and own.free_symbols:
+        own, as_it_is = (
+            sp.expand_mul(own, deep=False),
+            True,
+        )  # 90° − α, and no fraction with π above
     own = own if as_it_is else neat(own)
     names = {_parted(symbol.name): symbol.name for symbol in own.free_symbols}
     return _from_layout(lay.from_sympy(own, degrees=angle), names)

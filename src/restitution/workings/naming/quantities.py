@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
+from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.straight_walls import equation_of_line
 from restitution.render import layout as lay
 from restitution.shapes import Circle
@@ -442,7 +443,7 @@ class Naming(Moments):
                 return say("contact.wall-line", body=body, wall=wall, line=line)
             case Link(Quantity("dot"), "=", Binary("^", radius, _)) if event is not None:
                 one, other = event.bodies
-                length = self.layout(radius)
+                length = self.layout(tree_of(worth(radius)))
                 if is_plain(length):
                     length = with_unit(length, self.unit(Quantity("distance", ())))
                 if other not in self.circles:
