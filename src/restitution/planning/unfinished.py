@@ -9,7 +9,7 @@ from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Line, Link, Meaning, Ref, Relation
 from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters, walk
 from restitution.planning.angles.expressions import write_expression
-from restitution.planning.closing.roots import written_law
+from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.formulas.impacts import momentum, rebound, restitution, unchanged
 from restitution.planning.inequalities.ranges import relation_of
 from restitution.planning.routes.givens import write_given

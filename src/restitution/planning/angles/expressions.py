@@ -24,8 +24,9 @@ from restitution.expression.tree import (
     children,
     walk,
 )
+from restitution.planning.angles.decimal_angles import write_decimal
 from restitution.planning.angles.quantities import formula
-from restitution.planning.angles.turning import angle_line, write_decimal
+from restitution.planning.angles.turning import angle_line
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.squared_ratios import write_by_squares
 from restitution.planning.formulas.definitions import write_formula

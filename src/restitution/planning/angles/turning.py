@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 import sympy as sp
@@ -30,6 +29,9 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.along_lines import angle_along_the_centres
 from restitution.planning.angles.at_sight import angle_at_sight
+from restitution.planning.angles.decimal_angles import (
+    write_decimal,
+)
 from restitution.planning.angles.directions import (
     along_an_axis,
     along_the_centres,
@@ -48,16 +50,23 @@ from restitution.planning.angles.lines_between import (
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.scalar_angles import (
-    is_long,
-    write_cosine,
     write_right_angle,
     write_right_angle_of_axes,
 )
 from restitution.planning.angles.turn_lines import inverse_of_data, write_turn, write_turn_tangent
 from restitution.planning.angles.turned_directions import turn_of_directions
+from restitution.planning.angles.vectors_between import (
+    by_cosine,
+    by_scalar,
+    has_its_product,
+    is_nested,
+    is_right_angle,
+    is_vector_in_numbers,
+    own_size,
+    vectors_in_numbers,
+)
 from restitution.planning.angles.wall_turns import angle_of_approach, tangent_at_a_wall
 from restitution.planning.closing.cotangents import write_open_angle
-from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import (
     ANGLES,
@@ -89,13 +98,11 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.given_angles import given_angle, given_by_its_ratio
 from restitution.planning.writing.polynomials import expanded
-from restitution.planning.writing.premises import background, sign_known
+from restitution.planning.writing.premises import background
 from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.writing.same_angles import angle_by_the_same, write_same_angle
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
-
-_FIGURES = 3
 
 
 def write_angle(scene: Scene, asked: Expression) -> tuple[int, Relation]:
@@ -307,30 +314,6 @@ def _ratio(scene: Scene, asked: Quantity, wanted: str | None = None) -> Ratio | 
     raise NotPlannedError(f"no way to the {asked.kind}")
 
 
-def write_decimal(scene: Scene, line: int) -> tuple[int, Relation]:
-    """The line again in figures, where it says a number that needs them, and the answer."""
-    own = scene.desk.last_link(line)
-    answer = Relation((((Link(own.left, "=", own.right),)),))
-    value = scene.scalar(own.right)
-    if value.free_symbols or _in_degrees(own.right):
-        return line, answer
-    rounded = _rounded(value * 180 / sp.pi)
-    answer = Relation(((Link(own.left, "≈", rounded),),))
-    return scene.desk.write(Move("value"), (line,), answer), answer
-
-
-def _in_degrees(tree: Expression) -> bool:
-    return isinstance(tree, Degrees) or (
-        isinstance(tree, Negate) and isinstance(tree.operand, Degrees)
-    )
-
-
-def _rounded(degrees: Any) -> Expression:
-    """An angle to three figures."""
-    number = Fraction(str(exact.significant(degrees, _FIGURES)).replace("−", "-"))
-    return Negate(Degrees(-number)) if number < 0 else Degrees(number)
-
-
 # --- ratios ------------------------------------------------------------------------------------
 
 
@@ -371,7 +354,7 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
 def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     """The angle between two velocities, by their tangents or their scalar product."""
     pair = [body_and_stage(scene, argument) for argument in asked.arguments]
-    in_numbers = all(_is_vector_in_numbers(scene, body) for body, _ in pair)
+    in_numbers = all(is_vector_in_numbers(scene, body) for body, _ in pair)
     in_numbers |= stand_as_vectors(scene, pair)
     if in_numbers and wanted != "cos" and _is_along_the_line(scene, asked, pair):
         in_numbers = False  # its angle to the line of centres is that of the other one
@@ -386,14 +369,14 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
         except NotPlannedError:
             pass
         else:
-            if own.move.record == "tan" and not _is_right_angle(scene, own):
+            if own.move.record == "tan" and not is_right_angle(scene, own):
                 line, letter = tangent_line(scene, asked, own, own.move)
                 return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
     sources = [whole_velocity(scene, *each) for each in pair]
     event = max(stage for _, stage in pair) or None
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", event, bodies)
-    return _by_scalar(scene, move, sources, asked)
+    return by_scalar(scene, move, sources, asked)
 
 
 def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, int]]) -> bool:
@@ -402,7 +385,7 @@ def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, 
     Their scalar product is none that a line has.
     """
     (first, late), (second, other) = pair
-    if late != other or late not in scene.model.frames or _has_its_product(scene, asked):
+    if late != other or late not in scene.model.frames or has_its_product(scene, asked):
         return False
     if {first, second} != set(scene.bodies(late)):
         return False
@@ -410,19 +393,6 @@ def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, 
     own = [[in_direction(scene, k, b, late, frame) for k in ("along", "across")] for b, _ in pair]
     across = [parts[1].value == 0 for parts in own]
     return across.count(True) == 1 and all(parts[0].value != 0 for parts in own)
-
-
-def _is_vector_in_numbers(scene: Scene, body: str) -> bool:
-    """Whether a velocity at the start is given as a vector of numbers with **i** and **j**."""
-    fact = scene.facts.get(f"velocity {body}")
-    if fact is None or isinstance(fact.relation.only[0].right, Polar):
-        return False
-    return not any(each.free_symbols for each in scene.initial(body).value)
-
-
-def _is_right_angle(scene: Scene, own: Formula) -> bool:
-    """Whether what stands below in a tangent vanishes, or the angle is none."""
-    return bool(own.value.is_number and (own.value.is_infinite or own.value == 0))
 
 
 def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
@@ -434,39 +404,6 @@ def _between_lines(scene: Scene, asked: Quantity) -> Ratio:
     to_a_line = any(map(is_line, asked.arguments))
     extent = "0° <= {} <= 90°" if to_a_line else RANGES["deflection"]
     return Ratio(line, letter, "cos", own.value, extent.format(letter))
-
-
-def _by_scalar(
-    scene: Scene,
-    move: Move,
-    sources: list[Source],
-    asked: Quantity,
-    sizes: tuple[Expression | None, Expression | None] = (None, None),
-) -> Ratio | int:
-    """An angle between two vectors that are known, by their scalar product.
-
-    ``sizes`` are those of the vectors, where they are known too.
-    """
-    a, b = (source.value for source in sources)
-    pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
-    right, value = cosine_of(pairs, a, b, sizes)
-    if is_long(right) or _has_its_product(scene, asked):
-        if value == 0 and (line := write_right_angle(scene, asked)) is not None:
-            return line
-        own = _by_cosine(scene, asked)
-        if own is not None:
-            return own
-    letter, meaning = letter_of(scene, asked)
-    refs = together((meaning,), *(source.whole for source in sources))
-    line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
-    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
-
-
-def _has_its_product(scene: Scene, asked: Quantity) -> bool:
-    """Whether a line gives the scalar product of the velocities of an angle."""
-    pair = asked.arguments
-    products = (Quantity("dot", each) for each in (pair, pair[::-1]) if len(each) == 2)
-    return any(scene.desk.known(each) is not None for each in products)
 
 
 # --- deflections -------------------------------------------------------------------------------
@@ -505,7 +442,7 @@ def _deflection(
         if line is not None:
             return line
     if wanted == "cos" and frame.wall is None:
-        own_ratio = _by_cosine(scene, asked)
+        own_ratio = by_cosine(scene, asked)
         if own_ratio is not None:
             return own_ratio
     if square_ or wanted == "cos" or scene.model.identically_zero(cross):
@@ -518,7 +455,7 @@ def _deflection(
             value = sp.Integer(scene.model.sign(value))
         letter, meaning = letter_of(scene, asked)
         move = Move("define", "scalar-angle", event, (body,))
-        refs = together((meaning,), refs, *(_own_size(scene, each) for each in (a, b)))
+        refs = together((meaning,), refs, *(own_size(scene, each) for each in (a, b)))
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
     if wanted != "cos" and (frame.is_slanted or early[0].value == 0):
@@ -528,7 +465,7 @@ def _deflection(
     both = [(body, event - 1), (body, event)]
     if wanted is None and stand_as_vectors(scene, both):
         sources = [whole_velocity(scene, *each) for each in both]
-        return _by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)
+        return by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)
     if frame.wall is not None and wanted is None:
         return _by_sum(scene, asked)
     if frame.wall is not None and wanted == "tan":
@@ -539,12 +476,12 @@ def _deflection(
             return Ratio(number, letter, "tan", value, RANGES["deflection"].format(letter))
     if (
         wanted != "tan"
-        and _vectors_in_numbers(scene, body, event, a, b)
-        and not _is_nested(dot**2 / (dot**2 + cross**2))
+        and vectors_in_numbers(scene, body, event, a, b)
+        and not is_nested(dot**2 / (dot**2 + cross**2))
     ):
         sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
         move = Move("define", "scalar-angle", event, (body,))
-        return _by_scalar(scene, move, sources, asked)
+        return by_scalar(scene, move, sources, asked)
     turned = _by_turn(scene, asked, wanted)
     if turned is not None:
         return turned
@@ -561,17 +498,7 @@ def _turned_by_a_blow(scene: Scene, body: str, event: int, asked: Quantity) -> R
     move = Move("define", "scalar-angle", event, (body,))
     plain = speed is not None and sp.sympify(speed.value, strict=True).is_Rational
     sizes = (None, tree_of(speed.value) if speed is not None and plain else None)
-    return _by_scalar(scene, move, [early, late], asked, sizes)
-
-
-def _by_cosine(scene: Scene, asked: Quantity) -> Ratio | None:
-    """The cosine of an angle between two velocities by lines for their product and both speeds."""
-    line = write_cosine(scene, asked)
-    if line is None:
-        return None
-    letter, _ = letter_of(scene, asked)
-    value = tidy(scene.scalar(scene.desk.last_link(line).right))
-    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+    return by_scalar(scene, move, [early, late], asked, sizes)
 
 
 def _by_turn(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int | None:
@@ -610,27 +537,6 @@ def turn_in_letters(scene: Scene, asked: Quantity) -> int | None:
             return line
         scene.desk.back(mark)
     return None
-
-
-def _is_nested(square_: sp.Expr) -> bool:
-    """Whether the square of a cosine has a root in it: the tangent is plainer then."""
-    return not tidy(square_).is_Rational
-
-
-def _own_size(scene: Scene, vector: Vector) -> tuple[Ref, ...]:
-    """What has to be known for the only component of a vector to be its size."""
-    parts = [each for each in vector if each != 0]
-    return sign_known(scene, parts[0]) if len(parts) == 1 else ()
-
-
-def _vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vector) -> bool:
-    """Whether both velocities are vectors of numbers with **i** and **j**."""
-    if any(sp.sympify(each, strict=True).free_symbols for each in (*a, *b)):
-        return False
-    fact = scene.facts.get(f"velocity {body}")
-    if scene.last_event(body, event - 1) or fact is None:
-        return False
-    return not any(isinstance(each, Polar) for each in (fact.relation.only[0].right,))
 
 
 def _by_sum(scene: Scene, asked: Quantity) -> int:

@@ -12,7 +12,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Letter, Quantity
-from restitution.planning.closing.roots import written_law
+from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.formulas.energy_formulas import half
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.writing.desk import Source, chain, together

@@ -10,16 +10,9 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Apply, Letter
 from restitution.expression.writing import write_expression
+from restitution.planning.closing.excluded_roots import option, rejected
 from restitution.planning.closing.ratios import inside_functions
-from restitution.planning.closing.roots import (
-    by_roots,
-    is_reached,
-    is_value,
-    itself,
-    known_as,
-    option,
-    rejected,
-)
+from restitution.planning.closing.roots import by_roots, is_reached, is_value, itself, known_as
 from restitution.planning.closing.square_roots import as_square
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.desk import Source, chain

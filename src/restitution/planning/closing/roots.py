@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
-from restitution.explaining.lines.trees import trees_of
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
     Letter,
-    Name,
-    Quantity,
     letters,
-    walk,
 )
-from restitution.planning.closing.bounded_speeds import bounds_that_stand
+from restitution.planning.closing.excluded_roots import (
+    option,
+    rejected,
+)
 from restitution.planning.closing.polynomial_trees import doubled_power, polynomial_tree
 from restitution.planning.closing.roots_in_order import put_in_order_last
 from restitution.planning.closing.square_roots import (
@@ -32,17 +31,12 @@ from restitution.planning.closing.square_roots import (
 )
 from restitution.planning.closing.squares_in_degrees import square_in_degrees
 from restitution.planning.formulas.impacts import (
-    in_direction,
-    momentum,
     residual,
-    restitution,
     scene_value,
 )
-from restitution.planning.formulas.velocity_formulas import velocity_source
-from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.desk import Source, chain
 from restitution.planning.writing.forms import (
     ZERO,
-    is_in_degrees,
     negative,
     outer_terms,
     product,
@@ -371,13 +365,6 @@ def _squares_out(whole: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return outside, open_ if len(sp.Add.make_args(open_)) <= 2 else rest
 
 
-def option(subject: Expression, value: sp.Expr) -> tuple[Link, ...]:
-    """One of the alternatives, as a line has it."""
-    if is_in_degrees(value):
-        return (Link(subject, "=", tree_of(sp.factor_terms(value), as_it_is=True)),)
-    return (Link(subject, "=", tree_of(value)),)
-
-
 def in_standard_form(
     scene: Scene, number: int, above: sp.Expr, generator: sp.Expr, subject: Expression
 ) -> int:
@@ -528,282 +515,3 @@ def _first_reached(scene: Scene, root: sp.Expr, of: Of, symbol: sp.Symbol) -> in
 
 
 # --- what excludes a root -----------------------------------------------------------------------
-
-
-def rejected(
-    scene: Scene,
-    line: int,
-    symbol: sp.Symbol,
-    subject: Expression,
-    kept: Sequence[sp.Expr],
-) -> int:
-    """The line of what remains, with what excludes the rest: the line that was squared may."""
-    relation = Relation(tuple(option(subject, each) for each in kept))
-    move = Move("reject")
-    own = background(scene, {symbol.name})
-    component = _is_component(scene, symbol)
-    bare = _likely(scene, symbol, own)
-    if not component and scene.judge.follows(move, (line, *bare), relation):
-        return scene.desk.write(move, (line, *bare), relation)
-    unsquared = _unsquared(scene, line, symbol)
-    if unsquared:
-        refs = scene.judge.enough(move, (line,), relation, (*unsquared, *own))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    senses_ = senses(scene, symbol)
-    if senses_:
-        refs = scene.judge.enough(move, (line,), relation, (*senses_, *own))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    if (pushed := _pushed(scene, symbol)) and scene.judge.follows(move, (line, *pushed), relation):
-        refs = scene.judge.enough(move, (line,), relation, pushed)
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    laws = _laws(scene, symbol) if component else ()
-    names = {symbol.name}
-    for each in kept:
-        names |= {x.name for x in each.free_symbols}
-    for ref in laws:
-        names |= {x.name for x in residual(scene, ref).free_symbols}  # type: ignore[arg-type]
-    rest = [each for each in background(scene, names) if each not in own]
-    for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
-        if scene.judge.follows(move, (line, *premises), relation):
-            return scene.desk.write(move, (line, *premises), relation)
-    facts = [each for each in scene.judge.known(names) if each in scene.facts]
-    for approach in _approaches(scene, line, symbol):
-        refs = scene.judge.enough(move, (line,), relation, approach)
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    for sense in _senses_of_components(scene, symbol):
-        refs = scene.judge.enough(move, (line,), relation, (*sense, *own))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    for bound in bounds_that_stand(scene):
-        refs = scene.judge.enough(move, (line,), relation, (*bound, *own))
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    for tied in _tied_letters(scene, line, symbol):
-        refs = scene.judge.enough(move, (line,), relation, tied)
-        if refs is not None:
-            return scene.desk.write(move, refs, relation)
-    pool = (*own, *laws, *_values(scene, laws), *rest, *facts)
-    refs = scene.judge.enough(move, (line,), relation, pool)
-    if refs is None and scene.out_of_range:
-        return line  # what excludes all roots tells none from the others
-    if refs is None:
-        raise NotPlannedError(f"nothing excludes a value of {symbol}")
-    return scene.desk.write(move, refs, relation)
-
-
-def _tied_letters(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
-    """Each line above some roots that gives another letter by this one, with what that may be."""
-    for ref in sorted((e for e in scene.desk.under(line) if isinstance(e, int)), reverse=True):
-        own = scene.desk.line(ref).relation
-        if isinstance(own, Meaning) or len(own.options) != 1:
-            continue
-        match own.only:
-            case (Link(Letter(name), "="), *_) if symbol.name in letters(own.only[-1].right):
-                yield (ref, *background(scene, {name}))
-
-
-def _unsquared(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
-    """The line above some roots in which the unknown stands below a root: it was squared."""
-    for ref in sorted((e for e in scene.desk.under(line) if isinstance(e, int)), reverse=True):
-        own = scene.desk.line(ref).relation
-        if isinstance(own, Meaning) or len(own.options) != 1:
-            continue
-        nodes = [node for tree in trees_of(own) for node in walk(tree)]
-        if any(
-            isinstance(node, Apply) and node.function == "sqrt" and symbol.name in letters(node)
-            for node in nodes
-        ):
-            return (ref,)
-    return ()
-
-
-def _approaches(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
-    """That spheres approach each other, of which one has an open component at the start.
-
-    With it where they are then, and the lines under this one that tie the components.
-    """
-    lets = [
-        each.number
-        for each in scene.desk.lines
-        if isinstance(each.relation, Meaning) and isinstance(each.relation.quantity, Quantity)
-    ]
-    named = {scene.desk.line(each).relation.letter for each in lets}  # type: ignore[union-attr]
-    if symbol.name not in named:
-        return
-    tied = [ref for ref in scene.desk.under(line) if isinstance(ref, int)]
-    for number in scene.model.frames:
-        bodies = scene.spheres(number)
-        facts = [f"{kind} {body}" for body in bodies for kind in ("position", "velocity")]
-        places = [scene.desk.known(Quantity("position", (Name(e),), number)) for e in bodies]
-        stands = [ref for each in places if each is not None for ref in each.refs]
-        own = [f"towards {number}", *(each for each in facts if each in scene.facts)]
-        if own[0] in scene.facts:
-            yield tuple(dict.fromkeys((*own, *stands, *lets, *sorted(tied))))
-
-
-def _likely(scene: Scene, symbol: sp.Symbol, own: tuple[Ref, ...]) -> tuple[Ref, ...]:
-    """What excludes the other root of two: a coefficient is not negative, an angle in its range."""
-    role = scene.model.unknowns.roles.get(symbol.name)
-    if role is not None and role.kind == "restitution":
-        return own[:1]
-    return own
-
-
-def _by_one_law(
-    scene: Scene, laws: tuple[Ref, ...], rest: Sequence[Ref]
-) -> Iterable[tuple[Ref, ...]]:
-    """The same of one law, where it holds no other component: the later one first.
-
-    A law alone excludes what only contradicts a letter that is positive, which nothing says: so
-    that comes last.
-    """
-    components = {component.symbol for component in scene.model.components.values()}
-    alone: list[tuple[Ref, ...]] = []
-    for law in reversed(laws):
-        letters = residual(scene, law).free_symbols  # type: ignore[arg-type]
-        if len(letters & components) > 1:
-            continue
-        names = {letter.name for letter in letters}
-        own = [each for each in rest if any(name in str(each).split() for name in names)]
-        alone.append((law,))
-        for sign in (">= 0", "<= 1"):
-            angles = [each for each in own if not str(each).endswith(("= 0", "= 1"))]
-            ends = [each for each in own if str(each).endswith(sign)]
-            if ends or angles:
-                yield (law, *ends, *angles)
-    yield from alone
-
-
-def _by_laws(laws: tuple[Ref, ...], rest: Sequence[Ref]) -> Iterable[tuple[Ref, ...]]:
-    """Sets of premises that may exclude a sense of a component: both laws, and 0 ≤ e ≤ 1."""
-    if not laws:
-        return
-    angles = tuple(each for each in rest if not str(each).endswith(("= 0", "= 1")))
-    low = tuple(each for each in rest if str(each).endswith(">= 0"))
-    high = tuple(each for each in rest if str(each).endswith("<= 1"))
-    yield (*laws, *low, *angles)
-    if high:
-        yield (*laws, *high, *angles)
-
-
-def _is_component(scene: Scene, symbol: sp.Symbol) -> bool:
-    return any(component.symbol == symbol for component in scene.model.components.values())
-
-
-def _laws(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
-    """The laws of the impact after which a component is: they may exclude a sense of it."""
-    for (number, _), component in scene.model.components.items():
-        if component.symbol == symbol:
-            frame = scene.frame(number)
-            if frame.wall is None:
-                first, second = (
-                    written_law(scene, record, number) or write(scene, frame)
-                    for record, write in (("momentum", momentum), ("restitution", restitution))
-                )
-                return second, first
-    return ()
-
-
-def _pushed(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
-    """What tells that a sphere had no component along the line of centres, and what its letter is.
-
-    It is pushed away from the other sphere. Empty where it had one, or is not known to have none.
-    """
-    for (number, body), component in scene.model.components.items():
-        own = scene.model.frames.get(number)
-        if component.symbol != symbol or own is None or own.wall is not None:
-            continue
-        early = in_direction(scene, "along", body, number - 1, scene.frame(number))
-        if early.value != 0:
-            return ()
-        lets = [
-            line.number
-            for line in scene.desk.lines
-            if isinstance(line.relation, Meaning) and line.relation.letter == symbol.name
-        ]
-        return together(early.whole, lets)
-    return ()
-
-
-def written_law(scene: Scene, record: str, number: int) -> int | None:
-    """The line of a law of an impact, where it stands already."""
-    move = Move("law", record, number, scene.bodies(number))
-    for line in scene.desk.lines:
-        if line.move == move and scene.desk.holds(line.number):
-            return line.number
-    return None
-
-
-def _values(scene: Scene, laws: Sequence[Ref]) -> tuple[Ref, ...]:
-    """The lines that give values of letters in laws."""
-    refs: list[Ref] = []
-    for line in laws:
-        for symbol in residual(scene, line).free_symbols:  # type: ignore[arg-type]
-            known = scene.desk.known(Letter(symbol.name))
-            if known is not None:
-                refs += known.refs
-    return tuple(dict.fromkeys(refs))
-
-
-def _senses_of_components(scene: Scene, symbol: sp.Symbol) -> Iterator[tuple[Ref, ...]]:
-    """What is given of the senses of components that lines tell by a letter: of one, of all."""
-    every: list[tuple[Ref, ...]] = []
-    for (event, body), component in scene.model.components.items():
-        own = scene.desk.known(Letter(component.symbol.name))
-        if own is None or symbol not in sp.sympify(own.value, strict=True).free_symbols:
-            continue
-        facts = senses(scene, component.symbol)
-        if facts:
-            early, late = (velocity_source(scene, body, k) for k in (event - 1, event))
-            every.append(together(own.refs, facts, early.refs, late.refs))
-            yield every[-1]
-    if len(every) > 1:
-        yield together(*every)
-
-
-def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
-    """Facts about the sense, or the range, of what a letter is, and what introduces the letter."""
-    refs: list[Ref] = []
-    bodies = {body for (_, body), each in scene.model.components.items() if each.symbol == symbol}
-    for fact in scene.desk.facts:
-        if not scene.desk.holds(fact.id) or not fact.id.startswith(("given", "sense")):
-            continue
-        nodes = [
-            each
-            for links in fact.relation.options
-            for link in links
-            for side in (link.left, link.right)
-            for each in walk(side)
-        ]
-        about = any(
-            isinstance(node, Quantity)
-            and node.kind in ("velocity", "direction", "along", "across")
-            and any(Name(body) in walk(node) for body in bodies)
-            for node in nodes
-        )
-        ordered = any(
-            link.sign in ("<", "<=", ">", ">=", "!=")
-            for links in fact.relation.options
-            for link in links
-        )
-        ranged = ordered and Letter(symbol.name) in nodes
-        if about or ranged:
-            refs.append(fact.id)
-    if refs:
-        known = [
-            line.number
-            for line in scene.desk.lines
-            if line.move.id == "let" and getattr(line.relation, "letter", None) == symbol.name
-        ]
-        axes = [
-            ref
-            for (number, _), each in scene.model.components.items()
-            if each.symbol == symbol
-            for ref in scene.frame(number).refs
-        ]
-        return (*refs, *axes, *known)
-    return ()

@@ -10,16 +10,12 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import (
-    Link,
     Meaning,
     Move,
     MoveId,
     Ref,
-    Relation,
-    Showing,
 )
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -36,6 +32,13 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.assembling import put_together
 from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.scalar_products import (
+    body_of,
+    by_scalar_product,
+    by_the_angle_of_the_line,
+    scalar_product,
+)
+from restitution.planning.formulas.settled import settled
 from restitution.planning.writing.circles import chord_from, from_centre
 from restitution.planning.writing.degrees import by_degrees, on_a_chord_by_degrees, share_by_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -47,7 +50,6 @@ from restitution.planning.writing.forms import (
     neat,
     negative,
     product,
-    reordered,
     swept,
     total,
     tree_of,
@@ -56,7 +58,7 @@ from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.planning.writing.vectors import initial_as_a_line, velocity_given
-from restitution.problem import Find, Impact, Value
+from restitution.problem import Impact
 from restitution.vector import Vector
 
 # --- components ---------------------------------------------------------------------------------
@@ -93,7 +95,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return Source(sp.Integer(0), initial.refs)  # at rest: in every direction
         value = neat(initial.value.dot(direction))
         form = by_degrees(scene, kind, body, frame, value)
-        form = form or _by_the_angle_of_the_line(scene, kind, body, frame)
+        form = form or by_the_angle_of_the_line(scene, kind, body, frame)
         in_a_line = frame.write is not None or not is_polar(scene, body)
         # Who moves along the line of centres, by its angle, has its speed as its component.
         in_a_line |= frame.wall is None and not any(
@@ -141,7 +143,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
 def _as_a_line(scene: Scene, quantity: Quantity, source: Source, frame: Frame) -> Source:
     """A component that is known in another direction, or in the other sense, in a line."""
     number = scene.desk.write(
-        Move("define", "component", frame.number, _body(quantity)),
+        Move("define", "component", frame.number, body_of(quantity)),
         source.whole,
         chain(quantity, (tree_of(source.value), None)),
     )
@@ -169,7 +171,7 @@ def _on_a_chord(scene: Scene, kind: str, body: str, since: int, frame: Frame) ->
         value, more = scene.put(velocity.value.dot(direction))
         refs = together(refs, place.refs, velocity.refs, more)
         share = on_a_chord_by_degrees(scene, kind, body, velocity.value, direction)
-        form = _scalar_product(velocity.value, direction) if share is None else share
+        form = scalar_product(velocity.value, direction) if share is None else share
         value = neat(value)
         by = "put" if more else "rearrange"
     quantity = frame.component(kind, body, since)
@@ -197,146 +199,6 @@ def is_polar(scene: Scene, body: str) -> bool:
         return False
     (link,) = fact.relation.only
     return any(isinstance(node, Polar) for node in walk(link.right))
-
-
-def by_scalar_product(
-    scene: Scene,
-    quantity: Quantity,
-    source: Source,
-    frame: Frame,
-    direction: Vector,
-    form: Expression | None = None,
-) -> Source:
-    """A component of a vector of numbers in a direction that is one: a line of its own.
-
-    ``form`` is how the component is written, where it is no scalar product.
-    """
-    (body,) = _body(quantity)
-    exact = neat(source.value.dot(direction))
-    value, more = scene.put(exact)
-    value, refs = tidy(value), together(source.refs, more, frame.refs)
-    move = Move("define", "component", frame.number, (body,))
-    last = tree_of(value)
-    if form is None and frame.number in scene.desk.paths:
-        form = _with_a_ratio(exact)  # by the angle with the path
-    if form is None and more and not scene.last_event(body, frame.number - 1):
-        form = _with_a_ratio(exact)
-    by: MoveId = "rearrange" if form is None or letters(form) == letters(last) else "define"
-    written = form or _scalar_product(scene.put(source.value)[0], direction)
-    if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
-        number = scene.desk.write(move, refs, chain(quantity, (written, None)))
-        refs, move, written = (number,), Move("identity", "sum-of-angles"), last
-    if reordered(written, last):
-        links: tuple[Link, ...] = (Link(quantity, "=", written),)
-    elif _is_over_a_root(written):
-        links = (Link(quantity, "=", written), Link(written, "=", last, by))
-    else:
-        links = chain(quantity, (written, None), (last, by)).only
-    # What is at rest has no component in any direction: nobody writes that down.
-    shown: Showing = "line" if any(source.value) else "silent"
-    number = scene.desk.write(move, refs, Relation((links,)), shown)
-    return scene.desk.know(quantity, value, (number,))
-
-
-def _by_the_angle_of_the_line(
-    scene: Scene, kind: str, body: str, frame: Frame
-) -> Expression | None:
-    """A component by the letter of the angle of a line of centres, of which a ratio is given."""
-    fact = scene.facts.get(f"axis {frame.number}")
-    if fact is None or not frame.is_slanted or frame.direction(kind).x.free_symbols:
-        return None
-    match fact.relation.only:
-        case (Link(_, "=" | "parallel to", Letter() as angle),):
-            turn = in_letters(angle)
-        case _:
-            return None
-    along = Vector(sp.cos(turn), sp.sin(turn))
-    direction = along if kind == "along" else along.turned_left()
-    return _with_a_ratio(neat(scene.initial(body).value.dot(direction)))
-
-
-def _with_a_ratio(value: sp.Expr) -> Expression | None:
-    """A component as a speed times a sine or a cosine; None of any other."""
-    ratios = value.atoms(sp.sin, sp.cos)
-    return tree_of(value) if len(ratios) == 1 and not value.has(sp.Add) else None
-
-
-def _is_over_a_root(tree: Expression) -> bool:
-    """Whether a product is over the root that is the length of a direction: ``u/√2``."""
-    own = tree.operand if isinstance(tree, Negate) else tree
-    return isinstance(own, Binary) and own.op == "/" and isinstance(own.right, Apply)
-
-
-def _scalar_product(vector: Vector, direction: Vector) -> Expression:
-    """The scalar product with a unit vector as a line has it: of whole numbers over a length."""
-    whole, length = whole_direction(direction)
-    terms = total(product(tree_of(a), tree_of(b)) for a, b in zip(whole, vector, strict=True))
-    return swept(terms if length == 1 else Binary("/", terms, tree_of(length)))
-
-
-def _body(component: Quantity) -> tuple[str, ...]:
-    """The body of which a quantity is a component of the velocity."""
-    return tuple(
-        argument.arguments[0].name
-        for argument in component.arguments
-        if isinstance(argument, Quantity)
-        and argument.arguments
-        and isinstance(argument.arguments[0], Name)
-    )
-
-
-def settled(scene: Scene, tree: Expression) -> Source | None:
-    """What a component, or a letter, is known to be; None where it is not.
-
-    Where letters in it have been found since, what that makes of it is a line of its own, unless
-    a number only takes the place of a letter in a line of the same part.
-    """
-    known = scene.desk.known(tree)
-    if known is None:
-        return None
-    own = known.value if known.value.is_Symbol else -known.value
-    if own.is_Symbol:
-        settled(scene, Letter(own.name))
-        return known
-    value, refs = scene.put(known.value)
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
-    if value == known.value or len(lines) != 1:
-        return known
-    (line,) = lines
-    if (
-        _is_plain(known.value, value)
-        and scene.desk.is_of_this_part(line)
-        and not _is_asked(scene, tree)
-    ):
-        return known
-    link = scene.desk.last_link(line)
-    if link.left != tree and (link.right != tree or value.free_symbols):
-        return known
-    move = Move("put")
-    line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))
-    return scene.desk.know(tree, value, (line,))
-
-
-def _is_asked(scene: Scene, tree: Expression) -> bool:
-    """Whether a letter is asked: its value then stands before it is used."""
-    asked = [item for step in scene.part.steps if isinstance(step, Find) for item in step.items]
-    values = [item.expression for item in asked if isinstance(item, Value)]
-    return isinstance(tree, Letter) and tree in values
-
-
-# With a denominator up to this, numbers are multiplied in one's head.
-_EASY = 12
-
-
-def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
-    """Whether a product of letters and a rational number still is one, of one letter less."""
-    return bool(after_.free_symbols) and not (
-        sp.Mul.make_args(before_)[0].is_Add
-        or before_.atoms(sp.Add, sp.Function, sp.Pow)
-        or after_.atoms(sp.Add, sp.Function, sp.Pow)
-        or after_.as_coeff_Mul()[0].q > _EASY
-        or len(before_.free_symbols - after_.free_symbols) != 1
-    )
 
 
 def _with_its_ratio(value: sp.Expr, put: sp.Expr) -> Expression | None:

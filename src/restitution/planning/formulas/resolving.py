@@ -7,7 +7,8 @@ from typing import Literal
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Name, Quantity, Unit
-from restitution.planning.formulas.impacts import after, settled
+from restitution.planning.formulas.impacts import after
+from restitution.planning.formulas.settled import settled
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import product, swept, total, tree_of
 from restitution.planning.writing.scene import Scene

@@ -18,7 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     is_zero,
 )
-from restitution.planning.formulas.impacts import by_scalar_product
+from restitution.planning.formulas.scalar_products import by_scalar_product
 from restitution.planning.formulas.separations import separation_known
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.claims import Claims

@@ -8,12 +8,8 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import AtTime, Binary, Expression, Quantity, letters, walk
 from restitution.planning.formulas.whereabouts import hide_place_of_rest, standing
-from restitution.planning.journeys.places import (
-    spot,
-    time_of,
-    velocity_then,
-    write_place,
-)
+from restitution.planning.journeys.place_lines import velocity_then, write_place
+from restitution.planning.journeys.places import spot, time_of
 from restitution.planning.writing.desk import NotPlannedError, Source, together
 from restitution.planning.writing.flights import added
 from restitution.planning.writing.forms import difference, swept, total, tree_of

@@ -7,8 +7,6 @@ Everything is counted along **i** and **j**.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import sympy as sp
 
 from restitution.exact import tidy
@@ -17,13 +15,10 @@ from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Binary,
     Expression,
-    Polar,
     Quantity,
-    walk,
 )
 from restitution.planning.closing.shapes import nonzero
-from restitution.planning.formulas.impacts import settled
-from restitution.planning.formulas.resolving import unit_of
+from restitution.planning.formulas.settled import settled
 from restitution.planning.formulas.whereabouts import (
     axis_for,
     axis_of_approach,
@@ -45,6 +40,22 @@ from restitution.planning.formulas.whereabouts import (
 )
 from restitution.planning.journeys.aims import striker, write_aim
 from restitution.planning.journeys.encounters import with_the_gap
+from restitution.planning.journeys.flights import (
+    begin_of,
+    by_degrees,
+    collected,
+    flight_by_axis,
+    standing_leg,
+    time_since,
+)
+from restitution.planning.journeys.place_lines import (
+    both_radii,
+    know_place,
+    nearest,
+    open_line,
+    velocity_then,
+    write_place,
+)
 from restitution.planning.journeys.rims import (
     Approach,
     place_on_a_level,
@@ -52,14 +63,11 @@ from restitution.planning.journeys.rims import (
     time_on_a_chord,
 )
 from restitution.planning.writing.circles import chord_from, chord_to_a_point, circle_of
-from restitution.planning.writing.degrees import angles_in, share_by_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.flights import (
     added,
     divisor_refs,
     slope,
-    time_quotient,
-    time_relation,
 )
 from restitution.planning.writing.forms import (
     difference,
@@ -67,7 +75,6 @@ from restitution.planning.writing.forms import (
     swept,
     total,
     tree_of,
-    vector,
 )
 from restitution.planning.writing.one_fraction import added_up
 from restitution.planning.writing.place_trees import (
@@ -81,7 +88,6 @@ from restitution.planning.writing.place_trees import (
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.planning.writing.straight_walls import equation_of_line
-from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.problem import Arrival, Impact
 from restitution.vector import Vector
 
@@ -134,7 +140,7 @@ def coordinate_given(scene: Scene, body: str, stage: int, axis: Axis) -> Source 
 
 def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     """A coordinate by the time since the last event of a body."""
-    if rests(scene, body, stage) or _open_line(scene, body, stage) is not None:
+    if rests(scene, body, stage) or open_line(scene, body, stage) is not None:
         place = place_moved(scene, body, stage)
         return Source(part_of(place.value, axis), place.refs)
     since = last_move(scene, body, stage)
@@ -143,7 +149,7 @@ def coordinate_moved(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
         if known is not None:
             return known
         leg(scene, stage)
-    near = _nearest(scene, body, since, stage, axis)
+    near = nearest(scene, body, since, stage, axis)
     earlier: tuple[Ref, ...] = ()
     if near == since:
         near, earlier = _steady_since(scene, body, since, axis)
@@ -173,7 +179,7 @@ def _moved(
     if pace.value != 0:
         flight, length, used = flight_time(scene, near, stage)
         refs += used
-        in_degrees = _by_degrees(scene, body, last_move(scene, body, stage), axis)
+        in_degrees = by_degrees(scene, body, last_move(scene, body, stage), axis)
         if in_degrees is None or scene.model.sign(scene.model.in_data(pace.value)) < 0:
             in_degrees = tree_of(pace.value)
         distance = swept(product(in_degrees, flight))
@@ -234,7 +240,7 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
     pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
     distance = tidy(end.value - start_.value)
     value = tidy(first.value + distance * pace.value / over.value)
-    one, two = (_by_degrees(scene, body, since, each) for each in (axis, other))
+    one, two = (by_degrees(scene, body, since, each) for each in (axis, other))
     shares = None if one is None or two is None else (one, two)
     slope_ = slope(scene, end.value, start_.value, pace.value, over.value, shares)
     quantity = coordinate_tree(body, stage, axis)
@@ -264,15 +270,15 @@ def place_moved(scene: Scene, body: str, stage: int) -> Source:
         return level
     if not rests(scene, body, stage):
         leg(scene, stage)
-    open_ = _open_line(scene, body, stage)
+    open_ = open_line(scene, body, stage)
     if open_ is not None:
         _, time = leg(scene, stage)
         value = tidied(scene, scene.value(quantity))
         number = scene.desk.write(
             Move("put"), (open_, *time.refs), chain(quantity, (tree_of(value), None))
         )
-        return _know_place(scene, body, stage, value, number)
-    near = _nearest(scene, body, since, stage)
+        return know_place(scene, body, stage, value, number)
+    near = nearest(scene, body, since, stage)
     first, pace = spot(scene, body, near), velocity_then(scene, body, since)
     refs = together(first.refs, pace.refs)
     tree: Expression = tree_of(first.value)
@@ -288,23 +294,7 @@ def place_moved(scene: Scene, body: str, stage: int) -> Source:
         scene, Move("define", "straight-line", stage, (body,)), quantity, refs, tree, value
     )
     hide_place_of_rest(scene, body, since, number)
-    return _know_place(scene, body, stage, value, number)
-
-
-def write_place(
-    scene: Scene,
-    move: Move,
-    quantity: Expression,
-    refs: Sequence[Ref],
-    tree: Expression,
-    value: Vector,
-) -> int:
-    """Writes a place, and what it comes to in a line below; returns the number of the last."""
-    own = tree_of(value)
-    number = scene.desk.write(move, refs, chain(quantity, (tree, None)))
-    if own != tree:
-        number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
-    return number
+    return know_place(scene, body, stage, value, number)
 
 
 def _on_a_level(scene: Scene, body: str, number: int) -> Source | None:
@@ -317,7 +307,7 @@ def _on_a_level(scene: Scene, body: str, number: int) -> Source | None:
         return None
     if circle_of(scene, number) is None or len(scene.spheres(number)) > 1:
         return None
-    if _open_line(scene, body, number) is not None:
+    if open_line(scene, body, number) is not None:
         return None  # the place is by the time already
     since = last_move(scene, body, number)
     still: list[Axis] = [axis for axis in AXES if keeps_still(scene, body, since, axis)]
@@ -336,12 +326,6 @@ def _on_a_level(scene: Scene, body: str, number: int) -> Source | None:
     return own
 
 
-def _know_place(scene: Scene, body: str, stage: int, value: Vector, number: int) -> Source:
-    for axis, each in zip(AXES, value, strict=True):
-        scene.desk.know(coordinate_tree(body, stage, axis), each, (number,))
-    return scene.desk.know(place_tree(body, stage), value, (number,))
-
-
 def write_touch(scene: Scene, body: str, number: int) -> None:
     """Where a body is when it touches another one that rests, where their centres are apart."""
     other = partner_of(scene, body, number)
@@ -354,7 +338,7 @@ def write_touch(scene: Scene, body: str, number: int) -> None:
     theirs = spot(scene, other, number)
     assert isinstance(own.right, Binary)
     apart, refs = scene.put(gap)
-    between = _both_radii(scene, own.right.right, apart)
+    between = both_radii(scene, own.right.right, apart)
     value = tidied(scene, theirs.value + apart)
     line = scene.desk.write(
         Move("fact"),
@@ -365,21 +349,7 @@ def write_touch(scene: Scene, body: str, number: int) -> None:
             (tree_of(value), "rearrange"),
         ),
     )
-    _know_place(scene, body, number, value, line)
-
-
-def _both_radii(scene: Scene, between: Expression, apart: Vector) -> Expression:
-    """The way from one centre to another that it touches: two radii times a unit vector."""
-    match between:
-        case Binary("*", both, unit):
-            size, _ = scene.put(scene.scalar(both))
-            direction = scene.vector(unit)
-            whole, length = whole_direction(direction)
-            tree = vector(*map(tree_of, whole))
-            return product(
-                tree_of(size), tree if length == 1 else Binary("/", tree, tree_of(length))
-            )
-    return tree_of(apart)
+    know_place(scene, body, number, value, line)
 
 
 def spot(scene: Scene, body: str, stage: int) -> Source:
@@ -429,24 +399,6 @@ def _worked_out(scene: Scene, body: str, stage: int, axis: Axis) -> Source:
     return own if line is None else scene.desk.know(tree, own.value, (line,))
 
 
-def velocity_then(scene: Scene, body: str, stage: int) -> Source:
-    """A velocity as a vector, by its components along **i** and **j**."""
-    x, y = (velocity(scene, body, stage, axis) for axis in AXES)
-    return Source(Vector(x.value, y.value), together(x.refs, y.refs))
-
-
-def _open_line(scene: Scene, body: str, stage: int) -> int | None:
-    """The line that says where a body is by a time that is not yet known."""
-    for line in scene.desk.lines:
-        if line.move == Move("define", "straight-line", stage, (body,)) and scene.desk.holds(
-            line.number
-        ):
-            (own, *_) = scene.desk.relation(line.number).only
-            if own.left == place_tree(body, stage) and time_tree(stage) in set(walk(own.right)):
-                return line.number
-    return None
-
-
 def _with_its_time(scene: Scene, body: str, stage: int, axis: Axis) -> bool:
     """Puts its time into a coordinate that a line has by that, which was open; whether one has."""
     quantity = coordinate_tree(body, stage, axis)
@@ -461,7 +413,7 @@ def _with_its_time(scene: Scene, body: str, stage: int, axis: Axis) -> bool:
     if not open_:
         return False
     begin, time = leg(scene, stage)
-    flight, length = _since(scene, stage, begin), tree_of(time.value)
+    flight, length = time_since(scene, stage, begin), tree_of(time.value)
     right = scene.desk.relation(open_[0]).only[0].right
     put = swept(rebuilt(right, lambda each: length if each == flight else each))
     value = part_of(tidied(scene, scene.value(place_tree(body, stage))), axis)
@@ -470,13 +422,6 @@ def _with_its_time(scene: Scene, body: str, stage: int, axis: Axis) -> bool:
     if number is not None:
         scene.desk.know(quantity, value, (number,))
     return number is not None
-
-
-def _nearest(scene: Scene, body: str, since: int, stage: int, axis: Axis | None = None) -> int:
-    """The last event before another at which a line says where a body is; else its own last one."""
-    near = stage - 1
-    tree = place_tree(body, near) if axis is None else coordinate_tree(body, near, axis)
-    return near if near > since and scene.desk.known(tree) is not None else since
 
 
 # --- times -----------------------------------------------------------------------------------
@@ -538,7 +483,7 @@ def _legs(scene: Scene, number: int) -> dict[int, Source]:
     sources: dict[int, Source] = {}
     if number > first:
         # The ways are written in the order of the story.
-        known = _standing_leg(scene, number)
+        known = standing_leg(scene, number)
         since = last_move(scene, scene.bodies(number)[0], number) if known is None else known[0]
         if since > first:
             _legs(scene, since)
@@ -557,7 +502,7 @@ def leg(scene: Scene, number: int) -> tuple[int, Source]:
     first, refs = start(scene)
     if number == first:
         return first, Source(sp.Integer(0), refs)
-    if (stands := _standing_leg(scene, number)) is not None:
+    if (stands := standing_leg(scene, number)) is not None:
         return stands
     known = standing(scene, time_tree(number))
     if known is not None:
@@ -577,101 +522,33 @@ def leg(scene: Scene, number: int) -> tuple[int, Source]:
         return _leg_to_circle(scene, body, number)
     if chord_to_a_point(scene, body, number) is not None:
         since = last_move(scene, body, number)
-        return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
+        return since, time_on_a_chord(scene, body, number, since, time_since(scene, number, since))
     if axis is None:
         return _leg_to_slanted(scene, body, number)
     return leg_along(scene, body, number, axis)
 
 
-def _standing_leg(scene: Scene, number: int) -> tuple[int, Source] | None:
-    """The event at which a way to another begins whose time a line says; None without one."""
-    for begin in range(number - 1, start(scene)[0], -1):
-        known = standing(scene, duration_tree(number, begin))
-        if known is not None:
-            return begin, known
-    return None
-
-
 def leg_line(scene: Scene, number: int) -> tuple[Ref, ...]:
     """The line of the last way to an event, from which a sum of times starts."""
     begin, _ = leg(scene, number)
-    known = scene.desk.known(_since(scene, number, begin))
+    known = scene.desk.known(time_since(scene, number, begin))
     return () if known is None else known.refs
-
-
-def _since(scene: Scene, number: int, begin: int) -> Expression:
-    """The time from one event to another, as lines write it: from the start, the time itself."""
-    first, _ = start(scene)
-    return time_tree(number) if begin == first else duration_tree(number, begin)
-
-
-def _begin(scene: Scene, begin: int) -> tuple[Ref, ...]:
-    """What tells when a way begins, where that is the start."""
-    first, refs = start(scene)
-    if begin < first:
-        raise NotPlannedError("a time before the clock starts")
-    return refs if begin == first else ()
 
 
 def leg_along(scene: Scene, body: str, number: int, axis: Axis) -> tuple[int, Source]:
     """The time of a way by a distance and a speed in one direction."""
     since = last_move(scene, body, number)
-    refs = _begin(scene, since)
+    refs = begin_of(scene, since)
     first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
-    return since, _flight(scene, number, body, (first, last), since, axis, refs)
-
-
-def _flight(
-    scene: Scene,
-    number: int,
-    body: str,
-    ends: tuple[Source, Source],
-    since: int,
-    axis: Axis,
-    begin: tuple[Ref, ...],
-    end: Expression | None = None,
-) -> Source:
-    first, last = ends
-    pace = velocity(scene, body, since, axis)
-    form = _by_degrees(scene, body, since, axis)
-    tree = time_quotient(scene, last.value, first.value, pace.value, form, end)
-    value = tidy((last.value - first.value) / pace.value)
-    refs = together(
-        first.refs,
-        last.refs,
-        pace.refs,
-        begin,
-        divisor_refs(scene, tidy(last.value - first.value), pace.value),
-    )
-    quantity = _since(scene, number, since)
-    relation = time_relation(quantity, tree, value, pace.value, in_degrees=form is not None)
-    line = scene.desk.write(Move("define", "straight-line", number, (body,)), refs, relation)
-    return scene.desk.know(quantity, value, (line,))
-
-
-def _by_degrees(scene: Scene, body: str, since: int, axis: Axis) -> Expression | None:
-    """The size of a component at the start by an angle in degrees; None without one."""
-    velocity_ = scene.facts.get(f"velocity {body}")
-    if since or velocity_ is None:
-        return None
-    right = velocity_.relation.only[0].right
-    if not isinstance(right, Polar):
-        return None
-    size = scene.scalar(right.size)
-    ratio = tidy(scene.initial(body).value.dot(unit_of(axis)) / size)
-    for function in ("cos", "sin") if axis == "i" else ("sin", "cos"):
-        share = share_by_degrees(ratio, function)
-        if share is not None and set(walk(share)) & angles_in(right):
-            return product(tree_of(size), share)
-    return None
+    return since, flight_by_axis(scene, number, body, (first, last), since, axis, refs)
 
 
 def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:
     """The time to a circular wall, from another point of it or from beside it."""
     since = last_move(scene, body, number)
-    refs = _begin(scene, since)
+    refs = begin_of(scene, since)
     if chord_from(scene, body, number) is not None:
-        return since, time_on_a_chord(scene, body, number, since, _since(scene, number, since))
+        return since, time_on_a_chord(scene, body, number, since, time_since(scene, number, since))
     level = None if f"order {number}" in scene.facts else _on_a_level(scene, body, number)
     if level is not None:
         return leg_along(scene, body, number, "j" if keeps_still(scene, body, since, "i") else "i")
@@ -688,9 +565,9 @@ def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
         case _:
             raise NotPlannedError("the time to a wall whose place is not given")
     since = last_move(scene, body, number)
-    begin = _begin(scene, since)
+    begin = begin_of(scene, since)
     first, pace = spot(scene, body, since), velocity_then(scene, body, since)
-    flight = _since(scene, number, since)
+    flight = time_since(scene, number, since)
     open_ = scene.desk.write(
         Move("define", "straight-line", number, (body,)),
         together(first.refs, pace.refs, begin),
@@ -748,12 +625,12 @@ def _approach(scene: Scene, body: str, number: int) -> Approach:
 
 def _leg_to_resting(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:
     since = last_move(scene, body, number)
-    begin = _begin(scene, since)
+    begin = begin_of(scene, since)
     axis = axis_of_approach(scene, number, body, other)
     first, last = coordinate(scene, body, since, axis), coordinate(scene, body, number, axis)
     theirs = tree_of(tidy(last.value - offset_at(scene, body, number, axis)))
     end = with_the_gap(scene, body, number, axis, theirs)
-    return since, _flight(scene, number, body, (first, last), since, axis, begin, end)
+    return since, flight_by_axis(scene, number, body, (first, last), since, axis, begin, end)
 
 
 def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:
@@ -768,8 +645,8 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
     begin = max(last.values())
     if begin != number - 1 and set(last.values()) != {begin}:
         begin = first
-    begins = _begin(scene, begin)
-    flight = _since(scene, number, begin)
+    begins = begin_of(scene, begin)
+    flight = time_since(scene, number, begin)
 
     def there(each: str) -> tuple[Expression, sp.Expr, Source, tuple[Ref, ...]]:
         """A coordinate in the time as unknown, its part without that, the speed, what it needs."""
@@ -820,22 +697,10 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
     apart = tidy(their_start - own_start)
     value = tidy(apart / closing)
     if their_pace != 0:
-        met = _collected(scene, met, closing, flight, apart)
+        met = collected(scene, met, closing, flight, apart)
     line = scene.desk.write(
         Move("rearrange"),
         (met, *nonzero(scene, closing)),
         chain(flight, (tree_of(value), None)),
     )
     return begin, scene.desk.know(flight, value, (line,))
-
-
-def _collected(scene: Scene, met: int, closing: sp.Expr, flight: Expression, apart: sp.Expr) -> int:
-    """When two meet, with the terms of the time on one side, where its factor is a sum."""
-    above = sp.fraction(sp.factor(closing))[0]
-    if not any(each.is_Add and each.free_symbols for each in sp.Mul.make_args(above)):
-        return met
-    if scene.model.sign(closing) < 0:
-        closing, apart = tidy(-closing), tidy(-apart)
-    left = product(tree_of(tidy(sp.factor(closing))), flight)
-    relation = chain(left, (tree_of(apart), None))
-    return scene.judge.write((Move("rearrange"),), [met], relation) or met

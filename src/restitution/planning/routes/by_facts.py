@@ -13,7 +13,7 @@ from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning.angles.unknown_blows import take_blow
 from restitution.planning.axes.by_changes import take_impulse, take_opposite
 from restitution.planning.axes.given_momenta import take_mass, take_momentum
-from restitution.planning.closing.roots import senses, written_law
+from restitution.planning.closing.excluded_roots import senses, written_law
 from restitution.planning.formulas.impacts import _given_after, after, residual
 from restitution.planning.formulas.ties import tied
 from restitution.planning.routes.course import Course

@@ -9,7 +9,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter
-from restitution.planning.closing.roots import written_law
+from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.closing.shapes import close, is_over_roots, with_known
 from restitution.planning.formulas import separations
 from restitution.planning.formulas.impacts import after, rebound, residual

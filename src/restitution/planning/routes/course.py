@@ -13,7 +13,7 @@ from restitution.exact.symbols import symbols_in
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning.closing.bounded_speeds import bounded_speeds
-from restitution.planning.closing.roots import written_law
+from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.closing.shapes import close, with_known, without
 from restitution.planning.formulas import separations
 from restitution.planning.formulas.definitions import write_formula
@@ -23,8 +23,8 @@ from restitution.planning.formulas.impacts import (
     momentum,
     residual,
     restitution,
-    settled,
 )
+from restitution.planning.formulas.settled import settled
 from restitution.planning.formulas.velocity_formulas import body_and_stage, speed_formula
 from restitution.planning.journeys import paths, rounds
 from restitution.planning.routes.equations import SHOWN, Equations, Law

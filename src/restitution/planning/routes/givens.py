@@ -43,7 +43,7 @@ from restitution.planning.angles.related_tangents import write_by_tangent, write
 from restitution.planning.angles.wall_turns import related_at_a_wall
 from restitution.planning.axes.given_momenta import write_impulse
 from restitution.planning.axes.offsets import is_sine_of_an_offset, write_sine
-from restitution.planning.closing.roots import senses
+from restitution.planning.closing.excluded_roots import senses
 from restitution.planning.closing.square_roots import is_not_negative, without_equal_squares
 from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.impacts import scene_value

@@ -1,0 +1,113 @@
+"""Ratios of the angle between two vectors, by their scalar product or the cosine rule."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Polar,
+    Quantity,
+)
+from restitution.planning.angles.lines_between import (
+    cosine_of,
+)
+from restitution.planning.angles.scalar_angles import (
+    is_long,
+    write_cosine,
+    write_right_angle,
+)
+from restitution.planning.formulas.definitions import Formula
+from restitution.planning.formulas.named_angles import (
+    letter_of,
+    ratio_line,
+)
+from restitution.planning.writing.desk import Source, together
+from restitution.planning.writing.forms import (
+    tree_of,
+)
+from restitution.planning.writing.premises import sign_known
+from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
+from restitution.planning.writing.scene import Scene
+from restitution.vector import Vector
+
+
+def is_vector_in_numbers(scene: Scene, body: str) -> bool:
+    """Whether a velocity at the start is given as a vector of numbers with **i** and **j**."""
+    fact = scene.facts.get(f"velocity {body}")
+    if fact is None or isinstance(fact.relation.only[0].right, Polar):
+        return False
+    return not any(each.free_symbols for each in scene.initial(body).value)
+
+
+def is_right_angle(scene: Scene, own: Formula) -> bool:
+    """Whether what stands below in a tangent vanishes, or the angle is none."""
+    return bool(own.value.is_number and (own.value.is_infinite or own.value == 0))
+
+
+def by_scalar(
+    scene: Scene,
+    move: Move,
+    sources: list[Source],
+    asked: Quantity,
+    sizes: tuple[Expression | None, Expression | None] = (None, None),
+) -> Ratio | int:
+    """An angle between two vectors that are known, by their scalar product.
+
+    ``sizes`` are those of the vectors, where they are known too.
+    """
+    a, b = (source.value for source in sources)
+    pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
+    right, value = cosine_of(pairs, a, b, sizes)
+    if is_long(right) or has_its_product(scene, asked):
+        if value == 0 and (line := write_right_angle(scene, asked)) is not None:
+            return line
+        own = by_cosine(scene, asked)
+        if own is not None:
+            return own
+    letter, meaning = letter_of(scene, asked)
+    refs = together((meaning,), *(source.whole for source in sources))
+    line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+
+
+def has_its_product(scene: Scene, asked: Quantity) -> bool:
+    """Whether a line gives the scalar product of the velocities of an angle."""
+    pair = asked.arguments
+    products = (Quantity("dot", each) for each in (pair, pair[::-1]) if len(each) == 2)
+    return any(scene.desk.known(each) is not None for each in products)
+
+
+def by_cosine(scene: Scene, asked: Quantity) -> Ratio | None:
+    """The cosine of an angle between two velocities by lines for their product and both speeds."""
+    line = write_cosine(scene, asked)
+    if line is None:
+        return None
+    letter, _ = letter_of(scene, asked)
+    value = tidy(scene.scalar(scene.desk.last_link(line).right))
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+
+
+def is_nested(square_: sp.Expr) -> bool:
+    """Whether the square of a cosine has a root in it: the tangent is plainer then."""
+    return not tidy(square_).is_Rational
+
+
+def own_size(scene: Scene, vector: Vector) -> tuple[Ref, ...]:
+    """What has to be known for the only component of a vector to be its size."""
+    parts = [each for each in vector if each != 0]
+    return sign_known(scene, parts[0]) if len(parts) == 1 else ()
+
+
+def vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vector) -> bool:
+    """Whether both velocities are vectors of numbers with **i** and **j**."""
+    if any(sp.sympify(each, strict=True).free_symbols for each in (*a, *b)):
+        return False
+    fact = scene.facts.get(f"velocity {body}")
+    if scene.last_event(body, event - 1) or fact is None:
+        return False
+    return not any(isinstance(each, Polar) for each in (fact.relation.only[0].right,))

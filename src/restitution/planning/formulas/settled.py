@@ -1,0 +1,73 @@
+"""Components with what is given of letters put in, where that makes them no longer."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from restitution.explaining.lines.derivation import (
+    Move,
+)
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+)
+from restitution.planning.writing.desk import Source, chain
+from restitution.planning.writing.forms import (
+    tree_of,
+)
+from restitution.planning.writing.scene import Scene
+from restitution.problem import Find, Value
+
+
+def settled(scene: Scene, tree: Expression) -> Source | None:
+    """What a component, or a letter, is known to be; None where it is not.
+
+    Where letters in it have been found since, what that makes of it is a line of its own, unless
+    a number only takes the place of a letter in a line of the same part.
+    """
+    known = scene.desk.known(tree)
+    if known is None:
+        return None
+    own = known.value if known.value.is_Symbol else -known.value
+    if own.is_Symbol:
+        settled(scene, Letter(own.name))
+        return known
+    value, refs = scene.put(known.value)
+    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    if value == known.value or len(lines) != 1:
+        return known
+    (line,) = lines
+    if (
+        _is_plain(known.value, value)
+        and scene.desk.is_of_this_part(line)
+        and not _is_asked(scene, tree)
+    ):
+        return known
+    link = scene.desk.last_link(line)
+    if link.left != tree and (link.right != tree or value.free_symbols):
+        return known
+    move = Move("put")
+    line = scene.desk.write(move, (line, *refs), chain(tree, (tree_of(value), None)))
+    return scene.desk.know(tree, value, (line,))
+
+
+def _is_asked(scene: Scene, tree: Expression) -> bool:
+    """Whether a letter is asked: its value then stands before it is used."""
+    asked = [item for step in scene.part.steps if isinstance(step, Find) for item in step.items]
+    values = [item.expression for item in asked if isinstance(item, Value)]
+    return isinstance(tree, Letter) and tree in values
+
+
+# With a denominator up to this, numbers are multiplied in one's head.
+_EASY = 12
+
+
+def _is_plain(before_: sp.Expr, after_: sp.Expr) -> bool:
+    """Whether a product of letters and a rational number still is one, of one letter less."""
+    return bool(after_.free_symbols) and not (
+        sp.Mul.make_args(before_)[0].is_Add
+        or before_.atoms(sp.Add, sp.Function, sp.Pow)
+        or after_.atoms(sp.Add, sp.Function, sp.Pow)
+        or after_.as_coeff_Mul()[0].q > _EASY
+        or len(before_.free_symbols - after_.free_symbols) != 1
+    )

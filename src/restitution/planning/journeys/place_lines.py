@@ -1,0 +1,93 @@
+"""Lines that say where a body is, and which of them stand."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    walk,
+)
+from restitution.planning.formulas.whereabouts import (
+    velocity,
+)
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import (
+    product,
+    tree_of,
+    vector,
+)
+from restitution.planning.writing.place_trees import (
+    AXES,
+    Axis,
+    coordinate_tree,
+    place_tree,
+    time_tree,
+)
+from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import whole_direction
+from restitution.vector import Vector
+
+
+def write_place(
+    scene: Scene,
+    move: Move,
+    quantity: Expression,
+    refs: Sequence[Ref],
+    tree: Expression,
+    value: Vector,
+) -> int:
+    """Writes a place, and what it comes to in a line below; returns the number of the last."""
+    own = tree_of(value)
+    number = scene.desk.write(move, refs, chain(quantity, (tree, None)))
+    if own != tree:
+        number = scene.desk.write(Move("rearrange"), (number,), chain(quantity, (own, None)))
+    return number
+
+
+def know_place(scene: Scene, body: str, stage: int, value: Vector, number: int) -> Source:
+    """Both coordinates of a place, which a line has, as known from it."""
+    for axis, each in zip(AXES, value, strict=True):
+        scene.desk.know(coordinate_tree(body, stage, axis), each, (number,))
+    return scene.desk.know(place_tree(body, stage), value, (number,))
+
+
+def both_radii(scene: Scene, between: Expression, apart: Vector) -> Expression:
+    """The way from one centre to another that it touches: two radii times a unit vector."""
+    match between:
+        case Binary("*", both, unit):
+            size, _ = scene.put(scene.scalar(both))
+            direction = scene.vector(unit)
+            whole, length = whole_direction(direction)
+            tree = vector(*map(tree_of, whole))
+            return product(
+                tree_of(size), tree if length == 1 else Binary("/", tree, tree_of(length))
+            )
+    return tree_of(apart)
+
+
+def velocity_then(scene: Scene, body: str, stage: int) -> Source:
+    """A velocity as a vector, by its components along **i** and **j**."""
+    x, y = (velocity(scene, body, stage, axis) for axis in AXES)
+    return Source(Vector(x.value, y.value), together(x.refs, y.refs))
+
+
+def open_line(scene: Scene, body: str, stage: int) -> int | None:
+    """The line that says where a body is by a time that is not yet known."""
+    for line in scene.desk.lines:
+        if line.move == Move("define", "straight-line", stage, (body,)) and scene.desk.holds(
+            line.number
+        ):
+            (own, *_) = scene.desk.relation(line.number).only
+            if own.left == place_tree(body, stage) and time_tree(stage) in set(walk(own.right)):
+                return line.number
+    return None
+
+
+def nearest(scene: Scene, body: str, since: int, stage: int, axis: Axis | None = None) -> int:
+    """The last event before another at which a line says where a body is; else its own last one."""
+    near = stage - 1
+    tree = place_tree(body, near) if axis is None else coordinate_tree(body, near, axis)
+    return near if near > since and scene.desk.known(tree) is not None else since
