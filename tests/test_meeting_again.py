@@ -161,3 +161,10 @@ A hits B: along i, e = 1/2
 def test_a_sphere_that_moves_on_to_a_wall_comes_back(e: str, meet: bool) -> None:
     assert only(TWICE.format(e) + "show A and B collide again").holds is meet
     assert only(TWICE.format(e) + "show A and B do not collide again").holds is not meet
+
+
+@pytest.mark.parametrize(("claim", "holds"), [("f > 0", False), ("f >= 0", True)])
+def test_that_a_sphere_may_stop_at_the_wall_is_not_left_out(claim: str, holds: bool) -> None:
+    """Also with f = 0, where B stops at the wall, A comes after it."""
+    text = LINE.format("j", "3i", "0i", "f") + "given A and B collide again\n"
+    assert only(f"{text}show {claim}").holds is holds

@@ -256,6 +256,8 @@ def _rebound(
         return
     pace = story.velocity(ahead, now)
     heading = pace.dot(away)
+    if story.field.exact and sp.sympify(heading, strict=True).is_nonpositive:
+        return  # which of the two it is, away from the wall or at rest, is open
     if story.sign(heading) not in (0, -1):
         yield heading, (story.velocity(behind, now) + pace * walls[-1].e).dot(away)
 
