@@ -261,3 +261,29 @@ find range of e
 """)
     assert "> 0" not in text
     assert "e² < ½ as kinetic energy of P after the second impact <" in text
+
+
+@pytest.mark.parametrize("asked", ["show tan(theta) = 3e/(2 + e)", "find tan(theta)"])
+@pytest.mark.parametrize(
+    ("quantity", "answer"), [("theta", "0° < θ ≤ 45°"), ("tan(theta)", "0 < tan θ ≤ 1")]
+)
+def test_an_angle_is_bounded_by_a_tangent_that_stands(
+    asked: str, quantity: str, answer: str
+) -> None:
+    """tan θ is 3e/(2 + e): from 0, which no path has, to 1. The letter e is no value of θ."""
+    text = printed(f"""
+wall W: along i, through (0, 0)
+point N: (3a, 2a)
+sphere P: mass m, at (0, a), velocity u at theta from -j
+P hits W
+P reaches N
+part a
+{asked}
+part b
+unknown e
+find range of {quantity}
+""")
+    _, later = text.split("(b)")
+    assert "tan θ ≤ 1, as 0 ≤ e ≤ 1" in later
+    assert answer in later
+    assert "Newton" not in later

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import sympy as sp
+
+from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves import MOST_COMPARED
-from restitution.expression.tree import Expression, Letter, Quantity, letters
+from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity, letters
+from restitution.oracle.roles import ACUTE
 from restitution.planning.inequalities.angle_inequalities import write_of_angles
 from restitution.planning.inequalities.claims_eliminated import Eliminated
 from restitution.planning.inequalities.degrees_by_ratios import bound_that_stands
@@ -21,7 +25,7 @@ from restitution.planning.inequalities.tangents_of_sums import write_tangent_of_
 from restitution.planning.inequalities.turned_at_walls import write_turn
 from restitution.planning.inequalities.wide_angles import write_by_cosine
 from restitution.planning.writing.desk import NotPlannedError
-from restitution.planning.writing.forms import ONE
+from restitution.planning.writing.forms import ONE, tree_of
 from restitution.planning.writing.inequalities import subject_of
 from restitution.solving.story.letters import roles
 
@@ -110,7 +114,29 @@ class Claims(Eliminated):
             self.worths.back(mark)
             self.ties.clear()
             self.conditions.clear()
-        raise NotPlannedError("an inequality")
+        by_tangent = self._by_its_tangent(relation)
+        if by_tangent is None:
+            raise NotPlannedError("an inequality")
+        return by_tangent
+
+    def _by_its_tangent(self, relation: Relation) -> int | None:
+        """The bounds of an acute angle that is a letter of the data, by those of its tangent."""
+        links = tuple(e for e in map(_of_tangent, relation.only) if e is not None)
+        names = {name for link in links for name in letters(link.left) | letters(link.right)}
+        known = roles(self.scene.problem)
+        if not links or len(names) != 1 or not all(known.get(n) == ACUTE for n in names):
+            return None
+        (name,) = names
+        mark = self.worths.mark()
+        try:
+            line = self.write(Relation((links,)))
+        except NotPlannedError:
+            line = 0
+        last = line and self.judge.write((Move("compare"),), [line, f"acute: {name}"], relation)
+        if not last:
+            self.worths.back(mark)
+            return None
+        return last
 
     def _by_difference_of_squares(self, line: int, relation: Relation) -> int | None:
         """A strict bound of a root, where the difference of squares is a product of plain signs.
@@ -250,3 +276,21 @@ def _renamed(link: Link, meaning: Meaning) -> Link:
         for side in (link.left, link.right)
     )
     return Link(left, link.sign, right)
+
+
+def _of_tangent(link: Link) -> Link | None:
+    """A bound of an angle as one of its tangent; None of 90°, which an acute angle is below."""
+    sides: list[Expression] = []
+    for side in (link.left, link.right):
+        match side:
+            case Letter():
+                sides.append(Apply("tan", side))
+            case Degrees(value) if value == 90:
+                return None
+            case Degrees(value) if 0 <= value < 90:
+                sides.append(tree_of(tidy(sp.tan(sp.pi * sp.Rational(str(value)) / 180))))
+            case Apply("arctan", inside) if not letters(inside):
+                sides.append(inside)
+            case _:
+                return None
+    return Link(sides[0], link.sign, sides[1])

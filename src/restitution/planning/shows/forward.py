@@ -73,6 +73,21 @@ def write_show(
     _print_form(scene, line, relation)
     scene.desk.end(name, line, relation, shown=True)
     _quotable(scene, line, relation)
+    _forget_turned(scene, relation)
+
+
+def _forget_turned(scene: Scene, relation: Relation) -> None:
+    """Forgets the letters by which something is shown, where they had been found from that.
+
+    Where ``tan θ = 3e/(2 + e)`` comes of ``e = 2 tan θ/(3 − tan θ)``, e is what θ goes by now.
+    """
+    link = relation.ends
+    if link is None or has_quantity(link.left) or has_quantity(link.right):
+        return
+    for letter in map(Letter, sorted(letters(link.right) - letters(link.left))):
+        source = scene.desk.known(letter)
+        if source and {each.name for each in source.value.free_symbols} & letters(link.left):
+            scene.desk.forget_value(letter, source)
 
 
 def _direction(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, Relation] | None:
