@@ -41,9 +41,9 @@ from restitution.planning.journeys.places import (
     leg,
     leg_along,
     time_of,
-    write_touch,
 )
 from restitution.planning.journeys.steady import steady_axis
+from restitution.planning.journeys.touching import write_touch
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import Source, chain, together

@@ -49,7 +49,6 @@ from restitution.planning.journeys.flights import (
     time_since,
 )
 from restitution.planning.journeys.place_lines import (
-    both_radii,
     know_place,
     nearest,
     open_line,
@@ -324,32 +323,6 @@ def _on_a_level(scene: Scene, body: str, number: int) -> Source | None:
     if own is None:
         scene.desk.back(mark)
     return own
-
-
-def write_touch(scene: Scene, body: str, number: int) -> None:
-    """Where a body is when it touches another one that rests, where their centres are apart."""
-    other = partner_of(scene, body, number)
-    own = next(contact_of(scene, number), None)
-    if other is None or own is None or scene.desk.known(place_tree(body, number)) is not None:
-        return
-    gap = Vector(*(offset_at(scene, body, number, axis) for axis in AXES))
-    if not any(gap) or own.left != place_tree(body, number):
-        return
-    theirs = spot(scene, other, number)
-    assert isinstance(own.right, Binary)
-    apart, refs = scene.put(gap)
-    between = both_radii(scene, own.right.right, apart)
-    value = tidied(scene, theirs.value + apart)
-    line = scene.desk.write(
-        Move("fact"),
-        together((f"contact {number}",), theirs.refs, refs),
-        chain(
-            place_tree(body, number),
-            (swept(Binary(own.right.op, tree_of(theirs.value), between)), None),
-            (tree_of(value), "rearrange"),
-        ),
-    )
-    know_place(scene, body, number, value, line)
 
 
 def spot(scene: Scene, body: str, stage: int) -> Source:

@@ -49,6 +49,13 @@ from restitution.workings.leads.offsets import (
 from restitution.workings.leads.one_component import went_from_rest
 from restitution.workings.leads.scalar_products import product_title
 from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_normal
+from restitution.workings.leads.shapes_of_lines import (
+    body_read_off,
+    ratio_below,
+    read_off_lines,
+    says_something,
+    under_a_root,
+)
 from restitution.workings.leads.source_leads import SourceLeads
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY, TurnLeads
@@ -58,6 +65,13 @@ from restitution.workings.reasons.factors import cosine_divided, factor_cancelle
 from restitution.workings.reasons.in_any_case import range_behind
 
 TITLED = frozenset({"law", "define"})
+
+_BY_RATIO: Mapping[str, SentenceId] = {
+    "cos": "derived-speed.by-cos",
+    "sin": "derived-speed.by-sin",
+}
+# That a body moves along the line of centres; with the reason, where it was at rest.
+_ALONG = {False: "derived-speed.along", True: "derived-speed.along-from-rest"}
 
 
 class Leads(SourceLeads, TurnLeads, ComponentLeads):
@@ -99,7 +113,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
     def _printed_above(self, line: Line) -> Line | None:
         """The nearest line above one that is printed by itself; a letter that is let is none."""
         above = (self._derivation.line(n) for n in range(line.number - 1, 0, -1))
-        return next((e for e in above if e and e.shown == "line" and _is_said(e)), None)
+        return next((e for e in above if e and e.shown == "line" and says_something(e)), None)
 
     def _by_a_multiple(self, line: Line) -> bool:
         """Whether a speed is read off a velocity that is a multiple of another."""
@@ -143,7 +157,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if letter_of_offset(line) is not None:
             return None
         if record.id == "parallel" and (
-            _read_off(line) or _off_lines(line) or self._seen(line) or self._since_nothing(line)
+            body_read_off(line)
+            or read_off_lines(line)
+            or self._seen(line)
+            or self._since_nothing(line)
         ):
             return None
         if self._direction_again(line) is not None:
@@ -201,9 +218,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "speed", Quantity() if self._is_read_off(line, first.right):
                 return None  # it is given
-            case "speed", Quantity() | Letter() if ratio := _ratio_below(first.right):
+            case "speed", Quantity() | Letter() if ratio := ratio_below(first.right):
                 return say(_BY_RATIO[ratio], body=bodies[0])
-            case "size", _ if not any(map(_under, walk(first.right))):
+            case "size", _ if not any(map(under_a_root, walk(first.right))):
                 return None  # of one component it is read off
         if name is None:
             return None
@@ -255,7 +272,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         lasting = [e.relation for e in own if isinstance(e.relation, Relation)]
         parts = [e.options[0][0].left for e in lasting if not is_zero(e.options[0][-1].right)]
         right = line.relation.options[0][0].right
-        if len(parts) != 1 or any(isinstance(e, Binary) and e.op == "+" for e in _under(right)):
+        if len(parts) != 1 or any(
+            isinstance(e, Binary) and e.op == "+" for e in under_a_root(right)
+        ):
             return None
         part = parts[0]
         if isinstance(part, Letter) and part.name in self._naming.meanings:
@@ -286,7 +305,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _along_its_line(self, line: Line) -> Sentence | None:
         """That spheres move along lines of centres, where an angle is read off these."""
-        moving = _off_lines(line)
+        moving = read_off_lines(line)
         if len(moving) == 1:
             ((body, stage),) = moving
             return say(self._from_rest(line, body, stage), body=body)
@@ -390,7 +409,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if line.move.record == "wall-direction":
             yield say("so")
             return
-        body = _read_off(line) if line.move.record == "parallel" else None
+        body = body_read_off(line) if line.move.record == "parallel" else None
         if body is not None:
             assert isinstance(line.relation, Relation)
             angle = line.relation.only[0].right
@@ -638,64 +657,3 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                     else:
                         ground = self._naming.relation(bounds)
                         yield say("derived.anyway-as", fact=words, ground=ground)
-
-
-def _under(tree: Expression) -> tuple[Expression, ...]:
-    """What stands under a root, and its size if it is no sum."""
-    return (tree.argument,) if isinstance(tree, Apply) and tree.function == "sqrt" else ()
-
-
-_BY_RATIO: Mapping[str, SentenceId] = {
-    "cos": "derived-speed.by-cos",
-    "sin": "derived-speed.by-sin",
-}
-
-
-def _ratio_below(speed: Expression) -> str:
-    """The sine or cosine of an angle in degrees by which a component is divided; empty without."""
-    match speed:
-        case Binary("/", _, below):
-            for each in (below.left, below.right) if isinstance(below, Binary) else (below,):
-                match each:
-                    case Apply("sin" | "cos" as ratio, Degrees()):
-                        return ratio
-    return ""
-
-
-# That a body moves along the line of centres; with the reason, where it was at rest.
-_ALONG = {False: "derived-speed.along", True: "derived-speed.along-from-rest"}
-
-
-def _read_off(line: Line) -> str | None:
-    """The body of which a line says the direction, without a tangent."""
-    match line.relation:
-        case Relation(((Link(Quantity("direction", (Name(body),), int()), "="), *_),)):
-            return body
-    return None
-
-
-def _off_lines(line: Line) -> tuple[tuple[str, int], ...]:
-    """The spheres along the lines of centres of which an angle is read off, each with its event."""
-    if not any(isinstance(ref, str) and ref.partition(" ")[0] == "axis" for ref in line.premises):
-        return ()
-    match line.relation:
-        case Relation(((Link(Quantity("angle", arguments), "=", right), *_),)):
-            straight = right in (Degrees(Fraction(0)), STRAIGHT_ANGLE)
-        case _:
-            return ()
-    moving = tuple(
-        (each.arguments[0].name, each.stage)
-        for each in arguments
-        if isinstance(each, Quantity) and each.kind == "velocity" and each.stage
-        if isinstance(each.stage, int)
-        if isinstance(each.arguments[0], Name)
-    )
-    at_sight = straight or (line.move.record == "perpendicular" and len(moving) < len(arguments))
-    return () if at_sight else moving
-
-
-def _is_said(line: Line) -> bool:
-    """Whether a line is no letter that is let, and no component that there is none of."""
-    if not isinstance(line.relation, Relation):
-        return False
-    return line.move.record != "unchanged" or not is_zero(line.relation.options[0][-1].right)

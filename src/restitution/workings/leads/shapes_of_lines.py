@@ -1,0 +1,72 @@
+"""What single lines are about, by the shape of what they say."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from restitution.explaining.lines.derivation import (
+    Line,
+    Link,
+    Relation,
+)
+from restitution.expression.tree import (
+    STRAIGHT_ANGLE,
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Name,
+    Quantity,
+    is_zero,
+)
+
+
+def under_a_root(tree: Expression) -> tuple[Expression, ...]:
+    """What stands under a root, and its size if it is no sum."""
+    return (tree.argument,) if isinstance(tree, Apply) and tree.function == "sqrt" else ()
+
+
+def ratio_below(speed: Expression) -> str:
+    """The sine or cosine of an angle in degrees by which a component is divided; empty without."""
+    match speed:
+        case Binary("/", _, below):
+            for each in (below.left, below.right) if isinstance(below, Binary) else (below,):
+                match each:
+                    case Apply("sin" | "cos" as ratio, Degrees()):
+                        return ratio
+    return ""
+
+
+def body_read_off(line: Line) -> str | None:
+    """The body of which a line says the direction, without a tangent."""
+    match line.relation:
+        case Relation(((Link(Quantity("direction", (Name(body),), int()), "="), *_),)):
+            return body
+    return None
+
+
+def read_off_lines(line: Line) -> tuple[tuple[str, int], ...]:
+    """The spheres along the lines of centres of which an angle is read off, each with its event."""
+    if not any(isinstance(ref, str) and ref.partition(" ")[0] == "axis" for ref in line.premises):
+        return ()
+    match line.relation:
+        case Relation(((Link(Quantity("angle", arguments), "=", right), *_),)):
+            straight = right in (Degrees(Fraction(0)), STRAIGHT_ANGLE)
+        case _:
+            return ()
+    moving = tuple(
+        (each.arguments[0].name, each.stage)
+        for each in arguments
+        if isinstance(each, Quantity) and each.kind == "velocity" and each.stage
+        if isinstance(each.stage, int)
+        if isinstance(each.arguments[0], Name)
+    )
+    at_sight = straight or (line.move.record == "perpendicular" and len(moving) < len(arguments))
+    return () if at_sight else moving
+
+
+def says_something(line: Line) -> bool:
+    """Whether a line is no letter that is let, and no component that there is none of."""
+    if not isinstance(line.relation, Relation):
+        return False
+    return line.move.record != "unchanged" or not is_zero(line.relation.options[0][-1].right)
