@@ -180,3 +180,23 @@ def test_what_was_at_rest_moves_at_the_angle_of_its_line_of_centres(
 def test_an_angle_to_a_wall_is_read_off_the_line_of_centres() -> None:
     said = working("wall W: along 110°" + OFF_A_LINE.format(asked="angle(velocity(B), W)"))
     assert "angle between 𝐯_B and W = 110° − 30° = 80°" in said
+
+
+@pytest.mark.parametrize(
+    ("velocity", "says"),
+    [
+        ("8i - 6j", "θ = 180° − arctan(3/4) ≈ 143°, as 𝐯_P is in the direction of −𝐧"),
+        ("-8i + 6j", "θ = −arctan(3/4) ≈ −36.9°, as 𝐯_P is in the direction of −𝐧"),
+    ],
+)
+def test_of_two_directions_of_a_normal_it_is_the_one_against_the_unit_vector(
+    velocity: str, says: str
+) -> None:
+    statement = f"""
+        wall W: along 3i + 4j
+        sphere P: velocity {velocity}
+        P hits W: e = 1/2
+        find direction(P)
+        """
+    text = to_text(explain(solve(parse(statement)), check=True))
+    assert says in " ".join(text.split())

@@ -993,6 +993,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.divided": "Dividing top and bottom by {factor}:",
     "derived.negative": "the {component} is negative",
     "derived.above-zero": "the {component} is positive",
+    "derived.along-unit": "{velocity} is in the direction of {unit}",
     "derived.negative-part": "{velocity} has a negative {axis}-component",
     "derived.positive-part": "{velocity} has a positive {axis}-component",
     "derived.divide": "Dividing {first} by {second}:",

@@ -39,6 +39,7 @@ from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
+from restitution.workings.reasons.along_units import along_its_unit
 from restitution.workings.reasons.before_walls import wall_reached, walls_ahead
 from restitution.workings.reasons.equality import divisor_left_out, equal_tangents
 from restitution.workings.reasons.factors import factor_cancelled, factor_left, positive_factor_left
@@ -177,6 +178,11 @@ class Reasons:
         if line.move.id == "inverse" and not _is_of_a_sum(line):
             # An angle of up to 90° is what the arc functions give.
             reasons = () if grounds else self._beyond_a_right_angle(line, reasons)
+        if (
+            not reasons
+            and (way := along_its_unit(self._derivation, self._naming, line)) is not None
+        ):
+            reasons = () if grounds else (way,)
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         reasons = (*(each for each in grounds if each not in reasons), *reasons)
