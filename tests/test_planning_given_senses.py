@@ -9,6 +9,7 @@ from __future__ import annotations
 import pytest
 from workings import planned
 
+from restitution.explaining.lines.notation import write_relation
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
 
@@ -110,3 +111,17 @@ def test_the_way_a_sphere_moves_bounds_letters(name: str) -> None:
     text = to_text(explanation_of(derivation, problem), 120)
     for each in lines:
         assert each in text, text
+
+
+def test_directions_at_different_impacts_are_in_proportion() -> None:
+    """A goes on from the first impact with −2i + 9j, B from the wall with −fi + 3j."""
+    _, derivation = planned("""
+wall W: along j
+sphere A: mass 2, velocity 6i + 9j
+sphere B: mass 4, velocity -3i + 3j
+A hits B: along i, e = 1/3
+B hits W: e = f
+given velocity(B) in the direction of velocity(A)
+find f
+""")
+    assert write_relation(derivation.items[0].answer) == "f = 2/3"

@@ -115,7 +115,13 @@ def _two_velocities(
             return line
     refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
-    return scene.desk.write(move, refs, Relation(((own,),)))
+    relation = Relation(((own,),))
+    # Components after another event are named by the line of centres of that.
+    other = [
+        ref for _, stage in both if stage in scene.model.frames for ref in scene.frame(stage).refs
+    ]
+    refs = scene.judge.enough(move, refs, relation, other) or refs
+    return scene.desk.write(move, refs, relation)
 
 
 def _without_what_stays(scene: Scene, each: GivenEquation, move: Move, still: Source) -> int | None:
