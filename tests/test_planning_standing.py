@@ -287,3 +287,19 @@ find range of {quantity}
     assert "tan θ ≤ 1, as 0 ≤ e ≤ 1" in later
     assert answer in later
     assert "Newton" not in later
+
+
+@pytest.mark.parametrize("shown", ["speed(B) = u/2", "B hits W again", "along(velocity(B), i) > 0"])
+def test_laws_whose_unknowns_cancel_are_all_written(shown: str) -> None:
+    """With e = ½ and masses 2m and m, B has after the third impact what A had after the first."""
+    text = printed(f"""
+wall W: along j
+sphere A: mass 2m, velocity u i
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+B hits W: e = 1/3
+A hits B: along i, e = 1/2
+show {shown}
+""")
+    assert "component of 𝐯_B" in text and "= −u/3" in text
+    assert "not written out" not in text

@@ -58,7 +58,8 @@ class Solver(Closing):
         first: NotPlannedError | None = None
         routes = self.equations.routes(goals, self.waiting)
         whole = filter(None, map(self._with_both_laws, routes))
-        for n, route in enumerate(chained(routes, whole)):
+        every = filter(None, map(self._with_all_laws, routes[:1]))
+        for n, route in enumerate(chained(routes, whole, every)):
             standing = self.mark()
             try:
                 self._take(route, goals)
@@ -148,6 +149,26 @@ class Solver(Closing):
             and self._after(own.number).keys() <= {s for each in route for s in self._open(each)}
         ]
         return (*route, *more) if more else ()
+
+    def _with_all_laws(self, route: Sequence[Candidate]) -> tuple[Candidate, ...]:
+        """A route with the laws of all impacts up to its last; empty where it has them.
+
+        What cancels in an answer is no part of its route, and stands open in the laws all the same.
+        """
+        taken = {each.id for each in route}
+        last = max(
+            (own.number for own in self.equations.laws if own.candidate.id in taken), default=0
+        )
+        laws = tuple(
+            own.candidate
+            for own in self.equations.laws
+            if own.number <= last
+            and own.kind in (*LAWS, "wall")
+            and own.candidate.id not in self.equations.used
+        )
+        more = [each for each in laws if each.id not in taken]
+        rest = tuple(each for each in route if each.id not in {own.id for own in laws})
+        return (*laws, *rest) if more else ()
 
     def _next(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """Writes the next equation or block; returns what was used."""
