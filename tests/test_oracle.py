@@ -29,6 +29,7 @@ from restitution.oracle import (
 from restitution.oracle.points import ball, ends_of
 from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE, REAL, TO_180, Role
 from restitution.oracle.senses import possible_senses
+from restitution.oracle.sums_of_angles import sine_of_share
 
 ROLES = {
     **dict.fromkeys(("m", "u", "k", "v"), POSITIVE),
@@ -338,3 +339,52 @@ def test_no_sign_that_a_polynomial_has_is_ruled_out() -> None:
     }
     for polynomial, signs in cases.items():
         assert possible_senses(polynomial, ["x", "y", "z"], senses, bounds) == signs
+
+
+_E, _A = sp.Symbol("e", nonnegative=True), sp.Symbol("alpha", positive=True)
+_ANGLES = {
+    "e": Role("restitution", sp.Integer(0), sp.Integer(1), (True, True)),
+    "alpha": Role("angle", sp.Integer(0), sp.pi / 2, (False, False)),
+}
+
+
+@pytest.mark.parametrize(
+    "angle",
+    [
+        sp.atan2(_E * sp.sin(_A), sp.cos(_A)) - sp.asin((1 + _E) / (3 - _E)),
+        _A - sp.atan2(_E * sp.sin(_A), sp.cos(_A)) - sp.asin((1 - _E) / (1 + _E)),
+        sp.atan2(sp.Abs(sp.sin(_A)), sp.cos(_A) - _E) - sp.acos(_E),
+        sp.atan2(sp.sin(_A), sp.cos(_A) - _E) + sp.asin(_E) - sp.pi / 2,
+        sp.asin(_E) - 2 * _A,
+        sp.acos(1 - 2 * _E) - _A - sp.pi / 3,
+        sp.pi / 2 - _A - sp.acos((1 - _E) / 2),
+        sp.atan(_E * sp.tan(_A)) - sp.asin(_E / 2) - sp.pi / 7,
+        sp.asin(_E - sp.Rational(1, 2)) - sp.atan2(sp.sin(_A), _E),
+    ],
+)
+def test_what_stands_for_a_sum_of_angles_has_its_sign(angle: sp.Expr) -> None:
+    """At points of all sorts, the ends among them."""
+    other = sine_of_share(angle, _ANGLES)
+    rng = random.Random(3)
+    for n in range(400):
+        e = (0.0, 1.0, 0.5)[n] if n < 3 else rng.random() ** rng.choice((1, 4, 0.1))
+        put = {_E: sp.Float(e, 30), _A: sp.Float(rng.uniform(1e-3, 1.5697), 30)}
+        one, two = (sp.N(each.xreplace(put), 30) for each in (angle, other))
+        if not (one.is_real and two.is_real) or min(abs(one), abs(two)) < 1e-20:
+            continue
+        assert (one > 0) == (two > 0), put
+
+
+@pytest.mark.parametrize(
+    ("most", "holds"),
+    [
+        ((1 - _E) / (1 + _E), True),
+        ((1 - _E) / (1 + _E) - sp.Rational(1, 10**9), False),
+        (sp.Rational(999, 1000) * (1 - _E) / (1 + _E), False),
+    ],
+)
+def test_an_angle_beside_an_inverse_sine(most: sp.Expr, holds: bool) -> None:
+    """sin(α − β) is at most (1 − e)/(1 + e), where tan β = e tan α and tan²α = 1/e."""
+    claim = Relation(sp.asin(most) - _A + sp.atan2(_E * sp.sin(_A), sp.cos(_A)), ">=")
+    verdict = Oracle(_ANGLES).decide(claim)
+    assert verdict.answer == ("proved" if holds else "refuted")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
@@ -20,6 +20,7 @@ from restitution.oracle.points import (
     constant_interval,
     ends_of,
 )
+from restitution.oracle.polynomials import Polynomials, TooLargeError
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.testers import (
     holds_with,
@@ -52,35 +53,21 @@ def with_sines(formula: Formula, roles: Mapping[str, Role]) -> Formula:
 
 
 def sine_of_share(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
-    """A sum of angles as the sine of a share of it, which has the same sign."""
-    low = high = sp.Integer(0)
-    angular = open_ = False
-    for term in _rational_combination(x):
-        coefficient, atom = term.as_coeff_Mul()
-        if not coefficient.is_Rational:
-            return x
-        if atom.is_Symbol:
-            role = roles.get(atom.name, REAL)
-            if role.kind != "angle" or role.low is None or role.high is None:
-                return x
-            ends = role.low, role.high
-            angular, open_ = True, open_ or not any(role.closed)
-        elif isinstance(atom, _INVERSE):
-            width = sp.pi if isinstance(atom, sp.acos | sp.atan2) else sp.pi / 2
-            ends = (sp.Integer(0) if isinstance(atom, sp.acos) else -width), width
-            if not term.free_symbols:
-                ends = atom, atom  # its value is known
-            angular = True
-            open_ = open_ or (isinstance(atom, sp.atan) and bool(term.free_symbols))
-        elif not term.free_symbols and (atom is sp.pi or coefficient is term or term.is_Rational):
-            ends = atom, atom
-        else:
-            return x
-        least, most = ends if coefficient > 0 else ends[::-1]
-        low, high = low + coefficient * least, high + coefficient * most
-    if not angular:
+    """A sum of angles as the sine of a share of it, which has the same sign.
+
+    One with an inverse sine or cosine is compared by that, where the rest is between its ends.
+    """
+    if x.has(*_INVERSE) and x.has(sp.Abs):
+        x = x.xreplace({bar: _without_bars(bar, roles) for bar in x.atoms(sp.Abs)})
+    terms = _rational_combination(x)
+    extent = _extent(terms, roles)
+    if extent is None:
         return x
     try:
+        by_ratio = _by_ratio(terms, roles)
+        if by_ratio is not None:
+            return by_ratio
+        low, high, open_ = extent
         for end, sign in ((low, 1), (high, -1)):
             if _exceeds(sign * end, 0):
                 return end  # so far from 0 that the angles do not matter
@@ -93,6 +80,103 @@ def sine_of_share(x: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     except BeyondError:
         return x
     return sp.sin(x / share)
+
+
+def _extent(
+    terms: Iterable[sp.Expr], roles: Mapping[str, Role]
+) -> tuple[sp.Expr, sp.Expr, bool] | None:
+    """Between which numbers a sum of angles lies, and whether it comes to neither of them.
+
+    None of what is no sum of angles.
+    """
+    low = high = sp.Integer(0)
+    angular = open_ = False
+    for term in terms:
+        coefficient, atom = term.as_coeff_Mul()
+        if not coefficient.is_Rational:
+            return None
+        if atom.is_Symbol:
+            role = roles.get(atom.name, REAL)
+            if role.kind != "angle" or role.low is None or role.high is None:
+                return None
+            ends = role.low, role.high
+            angular, open_ = True, open_ or not any(role.closed)
+        elif isinstance(atom, _INVERSE):
+            # Of a plain number its value is known.
+            ends = _ends_of(atom, roles) if term.free_symbols else (atom, atom)
+            angular = True
+            open_ = open_ or (isinstance(atom, sp.atan) and ends == (-sp.pi / 2, sp.pi / 2))
+        elif not term.free_symbols and (atom is sp.pi or coefficient is term or term.is_Rational):
+            ends = atom, atom
+        else:
+            return None
+        least, most = ends if coefficient > 0 else ends[::-1]
+        low, high = low + coefficient * least, high + coefficient * most
+    return (low, high, open_) if angular else None
+
+
+def _by_ratio(terms: Sequence[sp.Expr], roles: Mapping[str, Role]) -> sp.Expr | None:
+    """The sign of α − arcsin x as that of sin α − x; None where no such sum is seen."""
+    for term in terms:
+        sense, atom = term.as_coeff_Mul()
+        if abs(sense) != 1 or not isinstance(atom, sp.asin | sp.acos) or not term.free_symbols:
+            continue
+        others = [each for each in terms if each != term]
+        rest = _extent(others, roles)
+        (ratio,) = atom.args
+        if rest is None or not _is_never_negative(1 - ratio**2, roles):
+            continue
+        low, high, _ = rest
+        own_low, own_high = (
+            (-sp.pi / 2, sp.pi / 2)
+            if isinstance(atom, sp.asin)
+            else ((0, sp.pi) if sense == -1 else (-sp.pi, 0))
+        )
+        if _exceeds(own_low, low) or _exceeds(high, own_high):
+            continue
+        angle = sp.Add(*others)
+        if isinstance(atom, sp.asin):
+            return sp.sin(angle) + sense * ratio
+        return sense * (sp.cos(angle) - ratio)
+    return None
+
+
+def _ends_of(atom: sp.Expr, roles: Mapping[str, Role]) -> tuple[sp.Expr, sp.Expr]:
+    """Between which numbers an inverse function lies, by the signs of what stands in it."""
+    right = sp.pi / 2
+    upper = _is_never_negative(atom.args[0], roles)
+    if isinstance(atom, sp.acos):
+        return sp.Integer(0), right if upper else sp.pi
+    ahead = not isinstance(atom, sp.atan2) or _is_never_negative(atom.args[1], roles)
+    width = right if ahead else sp.pi
+    return (sp.Integer(0) if upper else -width), width
+
+
+def _without_bars(bar: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
+    """The size of an expression without bars, where its sign is plain."""
+    (inside,) = bar.args
+    if _is_never_negative(inside, roles):
+        return inside
+    return -inside if _is_never_negative(-inside, roles) else bar
+
+
+def _is_never_negative(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
+    """Whether coefficients show that an expression is nowhere negative."""
+    try:
+        world = Polynomials([x], roles)
+        above, below = world.quotient(x)
+        sense = world.sign(below)
+        if sense is None:
+            return False
+        for factor, power in world.factors(above):
+            if power % 2 == 0 or world.not_negative(factor):
+                continue
+            if not world.not_negative(-factor):
+                return False
+            sense = -sense
+        return sense == 1
+    except (TooLargeError, BeyondError):
+        return False
 
 
 def _rational_combination(x: sp.Expr) -> list[sp.Expr]:
