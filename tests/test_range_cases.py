@@ -285,3 +285,17 @@ def holds(condition: str, put: dict[sp.Symbol, float]) -> bool:
 def test_an_extremum_in_cases_is_printed_with_them() -> None:
     text = OBLIQUE + "find minimum of speed(A) over e"
     assert "u sin α when e = 1/k, for k > 1" in " ".join(str(explain(solve(parse(text)))).split())
+
+
+def test_a_deflection_has_its_range_at_the_end_of_e_too() -> None:
+    """δ is at most arcsin((1 + e)/(3 − e)), and comes near to 90° for e = 1 as A hits B fully."""
+    text = OBLIQUE.replace("k m", "m") + "unknown alpha\nfind range of deflection(A)"
+    item = solve(parse(text))["range of deflection(A)"]
+    assert item.proof == "decision"
+    below, at_one = item.answers
+    assert (below.condition, at_one.condition) == (("e < 1",), ("e = 1",))
+    assert at_one.value == sp.Interval.open(0, sp.pi / 2)
+    for e in (0, sp.Rational(3, 10), sp.Rational(9, 10)):
+        most = below.value.end.subs(sp.Symbol("e", nonnegative=True), e)
+        most = most.subs(sp.Symbol("e", real=True), e).subs(sp.Symbol("e"), e)
+        assert float(most) == pytest.approx(float(sp.asin((1 + e) / (3 - e))))

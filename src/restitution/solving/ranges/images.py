@@ -380,13 +380,25 @@ def _tangent_of(
     parts: list[Piece] = []
     for piece in pieces:
         own = [exact.tidy_angle((end.value - whole) * factor) for end in piece]
-        if any(each.free_symbols or abs(at(each, {})) >= at(sp.pi / 2, {}) for each in own):
-            return None
+        tangents = [_tangent_at(each, end.closed) for each, end in zip(own, piece, strict=True)]
         ends = [
-            End(exact.tidy(sp.tan(each)), end.closed) for each, end in zip(own, piece, strict=True)
+            End(each, end.closed)
+            for each, end in zip(tangents, piece, strict=True)
+            if each is not None
         ]
+        if len(ends) < 2:
+            return None
         parts.append((ends[0], ends[1]) if factor == 1 else (ends[1], ends[0]))
     return tangent, parts[::factor]
+
+
+def _tangent_at(end: sp.Expr, closed: bool) -> sp.Expr | None:
+    """The tangent of an end up to a right angle, which is reached at no arctangent."""
+    if end.free_symbols:
+        return end.args[0] if isinstance(end, sp.atan) else None
+    if abs(end) == sp.pi / 2:
+        return None if closed else sp.sign(end) * sp.oo
+    return None if abs(at(end, {})) >= at(sp.pi / 2, {}) else exact.tidy(sp.tan(end))
 
 
 def _nearest_pairs(seen: Sequence[Seen], low: Enclosed, high: Enclosed) -> list[tuple[Seen, Seen]]:
