@@ -166,6 +166,8 @@ class _Writer:
         self.entered: set[int] = set()
         self.stay: list[Line] = []
         self.said_again: set[str] = set()
+        # The conditions of answers that are printed; an earlier part has said the same for all.
+        self.limited: list[Sentence] = []
 
     def part(self, label: str | None) -> tuple[Step, ...]:
         """The steps of a part."""
@@ -184,7 +186,6 @@ class _Writer:
         """The lines of a part as steps, with its notes among them."""
         self.afresh()
         lets: list[Meaning] = []
-        conditions: list[Sentence] = []
         waiting: list[Line] = []
         shown = [each for each in lines if each.shown != "silent"]
         notes = self.notes.places(label, [each.item for each in shown])
@@ -273,8 +274,8 @@ class _Writer:
                 label = self.ends.label(line)
                 yield Step("note", sentences=sentences, item=step.item, label=label)
             condition = self.conditions.get(line.number)
-            if condition is not None and not any(is_same(condition, e) for e in conditions):
-                conditions.append(condition)
+            if condition is not None and not any(is_same(condition, e) for e in self.limited):
+                self.limited.append(condition)
                 yield Step("note", sentences=(condition,), item=step.item)
         yield from self._again_asked([*once_more, *again.get(len(shown), ())])
         yield from self._noted([*due, *notes.get(len(shown), ())])
