@@ -545,11 +545,16 @@ def _ways(
 
 
 def _allowed(options: Sequence[int], slots: Sequence[Slot], free: Sequence[int]) -> bool:
-    """Whether no two letters of one scope are one quantity up to sign."""
+    """Whether no two letters of one scope are one quantity up to sign.
+
+    A phrase may be that of a letter: ``tan θ = 0.372 so angle = 20.4``.
+    """
     for s in free:
-        root = slots[s].roots[options[s]]
+        root, named = slots[s].roots[options[s]], is_phrase(slots[s].letter)
         for other, option in enumerate(options):
             if other == s or option < 0 or slots[other].letter == slots[s].letter:
+                continue
+            if is_phrase(slots[other].letter) is not named:
                 continue
             if slots[other].segment == slots[s].segment and slots[other].roots[option] == root:
                 return False
