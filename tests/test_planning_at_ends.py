@@ -35,6 +35,18 @@ show deflection(P) >= 35°
 """,
         ("δ ≥ β", "δ ≥ 35°, as β ≥ 35°"),
     ),
+    "a deflection at a slanting wall by the angle after": (
+        """
+wall W: along i - j
+sphere P: velocity 3u i
+P hits W
+find range of deflection(P)
+""",
+        (
+            "δ = 45° + θ = 45° + arctan e",
+            "45° ≤ δ ≤ 90°, as 45° + arctan e increases with e and 0 ≤ e ≤ 1",
+        ),
+    ),
     "a deflection at spheres by the one angle that is not given": (
         """
 sphere A: mass m, velocity u at 60°

@@ -530,6 +530,10 @@ def turn_in_letters(scene: Scene, asked: Quantity) -> int | None:
 
     Like ``δ = 120° − arctan(√3/e)``; None where both angles are not known so.
     """
+    number = asked.stage
+    own = scene.model.frames.get(number) if isinstance(number, int) else None
+    if own is not None and own.wall is not None:
+        return _by_sum(scene, asked)
     for turn in turns_of(scene, asked):
         mark = scene.desk.mark()
         line = write_turn(scene, turn, angle_line, in_letters=True)

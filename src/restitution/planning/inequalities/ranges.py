@@ -98,13 +98,14 @@ def _of_a_turn(
     """The range of a deflection by that of the one angle of which it is made that is not given.
 
     ``δ = 120° − arctan(√3/e)`` needs no tangent of a sum. None of another range, and where the
-    tangent is asked too, or stands, or is without roots at the ends, so that it tells more.
+    tangent is asked too, or stands, or is that of a line of centres and without roots at the ends.
     """
     scene = claims.scene
     if not isinstance(asked, Quantity) or asked.kind != "deflection":
         return None
     nodes = {n for link in relation.only for e in (link.left, link.right) for n in walk(e)}
-    if not any(isinstance(each, Apply) and each.function == "sqrt" for each in nodes):
+    rooted = any(isinstance(each, Apply) and each.function == "sqrt" for each in nodes)
+    if not (rooted or _is_at_a_slanting_wall(scene, asked)):
         return None
     if Apply("tan", asked) in scene.asked or _has_its_tangent(scene, asked):
         return None
@@ -120,6 +121,15 @@ def _of_a_turn(
                     return line, whole
     claims.worths.back(mark)
     return None
+
+
+def _is_at_a_slanting_wall(scene: Scene, deflection: Quantity) -> bool:
+    """Whether a deflection is at a wall that is along neither axis: both angles are to that."""
+    number = deflection.stage
+    if not isinstance(number, int) or number not in scene.model.frames:
+        return False
+    frame = scene.frame(number)
+    return frame.wall is not None and frame.is_slanted
 
 
 def _has_its_tangent(scene: Scene, asked: Quantity) -> bool:
