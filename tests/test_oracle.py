@@ -14,6 +14,7 @@ import pytest
 import sympy as sp
 
 from restitution import work
+from restitution.language import parse
 from restitution.oracle import (
     All,
     Oracle,
@@ -30,6 +31,7 @@ from restitution.oracle.points import ball, ends_of
 from restitution.oracle.roles import ACUTE, COEFFICIENT, POSITIVE, REAL, TO_180, Role
 from restitution.oracle.senses import possible_senses
 from restitution.oracle.sums_of_angles import sine_of_share
+from restitution.solving import solve
 
 ROLES = {
     **dict.fromkeys(("m", "u", "k", "v"), POSITIVE),
@@ -388,3 +390,28 @@ def test_an_angle_beside_an_inverse_sine(most: sp.Expr, holds: bool) -> None:
     claim = Relation(sp.asin(most) - _A + sp.atan2(_E * sp.sin(_A), sp.cos(_A)), ">=")
     verdict = Oracle(_ANGLES).decide(claim)
     assert verdict.answer == ("proved" if holds else "refuted")
+
+
+@pytest.mark.parametrize(
+    ("speed", "answer"),
+    [("u", "proved"), ("u + 10^-12 u", "refuted"), ("u*(1 + (d/a)^2/10^9)", "refuted")],
+)
+def test_a_long_root_is_what_its_square_says(speed: str, answer: str) -> None:
+    """Nothing is lost at a rim that is struck twice with e = 1, from any place in it."""
+    text = (
+        "wall C: circle centre (0, 0) radius a\n"
+        "sphere P: mass m, at (0, -d), velocity u at alpha\n"
+        f"P hits C: e = 1\nP hits C: e = 1\nshow speed(P) = {speed}"
+    )
+    (item,) = solve(parse(text)).parts[None].items
+    assert item.holds is (answer == "proved")
+
+
+def test_a_root_of_the_other_sense_is_no_value() -> None:
+    """√((2 − x)²) + 2 − x vanishes nowhere below 2, though the squares are alike."""
+    x = sp.Symbol("e", nonnegative=True)
+    claim = Relation(sp.sqrt(sp.expand((2 - x) ** 2), evaluate=False) + 2 - x, "=")
+    assert not Oracle(_ANGLES).decide(claim)
+    assert Oracle(_ANGLES).decide(
+        Relation(sp.sqrt(sp.expand((2 - x) ** 2), evaluate=False) - 2 + x, "=")
+    )

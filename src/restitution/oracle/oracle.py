@@ -34,6 +34,7 @@ from restitution.oracle.scaled import scaled_sign
 from restitution.oracle.simple import simpler
 from restitution.oracle.sums_of_angles import (
     angle_within,
+    is_never_negative,
     sine_of_share,
     with_sines,
     without_numbers,
@@ -258,7 +259,8 @@ class Oracle:
                 holds = claim.operator in ("=", ">=")
                 return Verdict("proved" if holds else "refuted", "algebra")
             if claim.operator == "=":
-                return None
+                equal = _is_a_root(claim.value, self.roles)
+                return Verdict("proved", "algebra") if equal else None
             sign = 1
             weak = False
             for polynomial, part in ((above, 1), (below, -1)):
@@ -378,6 +380,29 @@ class Oracle:
             )
 
         return simpler(point, self.roles, serves)
+
+
+def _is_a_root(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
+    """Whether an expression ``b√c − a`` is seen to vanish, as b²c = a² and neither is negative.
+
+    The root is the longest one in it: what stands under that has roots of its own.
+    """
+    roots = [each for each in x.atoms(sp.Pow) if each.exp == sp.S.Half and each.free_symbols]
+    if not roots:
+        return False
+    root, letter = max(roots, key=lambda each: (sp.count_ops(each), str(each))), sp.Dummy()
+    own = x.xreplace({root: letter})
+    rest, factor = own.xreplace({letter: sp.S.Zero}), sp.diff(own, letter)
+    if factor == 0 or factor.has(letter) or rest.has(sp.nan, sp.zoo):
+        return False
+    if not any(
+        is_never_negative(sense * factor, roles) and is_never_negative(-sense * rest, roles)
+        for sense in (1, -1)
+    ):
+        return False
+    gap = rest**2 - factor**2 * root.base
+    world = Polynomials([gap], roles)
+    return world.vanishes(world.quotient(gap)[0])
 
 
 # --- what is remembered --------------------------------------------------------------------------

@@ -124,7 +124,7 @@ def _by_ratio(terms: Sequence[sp.Expr], roles: Mapping[str, Role]) -> sp.Expr | 
         others = [each for each in terms if each != term]
         rest = _extent(others, roles)
         (ratio,) = atom.args
-        if rest is None or not _is_never_negative(1 - ratio**2, roles):
+        if rest is None or not is_never_negative(1 - ratio**2, roles):
             continue
         low, high, _ = rest
         own_low, own_high = (
@@ -144,10 +144,10 @@ def _by_ratio(terms: Sequence[sp.Expr], roles: Mapping[str, Role]) -> sp.Expr | 
 def _ends_of(atom: sp.Expr, roles: Mapping[str, Role]) -> tuple[sp.Expr, sp.Expr]:
     """Between which numbers an inverse function lies, by the signs of what stands in it."""
     right = sp.pi / 2
-    upper = _is_never_negative(atom.args[0], roles)
+    upper = is_never_negative(atom.args[0], roles)
     if isinstance(atom, sp.acos):
         return sp.Integer(0), right if upper else sp.pi
-    ahead = not isinstance(atom, sp.atan2) or _is_never_negative(atom.args[1], roles)
+    ahead = not isinstance(atom, sp.atan2) or is_never_negative(atom.args[1], roles)
     width = right if ahead else sp.pi
     return (sp.Integer(0) if upper else -width), width
 
@@ -155,12 +155,12 @@ def _ends_of(atom: sp.Expr, roles: Mapping[str, Role]) -> tuple[sp.Expr, sp.Expr
 def _without_bars(bar: sp.Expr, roles: Mapping[str, Role]) -> sp.Expr:
     """The size of an expression without bars, where its sign is plain."""
     (inside,) = bar.args
-    if _is_never_negative(inside, roles):
+    if is_never_negative(inside, roles):
         return inside
-    return -inside if _is_never_negative(-inside, roles) else bar
+    return -inside if is_never_negative(-inside, roles) else bar
 
 
-def _is_never_negative(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
+def is_never_negative(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
     """Whether coefficients show that an expression is nowhere negative."""
     try:
         world = Polynomials([x], roles)
