@@ -117,9 +117,9 @@ def _marked(answer: str, benches: Sequence[Bench]) -> AnswerMark:
 
 def _sides(answer: str) -> tuple[str, str]:
     """What an answer is of, and its value: ``speed of A is 4.5``; a value alone is of nothing."""
-    for sign in ("=", " is "):
+    for sign in ("=", " is ", ":"):
         asked, between, value = answer.partition(sign)
-        if between:
+        if between and (sign != ":" or any(map(str.isalpha, asked))):  # 3:4 is a ratio
             return asked.strip(), value.strip()
     return "", answer.strip()
 
