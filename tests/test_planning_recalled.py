@@ -949,3 +949,12 @@ def test_what_is_seen_in_one_bracket_is_not_multiplied_out() -> None:
         "given impulse = 1/2 m u\nfind k in terms of e\n"
     )
     assert lines[lines.index("1/2 m u = m (u - v)") + 1] == "v = u/2"
+
+
+def test_the_square_of_a_speed_that_stands_serves_both_bounds() -> None:
+    lines = said(
+        "wall W: along i\nsphere P: velocity p i - 4j\nP hits W: e = 1/2\n"
+        "given 5 <= speed(P, 0) <= 6\nfind range of p\n"
+    )
+    assert sum(each.startswith("speed(P, 0)^2 = ") for each in lines) == 1
+    assert "p^2 + 4^2 <= 36" in lines

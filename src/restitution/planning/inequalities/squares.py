@@ -44,6 +44,12 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
                     worths.back(mark)
                     return None
                 worths.determine(side)
+                above = _standing_square(worths, side)
+                if above is not None:
+                    lines.append(above)
+                    trees.append(worths.scene.desk.relation(above).only[0].right)
+                    rooted = True
+                    continue
                 own = formula(worths.scene, side)
                 right = swept(own.right)
                 root = isinstance(right, Apply) and right.function == "sqrt"
@@ -73,6 +79,16 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
     if solved is None:
         worths.back(mark)
     return solved
+
+
+def _standing_square(worths: Worths, speed: Quantity) -> int | None:
+    """The line in force that says the square of a speed; None without one."""
+    desk = worths.scene.desk
+    for line in reversed(desk.lines):
+        match line.relation:
+            case Relation(((Link(left, "="), *_),)) if left == square(speed):
+                return line.number if desk.holds(line.number) else None
+    return None
 
 
 def square_and_solve(
