@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from workings import planned
+from workings import planned, solved
 
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation, Line, Relation
@@ -55,7 +55,7 @@ def directions(
 def test_the_ends_are_those_of_all_coefficients(case: tuple[int, ...]) -> None:
     m, a, b, n, c, d, axis = case
     statement = SPHERES.format(m=m, a=a, b=b, n=n, c=c, d=d, axis=axis).replace("+ -", "- ")
-    solution = solve(parse(statement))
+    solution = solved(statement)
     for item, seen in zip(solution.parts[None].items, directions(*case), strict=True):
         values = item.distinct[0].value
         assert (float(values.inf), float(values.sup)) == pytest.approx((min(seen), max(seen)))
@@ -165,8 +165,8 @@ find direction(A), direction(B)
 
 
 def test_a_direction_on_either_side_of_j_is_told_by_its_cotangent() -> None:
-    problem, derivation = planned(IN_K)
-    items = solve(problem).parts[None].items
+    _, derivation = planned(IN_K)
+    items = solved(IN_K).parts[None].items
     (k,) = items[0].distinct[0].value.free_symbols
     for ratio in (0.1, 0.8, 1.0, 4.0):
         v = (3 - 2 * ratio - ratio * 5 / 3) / (1 + ratio)  # momentum, and w - v = 5u/3
@@ -206,9 +206,10 @@ find {0}
     ],
 )
 def test_an_angle_that_may_be_obtuse_is_told_by_its_cotangent(asked: str, answer: str) -> None:
-    problem, derivation = planned(OPEN.format(asked))
+    statement = OPEN.format(asked)
+    _, derivation = planned(statement)
     assert [write_relation(each.answer) for each in derivation.items] == [answer]
-    value = solve(problem).parts[None].items[0].distinct[0].value
+    value = solved(statement).parts[None].items[0].distinct[0].value
     names = {each.name: each for each in value.free_symbols}
     for e, alpha in ((0, 0.3), (0.2, 1.1), (0.6, 0.7), (1, 0.2)):
         v = (1 - 3 * e) * math.cos(alpha) / 4  # momentum, and w - v = e cos(alpha)
@@ -227,7 +228,7 @@ def test_the_bounds_of_an_angle_that_may_be_obtuse() -> None:
 
 def test_the_range_of_an_angle_that_comes_to_90_degrees_is_proved() -> None:
     """Its tangent stands, and is put into its cotangent, which there is 0."""
-    problem, derivation = planned("""
+    statement = """
 sphere A: mass m, velocity u at alpha
 sphere B: mass m, at rest
 A hits B: along i
@@ -235,12 +236,13 @@ let beta = angle(velocity(A), i)
 show tan(beta) = 2 tan(alpha)/(1 - e)
 given tan(alpha) = 1/3
 find range of beta
-""")
+"""
+    _, derivation = planned(statement)
     said = [
         write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)
     ]
     assert said[-2] == "0 <= cot(beta) <= 3/2"
-    solution = solve(problem)
+    solution = solved(statement)
     assert not solution.warnings
     low, high = solution.parts[None].items[1].distinct[0].value.args[:2]
     # v = ½(1 − e)u cos α, so that tan β is 2 tan α = ⅔ at e = 0, and v = 0 at e = 1.

@@ -12,10 +12,9 @@ from dataclasses import dataclass
 import plain_physics
 import pytest
 import sympy as sp
+from workings import solved
 
 from restitution.export.answers import answers
-from restitution.language import parse
-from restitution.solving import solve
 from restitution.workings import explain
 
 DIRECT = """sphere A: mass m, velocity u i
@@ -150,7 +149,7 @@ def points(question: Question) -> Iterator[dict[str, sp.Expr]]:
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_the_form_that_holds_is_the_range(name):
     question = QUESTIONS[name]
-    solution = solve(parse(question.statement))
+    solution = solved(question.statement)
     ((_, item),) = solution.items()
     assert item.error is None and item.proof not in (None, "undecided")
     holding = 0
@@ -190,7 +189,7 @@ def _same(form: sp.Set, truth: sp.Set) -> bool:
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_a_working_ends_with_each_form(name):
-    solution = solve(parse(QUESTIONS[name].statement))
+    solution = solved(QUESTIONS[name].statement)
     ((_, item),) = solution.items()
     text = " ".join(str(explain(solution)).split())
     for answer in item.answers:
@@ -201,13 +200,13 @@ def test_a_working_ends_with_each_form(name):
 
 
 def test_forms_of_one_range_are_no_choice():
-    text = answers(solve(parse(QUESTIONS["least e, or any"].statement)), "text")
+    text = answers(solved(QUESTIONS["least e, or any"].statement), "text")
     assert "; " in text and " or " not in text
 
 
 def test_a_form_that_asks_nothing_of_its_letter_has_no_condition():
     wall = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
-    ((_, item),) = solve(parse(wall + "find range of speed(P) in terms of u")).items()
+    ((_, item),) = solved(wall + "find range of speed(P) in terms of u").items()
     assert [each.display for each in item.answers] == ["0 < speed of P ≤ u"]
 
 
@@ -253,7 +252,7 @@ def test_an_extremum_that_lies_elsewhere_for_other_data(
     text: str, over: str, quantity: Callable[[dict[str, float]], float], number: int
 ) -> None:
     """Each form is the greatest or least of thousands of values, where its condition holds."""
-    (item,) = solve(parse(text)).parts[None].items
+    (item,) = solved(text).parts[None].items
     assert item.proof == "decision"
     assert len(item.answers) == number
     ends = {"e": (0, 1), "alpha": (0, math.pi / 2), "k": (0, 60)}
@@ -284,13 +283,13 @@ def holds(condition: str, put: dict[sp.Symbol, float]) -> bool:
 
 def test_an_extremum_in_cases_is_printed_with_them() -> None:
     text = OBLIQUE + "find minimum of speed(A) over e"
-    assert "u sin α when e = 1/k, for k > 1" in " ".join(str(explain(solve(parse(text)))).split())
+    assert "u sin α when e = 1/k, for k > 1" in " ".join(str(explain(solved(text))).split())
 
 
 def test_a_deflection_has_its_range_at_the_end_of_e_too() -> None:
     """δ is at most arcsin((1 + e)/(3 − e)), and comes near to 90° for e = 1 as A hits B fully."""
     text = OBLIQUE.replace("k m", "m") + "unknown alpha\nfind range of deflection(A)"
-    item = solve(parse(text))["range of deflection(A)"]
+    item = solved(text)["range of deflection(A)"]
     assert item.proof == "decision"
     below, at_one = item.answers
     assert (below.condition, at_one.condition) == (("e < 1",), ("e = 1",))

@@ -12,15 +12,21 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.problem import Problem
-from restitution.solving import solve
+from restitution.solving import Solution, solve
 from restitution.solving.story.letters import roles
+
+
+@cache
+def solved(statement: str) -> Solution:
+    """The solution of a statement, made once for all tests of a process."""
+    return solve(parse(statement))
 
 
 @cache
 def planned(statement: str) -> tuple[Problem, Derivation]:
     """A statement and its working, which the follower accepts and which has its answers."""
-    problem = parse(statement)
-    solution = solve(problem)
+    solution = solved(statement)
+    problem = solution.problem
     derivation = plan(solution)
     assert follow(derivation, Oracle(roles(problem))) == ()
     assert wrong_answers(solution, derivation) == []
