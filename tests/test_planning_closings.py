@@ -86,7 +86,7 @@ A hits B: along i
 given speed(A) = speed(B)
 find k
 """,
-        ("k² = 1, as e > 0", "k = 1, as k is positive"),
+        ("Dividing by e, which is not zero as e > 0:", "k = 1"),
     ),
     "a share of the energy that is lost, where any is": (
         """
@@ -137,7 +137,7 @@ A hits B: along i
 given M u cos(alpha) = 2 m v cos(beta)
 find impulse in terms of M, m, u, alpha, e
 """,
-        ("v = Mu cos α/(2m cos β)",),
+        ("cos β = Mu cos α/(2mv)",),
     ),
 }
 

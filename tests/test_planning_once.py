@@ -163,4 +163,4 @@ def test_no_root_is_taken_of_a_speed_of_which_only_the_square_is_used() -> None:
     (speed,) = (each for each in derivation.lines if each.move.record == "speed")
     line = write_relation(speed.relation)  # type: ignore[arg-type]
     assert line.startswith("speed(A, 1)^2 = (sqrt(2) (1 - 2e) u/6)^2 + ")
-    assert line.endswith("= u^2 (5 - 2e + 2e^2)/9 [rearrange]")
+    assert line.endswith("= u^2/18 (1 - 2e)^2 + u^2/2 [rearrange]")

@@ -151,7 +151,8 @@ def test_a_component_comes_of_the_other_one_by_the_shorter_law() -> None:
         "part a\ngiven velocity(A) opposite to i\nfind range of k\n"
         "part b\ngiven velocity(B) opposite to i\nfind range of k\n"
     )
-    assert "Substituting for v in (2):\n    w − 2(2 − k)u/(1 + k) = ⅕(4u + u)\n" in printed
+    lead = "Substituting for v from part (a) in (2):\n"
+    assert lead + "    w − 2(2 − k)u/(1 + k) = ⅕(4u + u)\n" in printed
 
 
 def test_a_letter_comes_to_its_bound_where_its_equation_has_a_solution() -> None:

@@ -146,7 +146,7 @@ SAYS = [
     (ONE_ANGLE, "δ = θ − α"),
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),
     (TURNED_AND_SLOWED, "e = ¾ Substituting in (2): cos²α = ¾ sin²α tan²α = 4/3"),
-    (EQUAL_SPEEDS, "(2e − 1 − (1 + 4e))(2e − 1 + 1 + 4e) = 0 e(1 + e) = 0"),
+    (EQUAL_SPEEDS, "2e − 1 = ±(1 + 4e) DM1 e = 0 or e = −1"),
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
     (ON_TO_A_WALL, "along the line of centres, at 60° to W"),

@@ -421,6 +421,8 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     above = numerator(residual(scene, number))
     if symbol in inside_functions(above) or symbol not in above.free_symbols:
         return None
+    if sides_but_for_sign(scene, number, symbol) is not None:
+        return None  # two equal squares have two roots, of which one may cancel
     if (solved := _by_tangents(scene, number, symbol)) is not None:
         return solved
     for each in (above, _uncertain(scene, above, symbol)):
