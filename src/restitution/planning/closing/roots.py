@@ -432,7 +432,8 @@ def _plain(scene: Scene, above: sp.Expr, generator: sp.Expr) -> sp.Poly:
 
 
 def _without_root_in_front(polynomial: sp.Poly) -> sp.Poly:
-    """A quadratic divided by the root of a number in its first term, where roots go by that.
+    """A quadratic divided by the root of a number in its first term, where roots go by that and
+    no fractions come.
 
     ``2√3 x² − 3(1 + e)x + √3(1 − e)`` is √3 times ``2x² − √3(1 + e)x + 1 − e``.
     """
@@ -444,7 +445,8 @@ def _without_root_in_front(polynomial: sp.Poly) -> sp.Poly:
         return polynomial
     divided = sp.Poly([sp.expand(each / root) for each in polynomial.all_coeffs()], polynomial.gen)
     before, after = (sum(c.has(root) for c in e.all_coeffs()) for e in (polynomial, divided))
-    return divided if after < before else polynomial
+    whole = all(sp.fraction(sp.together(each))[1] == 1 for each in divided.all_coeffs())
+    return divided if after < before and whole else polynomial
 
 
 def _in_factors(

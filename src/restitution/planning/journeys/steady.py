@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
+import sympy as sp
+
 from restitution.exact import tidy
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Move, Ref
@@ -70,8 +72,8 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
     in_lines = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
     if early and (in_lines or all(each.is_number for each in early)):
         return None  # the sum is as short
-    if all(_stands(scene, *pair) for pair in pairwise((since, *between, number))):
-        return None  # the ways are added
+    if _are_added(scene, (since, *between, number)):
+        return None
     first, last = (coordinate(scene, body, each, axis) for each in (since, number))
     paces = [velocity(scene, body, stage, axis) for stage in (since, *between)]
     pace = paces[-1]
@@ -96,10 +98,16 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
     return scene.desk.know(own, value, (line,))
 
 
-def _stands(scene: Scene, early: int, late: int) -> bool:
-    """Whether the time from one event to the next one has a line."""
-    trees = (duration_tree(late, early), *((time_tree(late),) if early == 0 else ()))
-    return any(scene.desk.known(tree) is not None for tree in trees)
+def _are_added(scene: Scene, stages: Sequence[int]) -> bool:
+    """Whether the times of all ways between events stand, and are multiples of one of them."""
+    values: list[sp.Expr] = []
+    for early, late in pairwise(stages):
+        trees = (duration_tree(late, early), *((time_tree(late),) if early == 0 else ()))
+        known = next((own for tree in trees if (own := scene.desk.known(tree))), None)
+        if known is None:
+            return False
+        values.append(sp.sympify(known.value, strict=True))
+    return all(tidy(each / values[0]).is_number for each in values)
 
 
 def write_steady_ways(scene: Scene, number: int) -> None:

@@ -228,7 +228,8 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
         behind = columns(gap) + columns(note) if note and last else 0
         # The last piece goes to a line of its own, if what stands behind it fits there.
         far = columns(current + piece) + behind > room_behind
-        apart = far and columns(start + piece) + behind <= room_behind and sign in ("=", "≈")
+        alone = sign in ("=", "≈") and " or " not in piece  # values side by side stay together
+        apart = far and alone and columns(start + piece) + behind <= room_behind
         if (columns(current + piece) > limit or (behind and apart) or cut) and not fresh:
             lines.append(current)
             current = start
