@@ -68,7 +68,7 @@ CLAIMS = {
             "sphere A: mass 3, velocity 2i + j\nsphere B: mass 1, velocity -2i - j\n"
             "A hits B: along i, e = 1/2\nshow velocity(A) opposite to velocity(B)"
         ),
-        "𝐯_A is not opposite to 𝐯_B, as ½𝐢 + 𝐣 is no multiple of (5/2)𝐢 − 𝐣.",
+        "𝐯_A is not opposite to 𝐯_B, as ½𝐢 + 𝐣 is not a multiple of (5/2)𝐢 − 𝐣.",
     ),
     "a meeting": (
         LINE.format(c="8m") + "show A and B do not collide again",
@@ -184,7 +184,7 @@ def working(text: str) -> str:
     ("claim", "reason"),
     [
         ("velocity(A) perpendicular to velocity(A, 0)", "as 𝐯_A · 𝐮_A = 4."),
-        ("velocity(B, 0) parallel to velocity(A)", "as −2𝐢 is no multiple of −2𝐢 + 3𝐣."),
+        ("velocity(B, 0) parallel to velocity(A)", "as −2𝐢 is not a multiple of −2𝐢 + 3𝐣."),
     ],
 )
 def test_a_velocity_of_the_data_beside_another(claim: str, reason: str) -> None:
@@ -202,7 +202,7 @@ def test_a_velocity_told_by_its_direction_is_resolved_beside_another() -> None:
     )
     shown = working(text)
     assert "𝐮_A = √3 u𝐢 + u𝐣 B1" in shown
-    assert "𝐯_A is not parallel to 𝐮_A, as −u𝐢 + u𝐣 is no multiple of √3 u𝐢 + u𝐣." in shown
+    assert "𝐯_A is not parallel to 𝐮_A, as −u𝐢 + u𝐣 is not a multiple of √3 u𝐢 + u𝐣." in shown
 
 
 LATER = """

@@ -514,7 +514,7 @@ def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
     """Steps with labels where chains begin; once for chains with no words between them."""
     last = ""
     for step in steps:
-        if step.rows and step.sentences:
+        if step.rows and (step.sentences or step.title is not None):
             last = ""
         label = "" if step.label == last else step.label
         last = step.label or last

@@ -763,7 +763,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "claim.will-not-hit": "{body} will not hit {wall}{again}",
     "refuted.rest": "{body} is not at rest: {velocity}.",
     "refuted.direction": "{claim}.",
-    "refuted.no-multiple": "{claim}, as {left} is no multiple of {right}.",
+    "refuted.no-multiple": "{claim}, as {left} is not a multiple of {right}.",
     "refuted.direction-as": "{claim}, as {relation}.",
     "refuted.direction-instance": (
         "{claim} in general: with {values:and}, for instance, {sides:and}."
@@ -776,7 +776,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.no-multiple-of": "and neither is a multiple of the other",
     "refuted.in-direction-of-one": "which is in the direction of {other}",
     "refuted.opposite-to-one": "which is opposite to {other}",
-    "refuted.no-multiple-of-one": "which is no multiple of {other}",
+    "refuted.no-multiple-of-one": "which is not a multiple of {other}",
     "refuted.product-instance": (
         "{claim} in general: with {values:and}, for instance, {sides:and}, so {product}."
     ),

@@ -458,6 +458,11 @@ def _deflection(
         refs = together((meaning,), refs, *(own_size(scene, each) for each in (a, b)))
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+    to_the_line = Quantity("velocity", (Name(body),), event), Quantity("line_of_centres", (), event)
+    if early[0].value == 0 and scene.desk.known(Quantity("angle", to_the_line)) and not wanted:
+        turned = _by_turn(scene, asked, wanted)  # 90° less an angle that stands
+        if turned is not None:
+            return turned
     if wanted != "cos" and (frame.is_slanted or early[0].value == 0):
         from_axis = from_an_axis(scene, body, event, asked)
         if from_axis is not None:

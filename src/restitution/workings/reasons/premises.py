@@ -573,10 +573,10 @@ class Reasons:
         """That a ratio and 1 make something positive, below the value of which a sign is given."""
         assert isinstance(line.relation, Relation)
         match line.relation.options:
-            case ((Link(_, sign, right),),) if (
+            case ((Link(left, sign, right),),) if (
                 line.move.id == "put" and sign in (*UP, *DOWN) and right == ZERO
             ):
-                pass
+                standing = set(walk(left))
             case _:
                 return
         for ref in line.premises:
@@ -584,9 +584,8 @@ class Reasons:
             match None if own is None or len(own.options) > 1 else own.only[-1].right:
                 case Binary("/", _, below):
                     for factor in factors(below):
-                        if isinstance(factor, Binary) and _is_one_and_more(
-                            factor, self.is_positive
-                        ):
+                        gone = isinstance(factor, Binary) and factor not in standing
+                        if gone and _is_one_and_more(factor, self.is_positive):
                             yield self._laid(Relation(((Link(factor, ">", ZERO),),)))
                             return
 
