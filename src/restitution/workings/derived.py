@@ -72,6 +72,7 @@ if TYPE_CHECKING:
 _PERCENTAGES: Mapping[SentenceId, SentenceId] = {
     "made.fraction-lost": "made.percentage-lost",
     "fraction-lost.title": "fraction-lost.percentage",
+    "fraction-lost.at-a-wall": "fraction-lost.percentage-at-a-wall",
 }
 # Definitions that speak of the whole motion: they begin no working of an impact.
 _OF_THE_WHOLE = frozenset(

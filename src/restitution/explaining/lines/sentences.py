@@ -1134,6 +1134,14 @@ SENTENCES: Mapping[SentenceId, str] = {
     "fraction-lost.percentage": (
         "Percentage of the kinetic energy that is lost, in which the mass cancels"
     ),
+    "fraction-lost.at-a-wall": (
+        "Fraction of the kinetic energy that is lost, by the component that changes, as the mass "
+        "cancels"
+    ),
+    "fraction-lost.percentage-at-a-wall": (
+        "Percentage of the kinetic energy that is lost, by the component that changes, as the mass "
+        "cancels"
+    ),
     "fraction-lost.why": (
         "The kinetic energy of one body is half its mass times the square of its speed. Where one "
         "body loses energy, half its mass stands above and below in the fraction that is lost, and "

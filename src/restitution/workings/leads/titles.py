@@ -195,7 +195,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
             case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
-                name = "fraction-lost.title"
+                at_a_wall = event is not None and event.wall and not self._by_speeds(line)
+                name = "fraction-lost.at-a-wall" if at_a_wall else "fraction-lost.title"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
                 name = "derived-energy.title"  # by speeds of the data
             case "energy-lost", _ if self._by_speeds(line):
