@@ -228,7 +228,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
         behind = columns(gap) + columns(note) if note and last else 0
         # The last piece goes to a line of its own, if what stands behind it fits there.
         far = columns(current + piece) + behind > room_behind
-        alone = sign in ("=", "≈") and " or " not in piece  # values side by side stay together
+        alone = sign in ("=", "≈") and "or" not in piece.split()  # values side by side stay
         apart = far and alone and columns(start + piece) + behind <= room_behind
         if (columns(current + piece) > limit or (behind and apart) or cut) and not fresh:
             lines.append(current)
