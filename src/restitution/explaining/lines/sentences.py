@@ -1240,6 +1240,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.across-centres": "{body} moves perpendicular to the line of centres:",
     "derived.turned-square": "{body} came parallel to {first} and leaves parallel to {second}. So",
     "derived.axes-apart": "{one} moves parallel to {first}, and {other} parallel to {second}. So",
+    "derived.apart-from-rest": (
+        "{one} moves perpendicular to the line of centres, and {other}, which was at rest, along "
+        "it. So"
+    ),
     "derived.apart": ("{one} moves perpendicular to the line of centres, and {other} along it. So"),
     "derived.along-line": "{body} moves parallel to {line}:",
     "derived.across-line": "{body} moves perpendicular to {line}:",

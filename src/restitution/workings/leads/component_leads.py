@@ -296,7 +296,9 @@ class ComponentLeads(LinesAround):
         still = self._standing(line)
         if set(still) != {"along", "across"}:
             return None
-        return say("derived.apart", one=still["along"], other=still["across"])
+        one, other = still["along"], still["across"]
+        rested = self.tells_of_rest(other, line.move.event or 0, line)
+        return say("derived.apart-from-rest" if rested else "derived.apart", one=one, other=other)
 
 
 def is_square(angle: Expression) -> bool:

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Number,
     letters,
     walk,
 )
@@ -88,6 +89,8 @@ class GrowthReasons:
         if grown is not None:
             name, sense = grown
             whole = above[0].right
+            if _is_reciprocal(whole, name) and name not in positive:
+                return  # of k = 1/e the bounds of e say it
             if not is_short(whole):
                 part = _part_with(whole, name)
                 turn = 0 if part is None else way_of(part, name, ends, line.relation)
@@ -198,6 +201,14 @@ def _far_end(
             if side == subject and link.sign in signs:
                 return other
     return None
+
+
+def _is_reciprocal(tree: Expression, name: str) -> bool:
+    """Whether a value is a number over a letter."""
+    match tree:
+        case Binary("/", Number(), Letter(own)):
+            return own == name
+    return False
 
 
 def _part_with(tree: Expression, name: str) -> Expression | None:
