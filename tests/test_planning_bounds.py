@@ -18,7 +18,7 @@ from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
-from restitution.workings import to_text
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 WALL = """
@@ -334,3 +334,16 @@ def test_an_angle_of_up_to_180_is_below_a_bound_where_its_tangent_is_positive(
     )
     assert "not-known-of-letters" not in found
     assert ("does-not-follow" not in found) == right
+
+
+def test_a_range_of_one_value_is_no_inequality() -> None:
+    """Two facts fix u: the offset goes, and nothing is left between two ends."""
+    text = """
+sphere A: mass 3, velocity u i, radius a
+sphere B: mass m, velocity -u i, radius a
+A hits B: offset d, e = 0
+given energy_lost = 9, speed(A) = 3
+find range of u
+"""
+    shown = to_text(explain(solve(parse(text))))
+    assert "u = 3√((m + 5)/(m + 3))" in shown

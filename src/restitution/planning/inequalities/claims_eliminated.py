@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Apply, Binary, Expression, Letter, is_zero, letters
 from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
@@ -212,6 +212,8 @@ class Eliminated(InStages):
 
     def _by_each_end(self, line: int, relation: Relation) -> int | None:
         """One end after the other, by an equation and the range of a letter in it."""
+        if not _bounds(relation):
+            return None
         mark = self.worths.mark()
         written: list[int] = []
         whole = line
@@ -238,6 +240,8 @@ class Eliminated(InStages):
 
     def _by_squares_of_ends(self, line: int, relation: Relation) -> int | None:
         """Both ends of a letter of which a line gives the square, each in letters."""
+        if not _bounds(relation):
+            return None
         given = self.scene.desk.last_link(line).left
         ends = [each if square(each.left) == given else turned(each) for each in relation.only]
         if any(square(each.left) != given or not letters(each.right) for each in ends):
@@ -291,3 +295,8 @@ def _of_the_tangent(relation: Relation) -> Relation | None:
     return Relation(
         (tuple(Link(ratio(link.left), link.sign, ratio(link.right)) for link in relation.only),)
     )
+
+
+def _bounds(relation: Relation) -> bool:
+    """Whether a relation is an inequality, or several at once: one value alone is no range."""
+    return all(each.sign in FLIPPED for each in relation.only)
