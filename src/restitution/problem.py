@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache, wraps
 from typing import Any, Literal, NamedTuple, TypeVar
@@ -451,8 +451,27 @@ class Problem:
 # --- what a problem speaks of ------------------------------------------------------------------
 
 
+def count_of_items(step: Step) -> int:
+    """How many items a step asks for: those of a ``find``, and one of a ``show``."""
+    return len(step.items) if isinstance(step, Find) else int(isinstance(step, Show))
+
+
+def with_facts(problem: Problem, *relations: Relation) -> Problem:
+    """The problem with further facts, in force in all its parts."""
+    first, *others = problem.parts
+    facts = Given(relations)
+    return replace(problem, parts=(replace(first, steps=(facts, *first.steps)), *others))
+
+
 def trees(problem: Problem) -> Iterator[Expression]:
     """Every expression of a problem."""
+    yield from trees_of_bodies(problem)
+    for _, step in problem.steps():
+        yield from trees_of_step(step)
+
+
+def trees_of_bodies(problem: Problem) -> Iterator[Expression]:
+    """Every expression of the spheres, the walls and the points of a problem."""
     for sphere in problem.spheres:
         for value in (sphere.mass, sphere.velocity, sphere.position, sphere.radius):
             if isinstance(value, Expression):
@@ -463,8 +482,6 @@ def trees(problem: Problem) -> Iterator[Expression]:
                 yield value
     for point in problem.points:
         yield point.position
-    for _, step in problem.steps():
-        yield from trees_of_step(step)
 
 
 def trees_of_step(step: Step) -> Iterator[Expression]:

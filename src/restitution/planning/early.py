@@ -12,7 +12,7 @@ from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Fact
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Expression, Name, Pair, Quantity, Unit, has_quantity, walk
-from restitution.problem import Find, Given, Part, Problem, Show, Value
+from restitution.problem import Find, Given, Part, Problem, Show, Value, count_of_items
 from restitution.solving import solve
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 
@@ -43,7 +43,7 @@ def early_items(solution: Solution, part: PartSolution) -> Iterator[Early]:
     for cut, step in enumerate(steps):
         if not isinstance(step, Given):
             continue
-        count = sum(map(_count, steps[:cut]))
+        count = sum(map(count_of_items, steps[:cut]))
         if count == asked:
             continue
         early = _without(solution, part, cut, asked, count)
@@ -66,11 +66,6 @@ def above_event(problem: Problem, part: PartSolution) -> Early | None:
     late = frozenset(each.id for each in _late(problem, without, before.part))
     items = range(1, len(before.items) + 1)
     return Early(without, before, late, items, frozenset(items))
-
-
-def _count(step: object) -> int:
-    """How many items a step asks for."""
-    return len(step.items) if isinstance(step, Find) else int(isinstance(step, Show))
 
 
 def _without(
@@ -112,7 +107,7 @@ def terms(part: Part, index: int) -> tuple[str, ...] | None:
     """The letters in which an item is asked; None where it is asked in none."""
     number = 0
     for step in part.steps:
-        number += _count(step)
+        number += count_of_items(step)
         if number >= index and isinstance(step, Find | Show):
             return step.in_terms_of
     return None

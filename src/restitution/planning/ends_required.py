@@ -52,12 +52,7 @@ def require_answer(scene: Scene, result: ItemResult) -> None:
 
 def require_letters(scene: Scene, result: ItemResult) -> None:
     """Refuses an answer in letters that are not those of the solver's, which were asked for."""
-    asked = {
-        symbol.name
-        for answer in result.answers
-        for part in (answer.value if isinstance(answer.value, tuple) else (answer.value,))
-        for symbol in part.free_symbols
-    }
+    asked = {name for answer in result.answers for name in answer.letters}
     for links in scene.desk.ends[-1].answer.options:
         for link in links:
             named = {name for name in letters(link.right) - asked if f"let {name}" in scene.facts}

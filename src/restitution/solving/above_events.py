@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from restitution.errors import ImpossibleError
 from restitution.expression.tree import Letter
-from restitution.problem import Event, Find, Part, Problem, Show, Unknown, Value
+from restitution.problem import Event, Find, Part, Problem, Show, Unknown, Value, count_of_items
 from restitution.solving.equations.solution import ItemResult, PartSolution
 
 Solver = Callable[[Problem, Part], PartSolution]
@@ -23,7 +23,7 @@ def answered_above(
     """
     events = [n for n, step in enumerate(part.steps) if isinstance(step, Event)]
     for cut in reversed(events):
-        above = _items_in(part.steps[:cut])
+        above = sum(map(count_of_items, part.steps[:cut]))
         if not above:
             return results, None
         own = replace(part, steps=part.steps[:cut])
@@ -40,13 +40,6 @@ def answered_above(
             return results, None
         return (*merged, *results[above:]), before
     return results, None
-
-
-def _items_in(steps: tuple[object, ...]) -> int:
-    """How many items some steps ask for."""
-    return sum(
-        len(step.items) if isinstance(step, Find) else int(isinstance(step, Show)) for step in steps
-    )
 
 
 def _sought(part: Part) -> frozenset[str]:
@@ -73,11 +66,5 @@ def _kept(own: ItemResult, whole: ItemResult, sought: frozenset[str]) -> ItemRes
         return own if own.holds else whole
     # A range hangs on all that happens; and what holds under a condition may hang on it as well.
     plain = isinstance(own.item, Value) and not any(each.condition for each in own.answers)
-    return own if plain and not sought & _letters_in(own) else whole
-
-
-def _letters_in(result: ItemResult) -> set[str]:
-    """The letters in the answers of an item."""
-    values = (each.value for each in result.answers)
-    parts = (part for value in values for part in (value if isinstance(value, tuple) else (value,)))
-    return {symbol.name for part in parts for symbol in part.free_symbols}
+    found = all(sought.isdisjoint(each.letters) for each in own.answers)
+    return own if plain and found else whole

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from restitution.expression.tree import Letter, letters
-from restitution.problem import Find, Given, Part, Problem, Show, Value
-from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
+from restitution.problem import Find, Given, Part, Problem, Value, count_of_items
+from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 
 
 def in_asked_letters(
@@ -22,7 +22,7 @@ def in_asked_letters(
     items = list(part.items)
     first = 0
     for cut, step in enumerate(part.part.steps):
-        last = first + _count(step)
+        last = first + count_of_items(step)
         later = any(isinstance(each, Given) for each in part.part.steps[cut:])
         if isinstance(step, Find) and step.in_terms_of and later:
             listed = frozenset(step.in_terms_of)
@@ -35,16 +35,6 @@ def in_asked_letters(
     return part if items == list(part.items) else replace(part, items=tuple(items))
 
 
-def _count(step: object) -> int:
-    """How many items a step asks for."""
-    return len(step.items) if isinstance(step, Find) else int(isinstance(step, Show))
-
-
-def _symbols(answer: Answer) -> frozenset[str]:
-    values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
-    return frozenset(symbol.name for value in values for symbol in value.free_symbols)
-
-
 def _lacks(result: ItemResult, listed: frozenset[str]) -> bool:
     """Whether a value has not all the letters that are listed for it."""
     if result.error is not None or not isinstance(result.item, Value) or not result.answers:
@@ -52,7 +42,7 @@ def _lacks(result: ItemResult, listed: frozenset[str]) -> bool:
     own = result.item.expression
     if isinstance(own, Letter):
         return False  # a letter is an unknown of all the facts
-    return any(listed - letters(own) - _symbols(answer) for answer in result.answers)
+    return any(listed - letters(own) - answer.letters for answer in result.answers)
 
 
 def _without_facts_after(problem: Problem, part: Part, cut: int) -> Problem:
@@ -67,8 +57,8 @@ def _in_letters(whole: ItemResult, alone: ItemResult, listed: frozenset[str]) ->
     if alone.error is not None or len(alone.distinct) != 1 or alone.distinct[0].condition:
         return whole
     value = alone.distinct[0]
-    own = _symbols(value)
-    if not own <= listed or not all(_symbols(answer) < own for answer in whole.answers):
+    own = value.letters
+    if not own <= listed or not all(answer.letters < own for answer in whole.answers):
         return whole
     answers = tuple(replace(value, solution=each.solution) for each in whole.answers)
     return replace(whole, answers=answers, rejected=())

@@ -11,7 +11,7 @@ from restitution.expression.tree import (
     Letter,
 )
 from restitution.oracle.roles import ACUTE
-from restitution.problem import Compare, Given, Problem
+from restitution.problem import Compare, Problem, with_facts
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
@@ -52,9 +52,7 @@ def with_hints(solution: Solution, solved: Callable[[Problem], Solution]) -> Sol
 
 
 def _up_to_180(problem: Problem, name: str) -> Problem:
-    bound = Given((Compare((Letter(name), STRAIGHT_ANGLE), ("<",)),))
-    first, *others = problem.parts
-    return replace(problem, parts=(replace(first, steps=(bound, *first.steps)), *others))
+    return with_facts(problem, Compare((Letter(name), STRAIGHT_ANGLE), ("<",)))
 
 
 def _part_with_hints(

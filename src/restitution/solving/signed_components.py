@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Letter, Number
-from restitution.problem import Compare, Find, Given, Problem, Unknown
+from restitution.problem import Compare, Find, Problem, Unknown, with_facts
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.equations.solution import ItemResult, Solution
@@ -72,6 +72,5 @@ def _is_one(item: ItemResult) -> bool:
 
 
 def _positive(problem: Problem, names: list[str]) -> Problem:
-    facts = Given(tuple(Compare((Letter(each), Number(Fraction(0))), (">",)) for each in names))
-    first, *others = problem.parts
-    return replace(problem, parts=(replace(first, steps=(facts, *first.steps)), *others))
+    zero = Number(Fraction(0))
+    return with_facts(problem, *(Compare((Letter(each), zero), (">",)) for each in names))

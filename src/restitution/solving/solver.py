@@ -97,13 +97,7 @@ def _solved_letters(part: PartSolution) -> list[str]:
 
 def _met_again(part: PartSolution, relations: dict[str, str]) -> dict[str, str]:
     """Notes of the letters in the answers of a part that had a value in an earlier one only."""
-    met = {
-        symbol.name
-        for item in part.items
-        for answer in item.answers
-        for value in (answer.value if isinstance(answer.value, tuple) else (answer.value,))
-        for symbol in getattr(value, "free_symbols", ())
-    }
+    met = {name for item in part.items for answer in item.answers for name in answer.letters}
     met |= {name for item in part.items if item.holds is not None for name in _letters_in(item)}
     return {
         letter: f"{letter} was found in part ({relations[letter]}) from the facts of that part "

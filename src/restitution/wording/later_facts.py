@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from itertools import takewhile
 
 from restitution.expression.dimensions import NONE
@@ -20,27 +21,29 @@ from restitution.problem import (
     Step,
     Value,
     once_a_problem,
+    trees_of_bodies,
     trees_of_relation,
     trees_of_step,
 )
 from restitution.wording.letters import named_letters
 
 
-def asked_above(problem: Problem, steps: Sequence[Step]) -> int:
-    """How many of the first questions of some steps stand above the first fact after them.
+def facts_apart(problem: Problem, steps: Sequence[Step]) -> tuple[list[Step], list[Step]]:
+    """Steps up to the questions that stand above a fact, and the fact with what is asked below it.
 
-    These are asked in all the ratios and angles that are data: in terms of them, or to be shown.
-    What is asked else belongs to the fact, so that none is counted where nothing else is asked.
+    These questions are asked in all the ratios and angles that are data: in terms of them, or to
+    be shown. What is asked else belongs to the fact. All steps are above where no question does.
     """
-    asks = [step for step in steps if isinstance(step, Find | Show)]
-    first = next((n for n, step in enumerate(steps) if isinstance(step, Find | Show)), len(steps))
-    fact = next((n for n, step in enumerate(steps) if n > first and isinstance(step, Given)), None)
-    if fact is None:
-        return 0
-    before = [step for step in steps[:fact] if isinstance(step, Find | Show)]
-    above = takewhile(lambda step: _is_in_letters(problem, step), before)
-    count = sum(1 for _ in above)
-    return count if count < len(asks) else 0
+    asks = [(n, step) for n, step in enumerate(steps) if isinstance(step, Find | Show)]
+    first = asks[0][0] if asks else len(steps)
+    facts = [n for n, step in enumerate(steps) if n > first and isinstance(step, Given)]
+    before = [ask for n, ask in asks if n < min(facts, default=0)]
+    above = len(list(takewhile(partial(_is_in_letters, problem), before)))
+    if not 0 < above < len(asks):
+        return list(steps), []
+    below = [*facts, *(n for n, _ in asks[above:])]
+    rest = [step for n, step in enumerate(steps) if n not in below]
+    return rest, [steps[n] for n in below]
 
 
 @once_a_problem
@@ -51,17 +54,10 @@ def later_relations(problem: Problem) -> tuple[Relation, ...]:
         for part in problem.parts
         if part.label is None
         for steps in between_events(part)
-        for given in facts_below(problem, steps)
+        for given in facts_apart(problem, steps)[1]
+        if isinstance(given, Given)
         for relation in given.relations
     )
-
-
-def facts_below(problem: Problem, steps: Sequence[Step]) -> tuple[Given, ...]:
-    """The facts among some steps that stand below the questions above them."""
-    if not asked_above(problem, steps):
-        return ()
-    first = next(n for n, step in enumerate(steps) if isinstance(step, Find | Show))
-    return tuple(step for step in steps[first:] if isinstance(step, Given))
 
 
 def between_events(part: Part) -> Iterator[tuple[Step, ...]]:
@@ -109,12 +105,7 @@ def _ratios_and_angles(problem: Problem) -> frozenset[str]:
 
 def _data(problem: Problem) -> Iterator[Expression]:
     """What is given of bodies and events."""
-    for sphere in problem.spheres:
-        for value in (sphere.mass, sphere.velocity, sphere.position, sphere.radius):
-            if isinstance(value, Expression):
-                yield value
-    for wall in problem.walls:
-        yield from (each for each in (wall.along, *wall.lengths) if isinstance(each, Expression))
+    yield from trees_of_bodies(problem)
     for _, step in problem.steps():
         if isinstance(step, Event):
             yield from trees_of_step(step)

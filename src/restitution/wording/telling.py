@@ -25,6 +25,7 @@ from restitution.problem import (
     Step,
     Unknown,
     Wall,
+    count_of_items,
     once_a_problem,
 )
 from restitution.render import layout as lay
@@ -32,7 +33,7 @@ from restitution.wording import facts, formulas
 from restitution.wording.asking import Group, groups, in_terms, names_of, shown
 from restitution.wording.clauses import clause, clauses
 from restitution.wording.facts import letters_of
-from restitution.wording.later_facts import asked_above, between_events, facts_below
+from restitution.wording.later_facts import between_events, facts_apart
 from restitution.wording.letters import named_letters
 from restitution.wording.scene import INITIALLY, Scene, before, is_letter_fact, scene_of
 from restitution.wording.setting import setting, spheres, start
@@ -128,7 +129,7 @@ def numbers_of_items(problem: Problem) -> Mapping[str | None, tuple[str, ...]]:
     for part in problem.parts:
         runs = _runs(problem, part)
         asks = [ask for run in runs for ask in run.asks]
-        alone = sum(len(ask.items) if isinstance(ask, Find) else 1 for ask in asks) < 2
+        alone = sum(map(count_of_items, asks)) < 2
         sizes: list[int] = []
         for run in runs:
             now += run.event is not None
@@ -252,15 +253,10 @@ def _runs(problem: Problem, part: Part) -> list[_Run]:
     events += [step for step in part.steps if isinstance(step, Event)]
     runs: list[_Run] = []
     for event, steps in zip(events, between_events(part), strict=True):
-        above = asked_above(problem, steps)
-        if not above:
-            runs.append(_run_of(part.label, event, steps))
-            continue
-        asks = [step for step in steps if isinstance(step, Find | Show)]
-        below = [*facts_below(problem, steps), *asks[above:]]
-        rest = [step for step in steps if not any(step is each for each in below)]
-        runs += [_run_of(part.label, event, rest), _run_of(part.label, None, below)]
-        runs[-1] = replace(runs[-1], below=True)
+        above, below = facts_apart(problem, steps)
+        runs.append(_run_of(part.label, event, above))
+        if below:
+            runs.append(replace(_run_of(part.label, None, below), below=True))
     named = named_letters(problem)
     lets = tuple(
         one

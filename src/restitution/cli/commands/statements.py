@@ -111,20 +111,15 @@ def trace(
 
 
 def _summary(problem: Problem) -> str:
-    from restitution.problem import Find, Show
+    from restitution.problem import count_of_items
 
-    steps = [step for _, step in problem.steps()]
     counts = [
         (len(problem.spheres), "sphere"),
         (len(problem.walls), "wall"),
         (len(problem.points), "point"),
         (len(problem.events), "event"),
     ]
-    asked = sum(
-        len(step.items) if isinstance(step, Find) else 1
-        for step in steps
-        if isinstance(step, Find | Show)
-    )
+    asked = sum(count_of_items(step) for _, step in problem.steps())
     parts = ", ".join(counted(number, noun) for number, noun in counts if number)
     question = f"{counted(asked, 'item')} asked" if asked else "nothing is asked"
     return f"reads well: {parts}; {question}" if parts else f"reads well: {question}"

@@ -52,6 +52,12 @@ class Answer:
     condition: tuple[str, ...] = ()
     condition_layout: Layout | None = None
 
+    @property
+    def letters(self) -> frozenset[str]:
+        """The letters in the value."""
+        values = self.value if isinstance(self.value, tuple) else (self.value,)
+        return frozenset(symbol.name for each in values for symbol in each.free_symbols)
+
 
 @dataclass(frozen=True)
 class Rejected:

@@ -13,7 +13,7 @@ from restitution.expression.tree import Expression, Letter, Quantity, is_zero, l
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
-from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.quantities import Naming, with_article
 from restitution.workings.naming.sources import Sources
 
 # These name what is put in.
@@ -177,9 +177,7 @@ class Carried:
     def _name(self, line: Line) -> Sentence | lay.Layout:
         """What a line says the value of: a letter, or words with an article."""
         assert isinstance(line.relation, Relation)
-        formula = self._naming.layout(line.relation.only[0].left)
-        words = isinstance(formula, lay.Words | lay.Phrase)
-        return say("derived.the", quantity=formula) if words else formula
+        return with_article(self._naming.layout(line.relation.only[0].left))
 
 
 def _is_a_value(line: Line) -> bool:

@@ -36,6 +36,7 @@ from restitution.vector import Vector
 from restitution.workings.leads.lines_around import LinesAround
 from restitution.workings.leads.meetings import condition_of, passing_of
 from restitution.workings.naming.facts import fact_in_words, meeting_of
+from restitution.workings.naming.quantities import with_article
 from restitution.workings.naming.sources import Source, is_multiple
 from restitution.workings.reasons.grounds import compared_quantities, motion_of
 
@@ -202,9 +203,7 @@ class SourceLeads(LinesAround):
 
     def _named(self, tree: Expression) -> Sentence | lay.Layout:
         """What is put in: a letter, or words with an article."""
-        formula = self._naming.layout(tree)
-        words = isinstance(formula, lay.Words | lay.Phrase)
-        return say("derived.the", quantity=formula) if words else formula
+        return with_article(self._naming.layout(tree))
 
     def _replaced(self, tree: Expression, line: Line) -> Expression:
         """What an equation is used for: of tan²α = e that may be e, where the line has tan²α."""

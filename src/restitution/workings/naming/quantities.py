@@ -646,3 +646,9 @@ def _named_times(derivation: Derivation) -> Iterator[tuple[Quantity, str]]:
                 fact.id == " ".join(("let", name))
             ):
                 yield time, name
+
+
+def with_article(formula: lay.Layout) -> Sentence | lay.Layout:
+    """The name of a quantity as it stands among other words: words have their article."""
+    words = isinstance(formula, lay.Words | lay.Phrase)
+    return say("derived.the", quantity=formula) if words else formula
