@@ -36,6 +36,46 @@ find k
 """,
         ("φ + β = 2β", "β = φ", "tan φ = k tan φ", "k = 1"),
     ),
+    "at a wall, by letters of the data": (
+        """
+wall W: along i
+sphere P: velocity u at -beta
+P hits W: e = e
+given deflection(P) = 90° - alpha
+find e in terms of alpha, beta
+""",
+        ("θ = 90° − α − β", "tan(90° − α − β) = eu sin β/(u cos β)", "(tan α + tan β) tan β"),
+    ),
+    "at a wall, what is left of a right angle": (
+        """
+wall W: along i
+sphere P: velocity u at -alpha
+P hits W: e = e
+given deflection(P) = 90° - alpha
+find e in terms of alpha
+""",
+        ("β = 90° − α − α = 90° − 2α", "By the complement of the angle"),
+    ),
+    "of two spheres, from a number of degrees": (
+        """
+sphere A: mass m, velocity u at 30°
+sphere B: mass m, at rest
+A hits B: along i, e = e
+given deflection(A) = theta
+find e in terms of theta
+""",
+        ("β = θ + 30°", "By the formula for the tangent of a sum"),
+    ),
+    "at a wall, as a difference": (
+        """
+wall W: along i
+sphere P: velocity u at -alpha
+P hits W: e = e
+given deflection(P) = theta
+find e in terms of alpha, theta
+""",
+        ("tan(θ − α) = eu sin α/(u cos α)", "e = tan(θ − α)/tan α"),
+    ),
     "an offset by an angle": (
         """
 sphere A: mass m, velocity 4 i, radius 3

@@ -164,3 +164,11 @@ def test_an_answer_has_three_figures_at_once() -> None:
     )
     assert "≈ −0.938 " in shown
     assert "−0.9383" not in shown
+
+
+def test_a_fraction_of_letters_has_no_decimal_behind_it() -> None:
+    shown = working(
+        "sphere A: mass 2m, velocity 4u i\nsphere B: mass 3m, at rest\n"
+        "A hits B: along i, e = 1/2\nfind velocity(B)"
+    )
+    assert "𝐯_B = (12u/5)𝐢 A1" in shown.replace("ft", "")

@@ -443,7 +443,9 @@ class Rows:
                 return
             place = self._ends.is_place(line) and line.move.id != "rearrange"
             place = place and not (unit and self._has_vectors())
-            for side, sign in as_answer(right) if links[-1].sign == "=" and not place else ():
+            plain = not self._measures.decimals and _is_fraction_of_letters(right)
+            added = () if plain or place or links[-1].sign != "=" else as_answer(right)
+            for side, sign in added:
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
@@ -582,6 +584,11 @@ def _has_long_root(tree: Expression) -> bool:
 def _has_function(tree: Expression) -> bool:
     """Whether there are roots or angles of which only a calculator knows the value."""
     return any(isinstance(node, Apply) for node in walk(tree))
+
+
+def _is_fraction_of_letters(tree: Expression) -> bool:
+    """Whether a value has letters and fractions alone: 5u/8, which no decimal makes plainer."""
+    return not _has_function(tree) and any(isinstance(node, Letter) for node in walk(tree))
 
 
 def _without_subject(relation: lay.Relation) -> lay.Layout:

@@ -205,7 +205,9 @@ def _one_angle(
     (side,) = own
     (other,) = (e.angle for e in sides if e is not side)
     rest = sp.Integer(0) if other is None else scene.scalar(other)
-    if other is None or rest.free_symbols != value.free_symbols:
+    if other is None or (
+        rest.free_symbols != value.free_symbols and (scene.unknown(value) or scene.unknown(rest))
+    ):
         return None
     first = side is turn.first
     tree, _, _ = other_angle(turn, first, given, other)
@@ -218,8 +220,11 @@ def _one_angle(
         "rest of difference": sp.pi + rest - value if first else value + rest - sp.pi,
     }[turn.form]
     final = tree_of(tidy(worth), angle=True)
-    if not isinstance(final, Degrees) or not 0 <= worth <= sp.pi:
-        return None  # an angle between directions is at most 180°
+    if isinstance(final, Degrees):
+        if not 0 <= worth <= sp.pi:
+            return None  # an angle between directions is at most 180°
+    elif scene.unknown(worth) or not (isinstance(other, Degrees) or _is_complement(final)):
+        return None
     named: tuple[Ref, ...] = ()
     subject = side.angle
     if subject is None:
@@ -247,6 +252,11 @@ def _one_angle(
     if side.angle is not None or _is_in_its_letter(scene, side, subject):
         return line
     return _of_components(scene, turn, side, line, final)
+
+
+def _is_complement(angle: Expression) -> bool:
+    """Whether an angle is what a letter leaves of a right angle, so that its tangent is plain."""
+    return isinstance(angle, Binary) and (angle.op, angle.left) == ("-", RIGHT)
 
 
 def _is_in_its_letter(scene: Scene, side: Direction, subject: Expression) -> bool:
@@ -286,7 +296,7 @@ def _body(side: Direction) -> str:
 
 
 def _of_components(
-    scene: Scene, turn: Turn, side: Direction, line: int, angle: Degrees
+    scene: Scene, turn: Turn, side: Direction, line: int, angle: Expression
 ) -> int | None:
     """What an angle to the line of centres says of components: a tangent, or one that is 0."""
     _, meaning = letter_of(scene, side.named)

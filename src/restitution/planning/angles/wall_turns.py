@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     letters,
+    walk,
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import Term, by_tangents, term_of_data
@@ -108,7 +109,7 @@ def given_at_a_wall(
     """
     event = frame.number
     angle = angle_of_approach(scene, body, frame)
-    if angle is None or turned.free_symbols:
+    if angle is None:
         return None
     assert frame.wall is not None
     wall, data = frame.wall, data_of_approach(scene, body, frame)
@@ -122,11 +123,15 @@ def given_at_a_wall(
     degrees = None if known is None else tree_of(known.value, angle=True)
     if known is not None and isinstance(degrees, Degrees):
         angle, cited = degrees, together(cited, known.refs)
-    if isinstance(angle, Degrees):
+    if isinstance(angle, Degrees) or turned.free_symbols:
         rest = tidy(turned - scene.scalar(angle))
         final = tree_of(rest, angle=True)
         right = Binary("-", each.link.right, angle)
-        relation = chain(Letter(letter), (right, None), (final, "rearrange"))
+        shorter = isinstance(final, Degrees) or _mentions(final) < _mentions(right)
+        final = final if shorter else right
+        relation = chain(Letter(letter), (right, None))
+        if shorter:
+            relation = chain(Letter(letter), (right, None), (final, "rearrange"))
         premises = scene.judge.enough(move, cited, relation)
         if premises is not None:
             line = scene.desk.write(move, premises, relation)
@@ -149,6 +154,11 @@ def given_at_a_wall(
             return number_
     scene.desk.back(mark)
     return None
+
+
+def _mentions(tree: Expression) -> int:
+    """How many times letters stand in a tree."""
+    return sum(isinstance(node, Letter) for node in walk(tree))
 
 
 def related_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:

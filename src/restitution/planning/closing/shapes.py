@@ -544,7 +544,7 @@ def _by_identity(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if not value.atoms(sp.sin, sp.cos, sp.tan):
         return None
     relation = chain(Letter(symbol.name), (tree_of(value), None))
-    for record in ("pythagoras", "double-angle"):
+    for record in ("pythagoras", "double-angle", "sum-of-angles"):
         move = Move("identity", record)
         refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
         if refs is not None:

@@ -121,6 +121,7 @@ _NAMES = {
 }
 _INVERSE = (sympy.atan, sympy.acos, sympy.asin, sympy.atan2)
 DIRECT = (sympy.sin, sympy.cos, sympy.tan, sympy.cot, sympy.sec, sympy.csc)
+_ODD = (sympy.sin, sympy.tan, sympy.cot, sympy.csc)
 _MASSES = ("m", "M")
 _COEFFICIENTS = ("e", "f", "epsilon")
 _RATIOS = ("k", "lambda", "mu", "nu")
@@ -353,10 +354,21 @@ def _from_product(value: Expr) -> Layout:
             continue
         (above if exponent.p > 0 else below).append((base, abs(exponent)))
     if rational.p < 0:
-        sign = -1
         rational = -rational
+        sign = 1 if _turn_a_difference(above) or _turn_a_difference(below) else -1
     layout = _assemble(rational, surds, above, below, roots_above, roots_below, other)
     return negative(layout) if sign < 0 else layout
+
+
+def _turn_a_difference(factors: list[tuple[Expr, Expr]]) -> bool:
+    """Puts ``tan(β − α)`` for the ``tan(α − β)`` of a product with a minus; False without one."""
+    for place, (base, exponent) in enumerate(factors):
+        if isinstance(base, _ODD) and exponent.is_odd and isinstance(base.args[0], Add):
+            terms = base.args[0].args
+            if 0 < sum(map(_is_negative, terms)) < len(terms):
+                factors[place] = (base.func(-base.args[0], evaluate=False), exponent)
+                return True
+    return False
 
 
 def _assemble(

@@ -138,6 +138,7 @@ class TurnLeads(LinesAround):
                 return BY["complement"]
             if _has_threefold(base) or _has_threefold(line):
                 return "derived.multiple-angle"
+            return _of_a_sum(base) or name
         if line.move.record != "sum-of-angles":
             return name
         assert isinstance(line.relation, Relation)
@@ -401,17 +402,31 @@ class TurnLeads(LinesAround):
         return _form_of(link.right)
 
 
-def _of_differences(base: Line | Fact, name: str) -> str:
-    """The name of the identity of a sum of angles; of a difference, where all in it are that."""
+def _sums_in(base: Line | Fact) -> set[tuple[str, str]]:
+    """The functions of sums of angles in a line, each with the sign of its sum."""
     if not isinstance(base.relation, Relation):
-        return name
-    signs = {
-        each.argument.op
+        return set()
+    return {
+        (each.function, each.argument.op)
         for tree in trees_of(base.relation)
         for each in walk(tree)
         if isinstance(each, Apply) and isinstance(each.argument, Binary)
         if each.function in ("sin", "cos", "tan") and each.argument.op in ("+", "-")
     }
+
+
+def _of_a_sum(base: Line | Fact) -> str | None:
+    """The name of the identity by which a sum of angles in a line is opened; None without one."""
+    sums = _sums_in(base)
+    if len(sums) == 1 and (("tan", "+") in sums or ("tan", "-") in sums):
+        ((_, sign),) = sums
+        return _TANGENTS["sum" if sign == "+" else "difference"]
+    return _of_differences(base, BY["sum-of-angles"]) if sums else None
+
+
+def _of_differences(base: Line | Fact, name: str) -> str:
+    """The name of the identity of a sum of angles; of a difference, where all in it are that."""
+    signs = {sign for _, sign in _sums_in(base)}
     return "derived.difference-of-angles" if signs == {"-"} else name
 
 
