@@ -74,7 +74,7 @@ P hits W: e = e
 given deflection(P) = theta
 find e in terms of alpha, theta
 """,
-        ("tan(θ − α) = eu sin α/(u cos α)", "e = tan(θ − α)/tan α"),
+        ("tan(θ − α) = eu sin α/(u cos α)", "By the formula for the tangent of a difference"),
     ),
     "an offset by an angle": (
         """
