@@ -164,3 +164,22 @@ def test_no_root_is_taken_of_a_speed_of_which_only_the_square_is_used() -> None:
     line = write_relation(speed.relation)  # type: ignore[arg-type]
     assert line.startswith("speed(A, 1)^2 = (sqrt(2) (1 - 2e) u/6)^2 + ")
     assert line.endswith("= u^2/18 (1 - 2e)^2 + u^2/2 [rearrange]")
+
+
+def test_the_size_of_an_impulse_is_that_of_the_vector_that_stands() -> None:
+    text = "sphere A: mass 2m, velocity u(3i + j)\nsphere B: mass m, at rest\n"
+    _, derivation = planned(f"{text}A hits B: along i - 2j, e = e\nfind impulse(A), impulse")
+    (size,) = shown(derivation, "impulse(1)")
+    assert size.startswith("impulse(1) = 2(1 + e) m u/15 sqrt(1^2 + 2^2) = ")
+
+
+def test_an_impulse_is_by_velocities_that_stand_and_its_size_by_it() -> None:
+    _, derivation = planned(
+        "wall W: along i + 2j\nsphere P: mass 1/4, velocity 4i + 12j\nP hits W: e = 2/5\n"
+        "find velocity(P), impulse, impulse(P)"
+    )
+    assert shown(derivation, "impulse") == [
+        "impulse(P, 1) = 1/4 (156/25 i + 272/25 j - (4i + 12j))",
+        "impulse(P, 1) = 14/25 i - 7/25 j",
+        "impulse(1) = 7/25 sqrt(2^2 + 1^2) = 7sqrt(5)/25 [rearrange]",
+    ]

@@ -101,7 +101,7 @@ def write_formula(scene: Scene, own: Formula) -> int:
             number = scene.desk.write(move, (number,), link)
     else:
         refs = own.refs
-        if isinstance(right, Apply) and right.function == "sqrt":
+        if _is_root(right):
             refs = together(
                 refs, not_negative(scene, own.value), sign_known(scene, _before_root(own.value))
             )
@@ -175,6 +175,16 @@ def _is_figure(value: Any) -> bool:
     """Whether a number is made of sines and cosines of degrees that have no exact values."""
     own = sp.sympify(value, strict=True)
     return bool(own.is_number and own.atoms(sp.sin, sp.cos, sp.tan))
+
+
+def _is_root(tree: Expression) -> bool:
+    """Whether a tree is a root, or a product that ends in the root of a number."""
+    match tree:
+        case Apply("sqrt"):
+            return True
+        case Binary("*", _, Apply("sqrt", inner)):
+            return not letters(inner)
+    return False
 
 
 def _trivial(right: Expression, final: Expression) -> bool:

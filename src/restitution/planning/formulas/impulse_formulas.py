@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from restitution.components.models import Model
@@ -118,20 +120,19 @@ def _is_open(scene: Scene, body: str, event: int) -> bool:
 
 
 def _write_vector_before(scene: Scene, event: int) -> None:
-    """Writes the impulse on a body before its size, where both are asked and it has no component.
+    """Writes the impulse on a body before its size, where both are asked and the line is slanting.
 
-    It has none where both velocities of the body stand as vectors, and the line is slanting.
+    It is written where it comes by velocities that stand as vectors, or is a multiple of a vector
+    of whole numbers.
     """
     for body in scene.spheres(event) if scene.frame(event).is_slanted else ():
         vector = Quantity("impulse", (Name(body),), event)
         if vector not in scene.asked_alone or scene.desk.known(vector) is not None:
             continue
-        if _has_components(scene, body, event):
-            continue
-        velocities = [Quantity("velocity", (Name(body),), n) for n in (event, event - 1)]
-        late, early = (scene.desk.known(each) for each in velocities)
-        data = scene.last_event(body, event - 1) == 0
-        if late is None or (early is None and not data) or scene.unknown(late.value):
+        whole = whole_direction(scene.frame(event).n)[1] != 1 and _has_components(
+            scene, body, event
+        )
+        if not whole and not _comes_by_vectors(scene, body, event):
             continue
         own = _impulse_vector(scene, vector, event)
         if not any(map(scene.unknown, own.value)):
@@ -140,19 +141,31 @@ def _write_vector_before(scene: Scene, event: int) -> None:
 
 
 def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
-    """The size of an impulse of which a line tells both components.
-
-    None where it is a multiple of a slanting unit vector: that multiple is its size.
-    """
+    """The size of an impulse of which a line tells both components; None where none does."""
     for body in scene.spheres(event):
-        if scene.frame(event).is_slanted and _has_components(scene, body, event):
-            return None
         known = scene.desk.known(Quantity("impulse", (Name(body),), event))
         if known is None or not isinstance(known.value, Vector):
             continue
+        if any(map(_has_surd, known.value)) and _has_components(scene, body, event):
+            continue  # the change of a component is simpler
         if _is_in_a_plain_direction(known.value):
             return _size(Move("define", "size", event, (body,)), quantity, known)
     return None
+
+
+def _comes_by_vectors(scene: Scene, body: str, event: int) -> bool:
+    """Whether the impulse on a body comes by its velocities as vectors.
+
+    It does where data or lines tell both as vectors, but for a vector with roots of numbers where
+    the size of the impulse is asked too: that has its line of the components anyway.
+    """
+    before = scene.last_event(body, event - 1)
+    known = [scene.desk.known(Quantity("velocity", (Name(body),), n)) for n in (before, event)]
+    if known[1] is None or (known[0] is None and before != 0):
+        return False
+    late = velocity_source(scene, body, event).value
+    sized = Quantity("impulse", (), event) in scene.asked_alone
+    return not any(map(scene.unknown, late)) and not (sized and any(map(_has_surd, late)))
 
 
 def _has_components(scene: Scene, body: str, event: int) -> bool:
@@ -162,6 +175,12 @@ def _has_components(scene: Scene, body: str, event: int) -> bool:
     velocities = [Quantity("velocity", (Name(body),), stage) for stage in stages]
     known = [scene.desk.known(Quantity("along", (each, along))) for each in velocities]
     return all(each is not None and not scene.unknown(scene.put(each.value)[0]) for each in known)
+
+
+def _has_surd(value: Any) -> bool:
+    """Whether a root of a number stands in a value."""
+    powers = sp.sympify(value, strict=True).atoms(sp.Pow)
+    return any(each.is_number and each.exp.is_Rational and each.exp.q != 1 for each in powers)
 
 
 def _is_in_a_plain_direction(vector: Vector) -> bool:
@@ -183,8 +202,14 @@ def _size_of_blow(scene: Scene, quantity: Quantity, event: int) -> Formula:
 def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
     """The size of a vector by its components."""
     value = tidy(sp.sqrt(tidy(expanded(vector.value.dot(vector.value)))))
+    whole, length = whole_direction(vector.value)
     parts = [each for each in vector.value if each != 0]
-    tree: Expression = Apply("sqrt", total(square(tree_of(each)) for each in parts))
+    factor: sp.Expr = sp.Integer(1)
+    if length != 1 and not all(sp.sympify(each, strict=True).is_Integer for each in parts):
+        # A factor that both components have stands before the root.
+        parts, factor = list(whole), tidy(value / length)
+    root = Apply("sqrt", total(square(tree_of(each)) for each in parts))
+    tree: Expression = product(tree_of(factor), root)
     if len(parts) == 1 and sp.sympify(parts[0], strict=True).is_number:
         tree = tree_of(value)
     return Formula(move, itself, quantity, tree, value, vector.refs)
@@ -214,15 +239,13 @@ def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
 def _along_the_line(scene: Scene, quantity: Quantity, body: str, event: int) -> Formula | None:
     """The impulse on a body by the change of its component along a line that slants.
 
-    None where no component has been worked out, or where the velocity after the impact stands as
-    a vector, and the size of the impulse is not asked too.
+    None where no component has been worked out, or where it comes by velocities as vectors.
     """
     velocity = Quantity("velocity", (Name(body),), event)
     component = Quantity("along", (velocity, Quantity("line_of_centres", (), event)))
     if scene.desk.known(component) is None or not scene.frame(event).is_slanted:
         return None
-    sized = Quantity("impulse", (), event) in scene.asked_alone
-    if scene.desk.known(velocity) and not (sized and _has_components(scene, body, event)):
+    if _comes_by_vectors(scene, body, event):
         return None
     frame = scene.frame(event)
     mass = scene.mass(body)
