@@ -47,6 +47,22 @@ find speed(P)
 """
 
 
+TWO_AT_RIGHT_ANGLES = """
+sphere A: mass m, velocity u at theta
+sphere B: mass m, velocity u at theta + 90°
+A hits B: along i, e = 1/2
+show energy_lost = 3/16 m u^2 (1 + sin(2theta))
+"""
+BACK_FROM_A_WALL = """
+wall W: along j
+sphere A: mass 2 m, velocity 2 u i
+sphere B: mass m, at rest
+A hits B: along i, e = e
+B hits W: e = f
+show A and B collide again
+"""
+
+
 @cache
 def working(text: str) -> str:
     """A printed working, every line of which the follower accepts, with single spaces."""
@@ -62,6 +78,9 @@ def working(text: str) -> str:
         (TURNED_AT_A_WALL, "0.6u((√3/2) cos α − ½ sin α) = eu sin α DM1"),
         (BLOWN_ALONG_A_WALL, "By the formula tan(θ/2) = sin θ/(1 + cos θ):"),
         (CORNER, "= (u/2)((√2 + √6)/4) − (√3 u/5)((√6 − √2)/4) = (7√6 − √2)u/40"),
+        (TWO_AT_RIGHT_ANGLES, "= 3mu²(cos²θ + 2 sin θ cos θ + sin²θ)/16"),
+        (BACK_FROM_A_WALL, "v > 0, as e ≤ 1 (4)"),
+        (BACK_FROM_A_WALL, "component of 𝐯_B along 𝐢 ≤ 0, as e ≥ 0 and f ≥ 0 (5)"),
         (SHARES_WITH_ROOTS, "= 2(103 + 10√3)/(3(361 − 20√3)) ≈ 0.246"),
     ],
 )

@@ -32,7 +32,7 @@ show speed(A) < u
         (
             "tan δ ≤ (1 + e)/(2√2√(1 − e))",
             "u² − (speed of A)² = ¼(1 + e)(3 − e)u² cos²α",
-            "speed of A < u, as α is acute and 0 ≤ e < 1",
+            "speed of A < u, as α is acute and 0 ≤ e ≤ 1",
         ),
         ("√2(1 + e)/(4√(1 − e))",),
     ),

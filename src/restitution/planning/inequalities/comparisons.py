@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Binary,
@@ -23,7 +23,7 @@ from restitution.planning.formulas.separations import separation_known
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
-from restitution.planning.writing.forms import square, swept, tree_of
+from restitution.planning.writing.forms import ZERO, square, swept, tree_of
 from restitution.planning.writing.polynomials import cancelled, factored
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -76,6 +76,9 @@ class Comparison:
                     number_ = self.claims.compared([line, *more], relation)
                 if number_ is not None:
                     return number_, relation
+            last = self._by_zero_between(sides, numbers, relation)
+            if last is not None:
+                return last, relation
         line = self.claims.compared(list(dict.fromkeys(lines)), relation)
         if line is not None:
             return line, relation
@@ -125,6 +128,27 @@ class Comparison:
                 if line is not None:
                     return line, relation
         self.worths.back(mark)
+        return None
+
+    def _by_zero_between(
+        self, sides: Sequence[Expression], numbers: Sequence[int], relation: Relation
+    ) -> int | None:
+        """Components of which one goes forwards and one back, or stays: each has its own line."""
+        (own,) = relation.only
+        greater = 0 if own.sign[0] == ">" else 1
+        mark = self.worths.mark()
+        pairs: tuple[tuple[Sign, Sign], ...] = ((">", "<="), (">=", "<"))
+        for first, second in pairs:
+            signs = (first, second) if greater == 0 else (second, first)
+            bounds = [
+                self.claims.compared([line], Relation(((Link(side, sign, ZERO),),)))
+                for side, sign, line in zip(sides, signs, numbers, strict=True)
+            ]
+            if None not in bounds:
+                written = self.claims.compared([e for e in bounds if e is not None], relation)
+                if written is not None:
+                    return written
+            self.worths.back(mark)
         return None
 
     @staticmethod

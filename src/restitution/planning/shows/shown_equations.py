@@ -38,7 +38,7 @@ from restitution.planning.journeys import journeys
 from restitution.planning.shows.shown_ratios import ratio_by_a_tangent
 from restitution.planning.shows.shown_speeds import speed_by_a_tie
 from restitution.planning.writing import place_trees
-from restitution.planning.writing.between import terms_between
+from restitution.planning.writing.between import terms_between, with_squares_out
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
     alike,
@@ -596,7 +596,7 @@ class Equation:
                     return self.scene.desk.write(move, refs, relation)
         if isinstance(own.value, sp.Expr):
             value = own.value if start == swept(own.right) else own.value**2
-            simple = tree_of(tidy(value))
+            simple = with_squares_out(tidy(value))
             relation = Relation(((first, Link(start, "=", simple, "rearrange")),))
             refs = self.judge.needed(own.move, [*pool, *known], relation, own.refs)
             if refs is not None and number == len(self.scene.desk.lines):

@@ -18,11 +18,12 @@ from typing import TypeGuard
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Negate,
     has_quantity,
     letters,
@@ -41,6 +42,7 @@ from restitution.planning.writing.forms import (
     tree_of,
 )
 from restitution.planning.writing.one_fraction import over_one_line
+from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 
 # So many squares of sums are worked out in one step.
@@ -398,3 +400,22 @@ def _as_product(scene: Scene, tree: Expression, common: sp.Expr) -> Expression:
 
 
 __all__ = ["terms_between"]
+
+
+def with_squares_out(value: sp.Expr) -> Expression:
+    """A product in which the square of a sum of sines and cosines is multiplied out.
+
+    So that *cos²θ + 2 sin θ cos θ + sin²θ* is seen, which identities make shorter.
+    """
+    factors = sp.Mul.make_args(value)
+    squares = [
+        each
+        for each in factors
+        if each.is_Pow and each.exp == 2 and each.base.is_Add and each.has(sp.sin, sp.cos)
+    ]
+    if len(squares) != 1:
+        return tree_of(value)
+    (own,) = squares
+    stand_in = sp.Dummy("square", positive=True)
+    whole = tree_of(value.xreplace({own: stand_in}))
+    return exchanged(whole, {Letter(stand_in.name): tree_of(expanded(own), as_it_is=True)})
