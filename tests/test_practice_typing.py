@@ -362,3 +362,80 @@ def test_a_square_root_in_words_is_one(root: str) -> None:
     (line,) = read_working(f"A speed = {root} (9 + 4) = 3.61", restitution.parse(PAIR)).lines
     first = line.links[0].readings[0].right
     assert first == Apply("sqrt", Binary("+", Number(Fraction(9)), Number(Fraction(4))))
+
+
+STOPPED = """sphere A: mass m, velocity 4u i
+sphere B: mass k m, velocity -u i
+A hits B: along i
+given velocity(A) = 0
+part a
+show k = 4/(1 + 5e)
+part b
+find range of k"""
+
+
+def test_a_velocity_that_is_given_as_zero_is_a_fact() -> None:
+    lines = ["4mu - kmu = kmw", "w = 5eu", "4 - k = 5ek", "k(1 + 5e) = 4"]
+    assert verdicts(STOPPED, *lines, part="a") == ["true"] * 4
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("e = 0 → k = 4 and e = 1 → k = 4/6", "true"),
+        ("e=0, k=4, e=1, k=2/3", "true"),
+        ("e=0 => k=4, e=1 => k=3/4", "false"),
+    ],
+)
+def test_a_line_may_have_several_cases(line: str, verdict: str) -> None:
+    assert verdicts(STOPPED, line, part="b") == [verdict]
+
+
+FACING = """sphere A: mass 2, velocity 5 at 60°
+sphere B: mass 3, velocity 4 at 150°
+A hits B: along i, e = 1/2
+find speed(B)"""
+
+
+def test_a_result_to_three_figures_is_rounded_though_it_is_a_datum() -> None:
+    assert verdicts(FACING, "speed of B = √(0.114² + 2²) = 2.00") == ["true"]
+    assert verdicts(FACING, "speed of B = √(0.214² + 2²) = 2.00") == ["false"]
+
+
+OFFSET = """sphere A: mass 2m, velocity u i, radius r
+sphere B: mass 3m, at rest, radius r
+A hits B: offset r sqrt(2), e = 1/3
+find energy_lost/energy(0), speed(B)"""
+
+
+def test_a_side_that_stood_before_keeps_its_decimals() -> None:
+    assert verdicts(OFFSET, "so lost 0.267 of it = 4/15") == ["true"]
+    assert verdicts(OFFSET, "speed of B = 0.377u", "= 4√2u/15") == ["true", "true"]
+    assert verdicts(OFFSET, "speed of B = 0.377u", "= 4√2u/14")[1] == "false"
+
+
+PUSHED = """sphere A: mass 2, velocity 2i + j
+sphere B: mass M, velocity -2i + 3j
+A hits B: along i
+given velocity(A) = -i + j, velocity(B) = 2i + 3j
+find M"""
+
+
+def test_a_vector_on_a_body_is_an_impulse() -> None:
+    assert verdicts(PUSHED, "imp on A = 2(-3i) = -6i so on B +6i") == ["true"]
+    assert verdicts(PUSHED, "imp on A = 2(-3i) = -6i so on B +7i") == ["false"]
+
+
+FOUND = """sphere A: mass 1, velocity 3i + j
+sphere B: mass 2, at rest
+A hits B
+given velocity(A) = i - j
+part a
+find velocity(B)
+part b
+find line_of_centres"""
+
+
+def test_an_answer_for_which_no_method_is_marked_is_marked_alone() -> None:
+    marking = restitution.mark(solution_of(FOUND), "l.o.c. is (i + j)/√2", part="b")
+    assert (marking.marks.earned, marking.marks.of) == (1, 1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -25,6 +26,25 @@ _BECOMING = re.compile(r"\b(becomes?|changes? to|goes to|turns into)\b", re.IGNO
 def speaks_of_an_extreme(line: ScriptLine) -> bool:
     """Whether a line speaks of a greatest or least value: ``max e is 1``."""
     return bool(_EXTREME.search(line.text))
+
+
+def cases_in(
+    opening: Sequence[str | None], line: ScriptLine
+) -> Iterator[tuple[int, Sequence[int]]]:
+    """The cases of a line, each with the places of the links that hold in it.
+
+    ``opening`` has for every link that may open a case its letter. One stands before what holds in
+    it, ``e = 0 → k = 4 and e = 1 → k = 2/3``, or last in brackets: ``4 = v + 2w (u = 5)``.
+    """
+    first = next(filter(None, opening), None)
+    places = [place for place, letter in enumerate(opening) if letter and letter == first]
+    last = len(opening) - 1
+    if places == [last] and line.text.rstrip().endswith(")"):
+        yield last, range(last)
+    elif places and not places[0]:
+        for place, end in pairwise((*places, len(opening))):
+            if end > place + 1:
+                yield place, range(place + 1, end)
 
 
 def supposed_in(
@@ -54,7 +74,9 @@ def supposed_in(
     )
     names = names & base.letters.keys()
     follows = bool(names & base.determined)
-    for further in (frozenset[str](), frozenset(base.letters))[: 1 + follows]:
+    every = frozenset(base.letters)
+    singly = (frozenset((name,)) for name in sorted(every - names))
+    for further in (frozenset[str](), *singly, every) if follows else (frozenset[str](),):
         # Where what is supposed follows from another letter, that has another value as well.
         world = student_world(base, entries, {*unknown, *names, *further})
         if world is not None and (not follows or _is_consistent(world)):

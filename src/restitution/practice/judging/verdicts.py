@@ -57,6 +57,7 @@ from restitution.practice.judging.other_forms import (
 from restitution.practice.judging.own_values import Naming
 from restitution.practice.judging.support import Support
 from restitution.practice.judging.supposing import (
+    cases_in,
     changes_of_sizes,
     speaks_of_an_extreme,
     supposed_in,
@@ -453,38 +454,34 @@ class Judge(Following):
         return judged
 
     def _in_a_case(self, line: ScriptLine, judged: Sequence[JudgedLink]) -> list[JudgedLink] | None:
-        """The links of ``e = 0, v = u/2`` where what e is, is left open: a case, and what holds.
-
-        The case stands first, or last in brackets: ``4 = v + 2w (u = 5)``.
-        """
+        """The links of ``e = 0, v = u/2`` where what e is, is left open: cases, and what holds."""
         if len(judged) < 2 or speaks_of_an_extreme(line):
             return None
-        for place in (0, len(judged) - 1):
+        opening = [
+            self._letter_of_case(each.claim) if each.verdict == "false" else None for each in judged
+        ]
+        held: dict[int, JudgedLink] = {}
+        for place, inside in cases_in(opening, line):
             case = judged[place].claim
-            if judged[place].verdict != "false" or not self._is_case(case):
-                continue
-            if place and not line.text.rstrip().endswith(")"):
-                continue
             meanings = self.meanings(line.number)
-            worlds = supposed_in((case,), line, self._base, meanings, self.question.unknown)
-            rest = [
-                self._holds(link, line, worlds or ()) if k != place else ("exact", case)
-                for k, link in enumerate(line.links)
-            ]
-            held = [JudgedLink("true", each[1], each[0]) for each in rest if each is not None]
-            if len(held) == len(rest):
-                return held
-        return None
+            worlds = supposed_in((case,), line, self._base, meanings, self.question.unknown) or ()
+            held[place] = JudgedLink("true", case, "exact")
+            for each in inside:
+                if (found := self._holds(line.links[each], line, worlds)) is not None:
+                    held[each] = JudgedLink("true", found[1], found[0])
+        return [held[place] for place in sorted(held)] if len(held) == len(judged) else None
 
-    def _is_case(self, claim: Claim) -> bool:
-        """Whether a claim gives a letter of the statement a number that nothing determines."""
+    def _letter_of_case(self, claim: Claim) -> str | None:
+        """The letter of the statement, not asked for, to which a claim gives a number at will."""
         match claim:
             case Claim(Letter(name), "=", value, ()) if is_numeric(value):
                 own = self._base.letters.get(name)
             case _:
-                return False
-        free = own is not None and name not in self._base.determined
-        return free and bool(np.ptp(self._base.spread(own)) > 0)
+                return None
+        asked = any(each == Letter(name) for each, _ in self.question.wanted.asked)
+        if own is None or (asked and name in self._base.determined):
+            return None
+        return name if np.ptp(self._base.spread(own)) > 0 else None
 
     def _is_of_unlike(self, line: ScriptLine, link: Link) -> bool:
         """Whether a link compares a vector with a number."""

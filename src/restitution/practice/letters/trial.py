@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from restitution import work
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
@@ -96,6 +97,7 @@ class Tester:
         numbers: Mapping[int, Array] | None = None,
     ) -> Value | None:
         """The value of a tree, None where it makes no sense."""
+        work.spend()
         trial = Trial(self.world, put, frame.meanings)
         stage = len(self.world.events) if frame.now is None else frame.now
         with np.errstate(all="ignore"):

@@ -239,20 +239,23 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
             continue
         place = items.get(note.item)
         answer, shown = _asked(solved, place)
+        needed: tuple[str, ...] = ()
         for mark in UNWRITTEN if note.kind == "unwritten" else note.marks:
             count += 1
             of_method = mark.kind == "M"
+            name = f"{label or ''}{count}"
             yield MarkPoint(
-                f"{label or ''}{count}",
+                name,
                 str(mark),
                 "a method for it" if of_method else "the answer",
                 "method" if of_method else "answer",
                 link=None if of_method else answer,
-                depends=() if of_method else (f"{label or ''}{count - 1}",),
-                above=() if of_method else (f"{label or ''}{count - 1}",),
+                depends=() if of_method else needed,
+                above=() if of_method else needed,
                 item=place,
                 shown=shown and not of_method,
             )
+            needed = (name,) if of_method else needed
 
 
 def _asked(solved: PartSolution, place: int | None) -> tuple[Link | None, bool]:

@@ -11,6 +11,7 @@ from itertools import pairwise, product
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -43,7 +44,7 @@ from restitution.practice.reading.relations import (
 from restitution.practice.reading.segments import Segment
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS, STAGES
-from restitution.practice.script import Claim, Declaration, Link, Sign
+from restitution.practice.script import Claim, Decimal, Declaration, Link, Sign, column_of
 from restitution.problem import Impact, Problem
 
 MAX_CLAIMS = 24
@@ -54,6 +55,7 @@ _CONNECTING = frozenset(
     ("so", "hence", "therefore", "=>", ",", "and", "or", "then", "thus", "which", "giving", "->")
 )
 # The way of a component behind its value: ``A: 3u along, 4u perp``.
+_ON = re.compile(r"\bon\s+$")
 _WAY = re.compile(
     r"\s+(along|parallel|perp|perpendicular|across|left|right|up|down)\b(?!\s+to\b)", re.IGNORECASE
 )
@@ -72,12 +74,14 @@ class Past:
     """What a line may go on from: the last right side, and a left side that waits for one.
 
     ``earlier`` is where the chain above the last one ended: an aside may stand in between.
+    ``decimals`` are those of the last relation.
     """
 
     side: tuple[Side, ...] = ()
     earlier: tuple[Side, ...] = ()
     waiting: tuple[Side, ...] = ()
     sign: Sign = "="
+    decimals: tuple[Decimal, ...] = ()
 
 
 @dataclass
@@ -265,9 +269,14 @@ class Chains:
     def label_tree(
         self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token] = ()
     ) -> Expression:
-        """A label as a letter; a body's name is its velocity, its speed or a component."""
+        """A label as a letter; a body's name is its velocity, its speed or a component.
+
+        Behind *on* it is the impulse on the body: ``impulse on A = -6i, so on B +6i``.
+        """
         if label.kind == "phrase":
             return Letter(label.name)
+        if _ON.search(self.line.text[: label.start]):
+            return Letter(f"impulse on {label.name}")
         direction = _WAY.match(self.line.text, tokens[-1].end) if tokens else None
         if direction is not None:
             return Letter(f"component of {label.name} {direction[1].lower()}")
@@ -589,8 +598,25 @@ class Chains:
         readings = tuple(distinct)[:MAX_CLAIMS]
         start = min((each.column for each in whole), default=1)
         end = max((self.line.column(each.end) for each in whole), default=start)
-        figures = tuple(decimals(tokens, readings))
+        figures = (*decimals(tokens, readings), *self._carried(tokens, readings))
         self.links.append(Link(readings, start, end, figures, self.case))
+
+    def _carried(self, tokens: Sequence[Token], readings: Sequence[Claim]) -> Iterator[Decimal]:
+        """The decimals of a side that stood before, or in the line above: ``= u/√3``."""
+        above = (*self.past.decimals, *(each for link in self.links for each in link.decimals))
+        if not above:
+            return
+        numbers = {
+            (column, node.value)
+            for claim in readings
+            for side in (claim.left, claim.right)
+            for node in walk(side)
+            if isinstance(node, Number | Degrees) and (column := column_of(node)) is not None
+        }
+        typed = {each.column for each in tokens}
+        for each in dict.fromkeys(above):
+            if each.column not in typed and (each.column, each.value) in numbers:
+                yield each
 
     def with_factor(self, read: Sequence[tuple[Side, ...]]) -> list[tuple[Side, ...]]:
         """``5 + 7.5 = 12.5mu²``: the factor of the last side may belong to the sums before it."""

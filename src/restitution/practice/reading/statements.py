@@ -126,7 +126,8 @@ class _Reader(Chains):
         last = self._last_sides() if self.links else (*self.worth, *self.past.side)
         aside = bool(self.links) and not self.continues
         earlier = self.past.side if aside else self.past.earlier
-        self.statements.past = Past(last, earlier, self.waiting, self.waiting_sign)
+        figures = self.links[-1].decimals if self.links else self.past.decimals
+        self.statements.past = Past(last, earlier, self.waiting, self.waiting_sign, figures)
 
     def _without_declared(self) -> None:
         """Drops relations that only give a letter to a phrase which declares it."""
@@ -457,7 +458,7 @@ class _Reader(Chains):
         own = [Side(self.label_tree(label, sides, tokens))]
         if label.name in self.usage.spheres and own[0].tree == Letter(f"speed of {label.name}"):
             own = list(worths_of(label.name, sides[0].tree))
-        elif label.name in self.usage.spheres and is_vector(sides[0].tree, self.usage.vectors):
+        elif own[0].tree == Letter(f"velocity of {label.name}"):
             own += [Side(each) for each in places_of(label.name, self.problem)]
         own += self.became.get(label.name, ())
         self.link(tuple(own), "=", sides, tokens, label)

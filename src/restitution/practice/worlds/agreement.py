@@ -35,6 +35,8 @@ NOT = len(GRADES)
 # Of the sides of an exact line, and of what their terms are where the sides are zero.
 _RELATIVE = 1e-7
 _TURN = 7
+_FINE = 3
+"""A decimal of so many figures or more is rounded finely enough."""
 _ROUNDING = 1e-11
 # A half unit is met by a number that is half way, whatever its last binary place.
 _SLACK = 1 + 1e-6
@@ -118,7 +120,7 @@ def _difference(
     if lines:
         left, right = _directed(left, right)
     if isinstance(left, Vector) or isinstance(right, Vector):
-        a, b = (_as_vector(each) for each in (left, right))
+        a, b = (as_vector(each) for each in (left, right))
         size = np.maximum(np.hypot(*a), np.hypot(*b))
         return _columns(world, a.x - b.x, a.y - b.y), _columns(world, size, size)
     if isinstance(left, Angle) or isinstance(right, Angle):
@@ -271,12 +273,17 @@ def _half_units(
         for node in _numbers((claim.left, claim.right))
         if (column := column_of(node)) is not None and not _is_half(node, claim, given)
     }
+    results = {column_of(side) for side in (claim.left, claim.right)}
     fine: dict[int, tuple[float, float]] = {}
     coarse: dict[int, tuple[float, float]] = {}
     for decimal in decimals:
         number = numbers.get(decimal.column)
-        if number is not None and decimal.value not in given:
-            chosen = fine if decimal.figures >= 3 else coarse
+        if number is None:
+            continue
+        # A result to three figures, √(0.114² + 2²) = 2.00, may be a datum by chance.
+        worth = decimal.figures >= _FINE and decimal.column in results
+        if worth or decimal.value not in given:
+            chosen = fine if decimal.figures >= _FINE else coarse
             chosen[decimal.column] = float(number), float(decimal.half_unit_of(number))
     for node in whole:
         column = column_of(node)
@@ -395,7 +402,8 @@ def _directed(left: Value, right: Value) -> tuple[Value, Value]:
     return one, other * np.where(one.dot(other) < 0, -1.0, 1.0)
 
 
-def _as_vector(value: Value) -> Vector:
+def as_vector(value: Value) -> Vector:
+    """A value as a vector: 0 is one. Raises UnvaluedError for any other number."""
     if isinstance(value, Vector):
         return value
     if isinstance(value, Angle) or np.any(np.asarray(value) != 0):

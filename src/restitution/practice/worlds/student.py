@@ -19,7 +19,7 @@ from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import has_quantity
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
-from restitution.practice.worlds.agreement import difference
+from restitution.practice.worlds.agreement import as_vector, difference
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.timing import retimed
 from restitution.practice.worlds.world import World
@@ -246,8 +246,8 @@ def _fact(relation: Relation, now: int) -> Residual | None:
         def equal(world: World) -> Array:
             a = world.value(left, now=now, degrees=False)
             b = world.value(right, now=now, degrees=False)
-            if isinstance(a, Vector) and isinstance(b, Vector):
-                apart = a - b
+            if isinstance(a, Vector) or isinstance(b, Vector):
+                apart = as_vector(a) - as_vector(b)
                 return np.stack([world.spread(apart.x), world.spread(apart.y)], axis=1)
             return _column(world, _plain(a) - _plain(b))
 

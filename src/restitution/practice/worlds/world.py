@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from restitution import work
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Name
@@ -93,6 +94,7 @@ class World(Motion):
         not real is nan. Raises UnvaluedError for a letter that has no meaning, and for what makes
         no sense.
         """
+        work.spend()
         telling = Telling(self, meanings, degrees, values, noted)
         with np.errstate(all="ignore"):
             try:
