@@ -295,7 +295,7 @@ READINGS = [
     (UPRIGHT_AT_AN_END, "which holds if e = ¼ too, where δ = 45°"),
     (ANY_ANGLE, ", for f ≠ 0"),
     (WHOLE_COMPONENT, " 3 = 6e "),
-    (ASKED_THOUGH_GIVEN, "From the data: k = 3"),
+    (ASKED_THOUGH_GIVEN, "It is given that k = 3"),
     (ASKED_THOUGH_GIVEN, "α = arctan(3/4) ≈ 36.9°"),
     (ONE_VALUE, "angle from 𝐢 to 𝐯_B = 0°"),
     (WHOLE_COMPONENT_BELOW, "Substituting for v sin θ in (1):"),

@@ -259,7 +259,7 @@ def test_an_irrational_quadratic_is_solved_by_the_formula() -> None:
         "sphere A: mass m, velocity u at 30°\nsphere B: mass 2m, velocity u at 30° from -i\n"
         "A hits B: along i\ngiven energy(A) = energy(B)\nfind e"
     )
-    assert "By the formula for the roots of a quadratic" in text
+    assert "By the quadratic formula" in text
 
 
 # --- vectors ----------------------------------------------------------------------------------

@@ -69,7 +69,7 @@ AFTER = "angle(velocity(P), W)"
 CASES = {
     "a sum of angles, one of which has no letter": (
         WALL.format(angle="alpha", e=": e = 1/4", given=f"alpha + {AFTER} = 90°", asked="alpha"),
-        ["From the data: α + β = 90° (1)", "(tan α)(¼ tan α) = 1", "α = arctan 2"],
+        ["It is given that α + β = 90° (1)", "(tan α)(¼ tan α) = 1", "α = arctan 2"],
     ),
     "a difference of such angles": (
         WALL.format(angle="alpha", e=": e = 1/3", given=f"alpha - {AFTER} = 30°", asked="alpha"),

@@ -184,7 +184,7 @@ def test_lists_capitals_and_sentences_in_slots() -> None:
     words = say("unchanged.components", components=components).words
     spoken = "".join(each if isinstance(each, str) else to_text(each) for each in words)
     assert spoken == "the components stay 1 for A, 1 for B and 1 for C."
-    assert words_of([say("so"), say("given.data")]) == ("So From the data:",)
+    assert words_of([say("so"), say("given.data")]) == ("So It is given that",)
     one = say("unchanged.component", value=lay.Letter("v"), body="A")
     assert to_text(operand(one)) == "v for A"
 

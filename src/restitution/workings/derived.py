@@ -458,6 +458,10 @@ class _Writer:
         points: Marks = tuple(_because(mark) for line in lines for mark in line.marks)
         own = None if again else title
         sentences, source = self.carried.beside(own, () if own else (sentence,))
+        if own is not None and source is not None and source.id == "carried.with":
+            whole = dict(source.slots)["sources"]
+            sentence = say("carried.with-sentence", sources=whole, sentence=sentence)
+            source = None
         item = self.ends.place(lines[0])
         return Step("principle", (), own, sentences or (sentence,), points, item, source=source)
 

@@ -120,6 +120,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "resolved.several": "components",
     "resolved.one": "component",
+    "resolved.several-products": "scalar products",
+    "resolved.one-product": "scalar product",
     "resolved-spheres.before-units": "{components:capital} before the impact:",
     "resolved-spheres.before-turned": (
         "{components:capital} before the impact, as this line of centres is at right angles to the "
@@ -134,12 +136,12 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "resolved.before-vector": "{components:capital} before the impact, as {vector}:",
     "resolved.products-before": (
-        "Scalar products with {vector}, along the line of centres, before the impact:"
+        "{products:capital} with {vector}, along the line of centres, before the impact:"
     ),
     "resolved.products-wall": (
-        "Scalar products with {vector}, perpendicular to {wall}, before the impact:"
+        "{products:capital} with {vector}, perpendicular to {wall}, before the impact:"
     ),
-    "resolved.products-after": "Scalar products with {vector}, after the impact:",
+    "resolved.products-after": "{products:capital} with {vector}, after the impact:",
     "resolved.before-at-centres": (
         "{body} moves at {angle} to the line of centres. {components:capital} before the impact:"
     ),
@@ -524,7 +526,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "of the ends:"
     ),
     # --- given facts ------------------------------------------------------------------------------
-    "given.data": "From the data:",
+    "given.data": "It is given that",
     "given.turned-wall": "{body} moves at {angle} to {wall}.",
     "given.along-centres": (
         "{body} moves towards {wall} at {angle} to it, that is at {direction} to {unit}: along the "
@@ -632,6 +634,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "carried.from-above": "{values:and} from above",
     "carried.components": "the components of {velocity}",
     "carried.with": "with {sources:and}:",
+    "carried.with-sentence": "with {sources:and}, {sentence}",
     "carried.with-alone": "With {sources:and}:",
     "carried.with-anew": "With {sources:and}:",
     "carried.in": "in part ({label}):",
@@ -1010,11 +1013,13 @@ SENTENCES: Mapping[SentenceId, str] = {
     "wall.beside-normal": "At right angles to the normal:",
     "made.ratio": "Taking the ratio:",
     "made.product": "Multiplying:",
-    "made.difference": "Subtracting:",
+    "made.difference": "Taking the difference:",
+    "made.difference-of-energies": "Subtracting the energies:",
+    "made.difference-of-velocities": "Subtracting the velocities:",
     "made.by-these": "With these values:",
     "derived.solve": "Solving {equations:and}:",
     "derived.solve-this": "Solving this equation:",
-    "derived.formula": "By the formula for the roots of a quadratic:",
+    "derived.formula": "By the quadratic formula:",
     "derived.multiple": "Comparing the two vectors:",
     "derived.put": "Substituting for {letters:and}:",
     "derived.put-in": "Substituting for {letters:and} in {equation}:",

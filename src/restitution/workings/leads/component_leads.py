@@ -154,11 +154,12 @@ class ComponentLeads(LinesAround):
     def _products(self, line: Line, stage: int, along: lay.Layout) -> Sentence:
         """What is said before scalar products with a vector along a line of centres."""
         event = self._naming.events[line.move.event or 0]
+        slots: dict[str, Any] = {"products": say("resolved.several-products"), "vector": along}
         if stage == event.number:
-            return say("resolved.products-after", vector=along)
+            return say("resolved.products-after", **slots)
         if event.wall:
-            return say("resolved.products-wall", vector=along, wall=event.bodies[1])
-        return say("resolved.products-before", vector=along)
+            return say("resolved.products-wall", wall=event.bodies[1], **slots)
+        return say("resolved.products-before", **slots)
 
     def _comes_straight(self, event: Event) -> bool:
         """Whether it is known that a body comes straight at a wall: no line has that component."""

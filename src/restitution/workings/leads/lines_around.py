@@ -29,7 +29,9 @@ from restitution.expression.tree import (
     letters,
 )
 from restitution.render import layout as lay
+from restitution.vector import Vector
 from restitution.workings.leads.one_component import went_from_rest
+from restitution.workings.leads.shapes_of_lines import says_something
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
@@ -65,17 +67,72 @@ class LinesAround:
 
     def _is_direct(self, event: Event | None) -> bool:
         """Whether two spheres of the data move along their line of centres, which is given."""
-        if event is None or event.wall or event.number != 1:
+        return event is not None and event.number == 1 and self._in_one_line(event)
+
+    def _in_one_line(self, event: Event | None) -> bool:
+        """Whether all that has met until an impact of two spheres moves along their line."""
+        if event is None or event.wall:
             return False
-        names = ("axis 1", *(" ".join(("velocity", body)) for body in event.bodies))
-        facts = [self._derivation.fact(name) for name in names]
-        if None in facts:
-            return False
-        vectors = [vector_worth(each.relation.only[-1].right) for each in facts if each]
-        axis, *own = vectors
-        return axis is not None and all(
-            each is not None and sp.expand(each.cross(axis)) == 0 for each in own
+        events = [e for e in self._derivation.events[: event.number] if e.kind != "arrival"]
+        spheres = {body for e in events for body in (e.bodies[:1] if e.wall else e.bodies)}
+        along = self._vector("axis", str(event.number))
+        names = [("axis", str(each.number)) for each in events if not each.wall]
+        names += [("velocity", body) for body in spheres]
+        # A wall that is struck by what moves along a line is perpendicular to it, unless it slants.
+        walls = [self._vector("axis", str(each.number)) for each in events if each.wall]
+        return (
+            along is not None
+            and all(
+                own is not None and sp.expand(own.cross(along)) == 0
+                for own in (self._vector(*each) for each in names)
+            )
+            and all(
+                own is not None and 0 in (sp.expand(own.cross(along)), sp.expand(own.dot(along)))
+                for own in walls
+            )
         )
+
+    def _vector(self, kind: str, name: str) -> Vector | None:
+        """The vector that a datum tells; None where there is no such datum."""
+        fact = self._derivation.fact(f"{kind} {name}")
+        return None if fact is None else vector_worth(fact.relation.only[-1].right)
+
+    def _printed_above(self, line: Line) -> Line | None:
+        """The nearest line above one that is printed by itself; a letter that is let is none."""
+        above = (self._derivation.line(n) for n in range(line.number - 1, 0, -1))
+        return next((e for e in above if e and e.shown == "line" and says_something(e)), None)
+
+    def _is_below_its_coordinate(self, line: Line) -> bool:
+        """Whether a coordinate of a position stands just above it, by that name."""
+        above = self._printed_above(line)
+        match above.relation if above is not None else None:
+            case Relation(((Link(Quantity("along", (Quantity("position"), _))), *_),)):
+                return self._is_just_below(line)
+        return False
+
+    def _by_its_component(self, line: Line) -> Sentence | None:
+        """The component that a velocity or a speed along one line has, stated further above."""
+        event = self._naming.events.get(line.move.event or 0)
+        if line.move.record not in ("assemble", "speed") or not self._in_one_line(event):
+            return None
+        if self._is_just_below(line):
+            return None
+        for ref in line.premises:
+            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            match own.relation if own is not None else None:
+                case Relation(((Link(Letter() as letter, "="), *_) as links,)):
+                    number = self._sources.numbers.get(ref) if isinstance(ref, int) else None
+                    if number is not None:
+                        equation = say("derived.number", number=str(number))
+                        return say("derived.add", equations=(equation,))
+                    value = Relation(((Link(letter, "=", links[-1].right),),))
+                    return say("derived.since", facts=(self._naming.relation(value),))
+        return None
+
+    def _is_just_below(self, line: Line) -> bool:
+        """Whether a line rests on the one that is printed just above it."""
+        above = self._printed_above(line)
+        return above is not None and above.number in line.premises
 
     def _goes_off(self, line: Line) -> bool:
         """Whether it is here that a sphere is said to have been at rest, not struck along its line.

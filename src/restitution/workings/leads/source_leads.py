@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import sympy as sp
 
@@ -39,6 +39,12 @@ from restitution.workings.naming.facts import fact_in_words, meeting_of
 from restitution.workings.naming.quantities import with_article
 from restitution.workings.naming.sources import Source, is_multiple
 from restitution.workings.reasons.grounds import compared_quantities, motion_of
+
+# What is subtracted, by the kinds of both.
+_DIFFERENCES: Mapping[tuple[str, str], SentenceId] = {
+    ("energy", "energy"): "made.difference-of-energies",
+    ("velocity", "velocity"): "made.difference-of-velocities",
+}
 
 
 class SourceLeads(LinesAround):
@@ -185,8 +191,8 @@ class SourceLeads(LinesAround):
                 return "made.fraction-lost" if fraction else "made.ratio"
             case Binary("*", Quantity(), Quantity()):
                 return "made.product"
-            case Binary("-", Quantity(), Quantity()):
-                return "made.difference"
+            case Binary("-", Quantity(one), Quantity(other)):
+                return _DIFFERENCES.get((one, other), "made.difference")
         return "made.by-these"
 
     def _is_fraction_lost(self, loss: Quantity, own: Quantity) -> bool:

@@ -53,7 +53,6 @@ from restitution.workings.leads.shapes_of_lines import (
     body_read_off,
     ratio_below,
     read_off_lines,
-    says_something,
     under_a_root,
 )
 from restitution.workings.leads.source_leads import SourceLeads
@@ -72,6 +71,11 @@ _BY_RATIO: Mapping[str, SentenceId] = {
 }
 # That a body moves along the line of centres; with the reason, where it was at rest.
 _ALONG = {False: "derived-speed.along", True: "derived-speed.along-from-rest"}
+
+
+def _has_one_component(value: Expression) -> bool:
+    """Whether a vector is zero, or has a component along **i** or **j** alone."""
+    return is_zero(value) or len([node for node in walk(value) if isinstance(node, Unit)]) == 1
 
 
 class Leads(SourceLeads, TurnLeads, ComponentLeads):
@@ -98,22 +102,15 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         assert isinstance(line.relation, Relation)
         own = line.relation.options[0][0]
         above = self._printed_above(line)
-        cited = above is not None and above.number in line.premises
-        if above is None or not cited or not isinstance(own.left, Quantity):
+        if above is None or not self._is_just_below(line) or not isinstance(own.left, Quantity):
             return False
-        units = [node for node in walk(own.right) if isinstance(node, Unit)]
         return (
             own.left.kind == "velocity"
-            and (is_zero(own.right) or len(units) == 1)
+            and _has_one_component(own.right)
             and isinstance(above.relation, Relation)
             and len(above.relation.options) == 1
-            and isinstance(above.relation.only[0].left, Letter)
+            and isinstance(above.relation.only[0].left, Letter | Quantity)
         )
-
-    def _printed_above(self, line: Line) -> Line | None:
-        """The nearest line above one that is printed by itself; a letter that is let is none."""
-        above = (self._derivation.line(n) for n in range(line.number - 1, 0, -1))
-        return next((e for e in above if e and e.shown == "line" and says_something(e)), None)
 
     def _by_a_multiple(self, line: Line) -> bool:
         """Whether a speed is read off a velocity that is a multiple of another."""
@@ -192,6 +189,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             case "assemble", Quantity("velocity", (Name(body),), _) if self._is_out_of_it(body):
                 now = self._naming.events[self._naming.now or 0]
                 return say("derived-assembled.still", body=body, event=self._naming.called(now))
+            case "assemble", Quantity("velocity") if one := self._one_component(line):
+                return None if self._in_one_line(event) else one
+            case "assemble", Quantity("position", _, _) if self._is_below_its_coordinate(line):
+                return None
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
             case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
@@ -233,7 +234,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             rested_ = self.tells_of_rest(bodies[0], event.number, line)
             return say("moves-along.from-rest" if rested_ else "moves-along.title", body=bodies[0])
         if record.id == "speed" and (one := self._one_component(line)) is not None:
-            return one
+            return None if self._in_one_line(event) else one
         if self._by_products(line):
             return say("restitution.products")
         if record.id in ("restitution", "restitution-wall") and is_zero(last.right):
@@ -446,6 +447,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             yield say("so")
             return
         directed = self._about_directions(line)
+        if directed is None and self.title(line) is None:
+            directed = self._by_its_component(line)
         if directed is not None:
             yield directed
             return

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 
-from restitution.explaining.lines.saying import say
+from restitution.explaining.lines.saying import Slot, say
 from restitution.render import layout as lay
 from restitution.workings.rendering.steps import Row, Step
+
+# What is said before several rows, and in its place before one.
+_ONE: Mapping[tuple[str, Slot], tuple[str, Slot]] = {
+    ("components", say("resolved.several")): ("components", say("resolved.one")),
+    ("products", say("resolved.several-products")): ("products", say("resolved.one-product")),
+}
 
 
 def joined(steps: Iterable[Step]) -> Iterator[Step]:
@@ -54,12 +60,10 @@ def _goes_on(step: Step, after: Step | None) -> bool:
 def _counted(step: Step) -> Step:
     """A step whose words before its rows know whether they stand before one component."""
     rows = [row for row in step.rows if row.operands[0] is not None]
-    several = ("components", say("resolved.several"))
-    if len(rows) != 1 or not any(several in each.slots for each in step.sentences):
+    if len(rows) != 1 or not any(slot in _ONE for each in step.sentences for slot in each.slots):
         return step
-    one = ("components", say("resolved.one"))
     sentences = (
-        replace(each, slots=tuple(one if slot == several else slot for slot in each.slots))
+        replace(each, slots=tuple(_ONE.get(slot, slot) for slot in each.slots))
         for each in step.sentences
     )
     return replace(step, sentences=tuple(sentences))
