@@ -61,7 +61,7 @@ def printed(text: str) -> str:
         (
             AT_A_WALL,
             (
-                "Scalar products with 2𝐢 + 𝐣, perpendicular to W, before the impact:",
+                "Scalar product with 2𝐢 + 𝐣, perpendicular to W, before the impact:",
                 "after the impact: 𝐯_S · (2𝐢 + 𝐣) = −2 × 2 − 7/2 = −15/2",
                 "15/2 = 15e",
             ),

@@ -124,8 +124,8 @@ find velocity(A), velocity(B), energy(A)
     )
     assert said.count("v = 2(2 − k)u/(1 + k)") == 1
     assert "(b) Substituting for v from part (a) in (2): w − 2(2 − k)u/(1 + k) =" in said
-    assert "The velocity, from its components, with v from part (a): 𝐯_A = (2(2 − k)u/(1" in said
-    assert "The velocity, from its components, with w from part (b): 𝐯_B = ((5 − k)u/(1" in said
+    assert "With v from part (a): 𝐯_A = (2(2 − k)u/(1" in said
+    assert "With w from part (b): 𝐯_B = ((5 − k)u/(1" in said
     assert "From part" not in said and said.count("from part (a)") == 2
 
 

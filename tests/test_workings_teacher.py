@@ -892,3 +892,41 @@ def test_a_velocity_along_the_line_follows_its_component_at_every_impact() -> No
         """)
     assert "from its components" not in own
     assert "𝐯_B3 = (9u/8)𝐢" in own
+
+
+def test_a_title_says_what_a_line_rests_on() -> None:
+    """No title stands above a position just below its coordinate, nor is a line spoken of twice."""
+    own = text("""
+        wall W: along j, through (10, 0)
+        sphere P: mass 1, at (0, 0), velocity 3i + 4j
+        P hits W: e = 1/3
+        find time(1), position(P)
+        """)
+    assert "from its coordinates" not in own
+    in_a_line = text("""
+        sphere A: mass m, velocity u i
+        sphere B: mass k m, at rest
+        sphere C: mass 4m, at rest
+        A hits B: along i, e = e
+        given velocity(A) = 0
+        find e, velocity(B)
+        B hits C: along i, e = 1/2
+        find speed(C)
+        """)
+    assert "moves along the line of centres" not in in_a_line
+    assert "Since w₁ = u/k:" in in_a_line
+    one = text("""
+        wall W
+        sphere P: mass 1, velocity 4i - 2j
+        P hits W
+        given velocity(P) = 2i + 2j
+        find e
+        """)
+    assert "Scalar product with 𝐢 − 2𝐣, after the impact:" in one
+    difference = text("""
+        sphere A: mass 2, velocity 3i + j
+        sphere B: mass 1, at rest
+        A hits B: along i, e = 1/2
+        find velocity(A) - velocity(B)
+        """)
+    assert "Subtracting the velocities:" in difference

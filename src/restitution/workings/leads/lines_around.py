@@ -112,13 +112,15 @@ class LinesAround:
 
     def _by_its_component(self, line: Line) -> Sentence | None:
         """The component that a velocity or a speed along one line has, stated further above."""
-        event = self._naming.events.get(line.move.event or 0)
+        event, parts = self._naming.events.get(line.move.event or 0), self._derivation.asked
         if line.move.record not in ("assemble", "speed") or not self._in_one_line(event):
             return None
         if self._is_just_below(line):
             return None
         for ref in line.premises:
             own = self._derivation.line(ref) if isinstance(ref, int) else None
+            if own is not None and parts.get(own.item or "") != parts.get(line.item or ""):
+                continue  # with its part it is named beside the line
             match own.relation if own is not None else None:
                 case Relation(((Link(Letter() as letter, "="), *_) as links,)):
                     number = self._sources.numbers.get(ref) if isinstance(ref, int) else None

@@ -101,6 +101,8 @@ class SourceLeads(LinesAround):
                 yield say("given.compare")
             case "times":
                 yield say("flight.add")
+            case "case":
+                yield say("derived.since", facts=(self._of_its_case(line),))
             case "made":
                 yield say(self._made(line))
             case "formula":
@@ -176,6 +178,14 @@ class SourceLeads(LinesAround):
                     yield say("given.fact-from", fact=words, equations=equations)
                 elif equations:
                     yield say("derived.add", equations=equations)
+
+    def _of_its_case(self, line: Line) -> lay.Layout:
+        """Which of several solutions holds where a line stands."""
+        case = next(each for each in self._derivation.cases if line.number in each.lines)
+        own = self._derivation.line(case.line)
+        assert own is not None
+        assert isinstance(own.relation, Relation)
+        return self._naming.relation(Relation((own.relation.options[case.option],)))
 
     def _written(self, line: Line) -> lay.Layout | None:
         """A line as it is printed."""

@@ -56,6 +56,7 @@ class Source:
         "compare",
         "combine",
         "add",
+        "case",
         "divide",
         "square-add",
         "put",
@@ -299,6 +300,8 @@ class Sources:
                 return Source("put", facts=facts)
             # Below an answer it is a new thought, and says where it comes from.
             apart = bool(cited) and (cited[0] != above or above in self._ended)
+            if apart and cited == [self._cases.get(line.number)]:
+                return Source("case")
             return Source("add", tuple(cited)) if apart else None
         if move == "rearrange" and not cited and (facts := self._given(line.premises)):
             return Source("put", facts=facts)
