@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from test_planning_closing import planned, said
 
 from restitution.explaining.awarding.awards import awarded
@@ -183,3 +184,44 @@ def test_an_impulse_is_by_velocities_that_stand_and_its_size_by_it() -> None:
         "impulse(P, 1) = 14/25 i - 7/25 j",
         "impulse(1) = 7/25 sqrt(2^2 + 1^2) = 7sqrt(5)/25 [rearrange]",
     ]
+
+
+def test_an_impulse_is_by_the_sphere_of_the_shorter_numbers() -> None:
+    _, derivation = planned(
+        "sphere A: mass sqrt(3), velocity 2i + sqrt(3) j\nsphere B: mass 1, velocity -sqrt(3) i\n"
+        "A hits B: along i, e = 1/sqrt(3)\nfind velocity(A), velocity(B), impulse"
+    )
+    assert shown(derivation, "impulse(1)") == ["impulse(1) = 2 + sqrt(3)"]
+
+
+def test_energies_that_are_asked_stand_before_what_is_lost_of_them() -> None:
+    _, derivation = planned(
+        "sphere A: mass 2m, velocity 3u at 60°\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/2\nfind energy_lost, energy(A)/energy(0), energy(B)/energy"
+    )
+    (lost,) = shown(derivation, "energy_lost(1)")
+    assert lost.startswith("energy_lost(1) = ")
+    assert " - " in lost
+    assert "(3u)^2" not in lost.split(" - ")[1]
+    assert [len(shown(derivation, f"energy({body}, 1)")) for body in "AB"] == [2, 2]
+
+
+@pytest.mark.parametrize("offset", ["r", "d"])
+def test_a_direction_after_an_offset_needs_no_component_across(offset: str) -> None:
+    text = "sphere A: mass m, radius r, velocity u i\nsphere B: mass m, radius r, at rest\n"
+    asked = "find direction(A)" if offset == "r" else "given speed(B) = 3/5 u\nfind d, direction(A)"
+    derivation = plan(solve(parse(f"{text}A hits B: offset {offset}, e = 1/2\n{asked}")))
+    records = [line.move.record for line in derivation.lines]
+    assert "changed-velocity" in records
+    assert not any(text.startswith("across(velocity(A") for text in said(derivation))
+
+
+def test_no_sine_with_a_root_is_worked_out_for_a_tangent_of_the_data() -> None:
+    _, derivation = planned(
+        "wall W: along i\nsphere P: velocity u at alpha to W\ngiven tan(alpha) = 3/2\nP hits W\n"
+        "given angle(velocity(P), W) = 30°\nfind e"
+    )
+    assert "tan(30°) = e (u sin(alpha))/(u cos(alpha)) = e tan(alpha) [rearrange]" in said(
+        derivation
+    )
+    assert "triangle" not in [line.move.id for line in derivation.lines]

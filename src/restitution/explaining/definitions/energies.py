@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
+    Letter,
     Name,
     Negate,
     Number,
@@ -24,7 +25,7 @@ from restitution.expression.tree import (
 _HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
 
 
-def _component(kind: str, body: str, stage: int, event: Event) -> Expression:
+def _component(kind: str, body: str, stage: int, event: Event) -> Quantity:
     return Quantity(kind, (Quantity("velocity", (Name(body),), stage), axis_of(event)))
 
 
@@ -63,7 +64,14 @@ def _changes_along(
         late, early = (
             _component("along", body, stage, event) for stage in (event.number, event.number - 1)
         )
-        yield body, event.number, Binary("-", late, early), axis_of(event)
+        yield body, event.number, Binary("-", _by_its_letter(step, late), early), axis_of(event)
+
+
+def _by_its_letter(step: Step, component: Quantity) -> Expression:
+    """A component as the letter that is cited for it: of a line in letters no vector tells it."""
+    named = (each for each in step.lets if each.quantity == component)
+    own = next((each for each in named if each.sense in (None, component.arguments[1])), None)
+    return component if own is None else Letter(own.letter)
 
 
 def _squares(form: str, body: str, stage: int, event: Event | None) -> Expression:

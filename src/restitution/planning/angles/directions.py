@@ -98,6 +98,8 @@ def along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     model_frame = scene.model.frames.get(stage)
     if model_frame is None or model_frame.wall is not None or model_frame.axis is not None:
         return None
+    if _goes_aslant(scene, body, stage):
+        return None
     frame = scene.frame(stage)
     along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
     angle = angle_of_the_line(scene, frame)
@@ -116,6 +118,13 @@ def along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     pool = together(across.whole, along.whole, frame.refs, () if known is None else known.refs)
     premises = scene.judge.needed(move, [*pool, *nonzero(scene, along.value)], relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def _goes_aslant(scene: Scene, body: str, stage: int) -> bool:
+    """Whether a body goes neither along the line of centres nor at right angles to it."""
+    own, frame = scene.velocity(body, stage), scene.model.frames[stage]
+    parts = (own.dot(each) for each in (frame.n, frame.t))
+    return all(scene.model.sign(scene.model.in_data(each)) for each in parts)
 
 
 def angle_of_the_line(scene: Scene, frame: Frame) -> Expression | None:

@@ -27,9 +27,10 @@ def by_change_along(scene: Scene, body: str, stage: int, frame: Frame) -> Formul
         return None
     if not all(each.is_number for each in frame.n):
         return None
-    beside = (frame.component("across", each, stage) for each in scene.spheres(stage))
-    if any(scene.desk.known(each) is not None for each in beside):
-        return None
+    for each in scene.spheres(stage):
+        beside = scene.desk.known(frame.component("across", each, stage))
+        if beside is not None and (each == body or beside.value != 0):
+            return None
     if _across_is_wanted(scene, body, stage, frame):
         return None
     early = vector_before(scene, body, stage)

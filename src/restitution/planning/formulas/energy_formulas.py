@@ -51,6 +51,8 @@ from restitution.planning.writing.scene import Scene
 from restitution.problem import Arrival
 from restitution.vector import Vector
 
+_PAIR = 2
+
 
 def half(mass: Expression, squares: Expression) -> Expression:
     """Half of a mass times squares of speeds, in this order: ½ × 2(3² − 1²)."""
@@ -283,13 +285,68 @@ def _lost_by_energies(
     return None
 
 
+def _write_energies_after(scene: Scene, event: int) -> None:
+    """Writes the kinetic energies after an impact before what is lost, where all are asked anyway.
+
+    With them that of all spheres, where it is asked too: it is their sum.
+    """
+    bodies = scene.spheres(event)
+    own = [Quantity("energy", (Name(body),), event) for body in bodies]
+    if event not in scene.model.frames or len(own) < _PAIR or not scene.asked.issuperset(own):
+        return
+    whole = Quantity("energy", (), event)
+    if whole in scene.asked and len(own) == len(scene.model.story.spheres):
+        own.append(whole)
+    for each in own:
+        if scene.desk.known(each) is None:
+            formula = energy_formula(scene, each)
+            if scene.unknown(formula.value):
+                return
+            write_formula(scene, formula)
+
+
+def _lost_by_energies_after(
+    scene: Scene, quantity: Quantity, event: int, bodies: tuple[str, ...]
+) -> Formula | None:
+    """What an impact takes of two spheres, of their energies after it that are lines.
+
+    The energy before it is a line, or is made of the speeds. None where one after it is no line.
+    """
+    late = [_known_energy(scene, event, body) for body in bodies]
+    kept = [each for each in late if each is not None]
+    if len(bodies) < _PAIR or len(kept) < len(bodies):
+        return None
+    first = (
+        _known_energy(scene, event - 1) if len(bodies) == len(scene.model.story.spheres) else None
+    )
+    if first is None:
+        formulas = [
+            energy_formula(scene, Quantity("energy", (Name(body),), event - 1)) for body in bodies
+        ]
+        before = total(each.right for each in formulas)
+        value = sum(each.value for each in formulas)
+        refs = together(*(each.refs for each in formulas))
+    else:
+        before, value, refs = tree_of(first.value), first.value, first.refs
+    right = difference(before, total(tree_of(each.value) for each in kept))
+    value = tidy(expanded(value - sum(each.value for each in kept)))
+    move = Move("define", "energy-lost", event, bodies)
+    pool = together(refs, *(each.refs for each in kept))
+    own = Formula(move, itself, quantity, right, value, pool)
+    return own if not scene.unknown(value) and _follows(scene, own) else None
+
+
 def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     """Components across the line do not change, so that they cancel."""
     event = quantity.stage
     assert isinstance(event, int)
-    known = _lost_by_energies(
-        scene, quantity, (event - 1, event), tuple(scene.spheres(event))
-    ) or _lost_by_changes(scene, quantity, event)
+    _write_energies_after(scene, event)
+    bodies = tuple(scene.spheres(event))
+    known = (
+        _lost_by_energies(scene, quantity, (event - 1, event), bodies)
+        or _lost_by_energies_after(scene, quantity, event, bodies)
+        or _lost_by_changes(scene, quantity, event)
+    )
     if known is not None:
         return known
     by_speeds = _lost_by_speeds(scene, quantity, event, _given_speed)

@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Quantity,
+    walk,
 )
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import in_direction
@@ -52,18 +53,30 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
 def body_of_impulse(scene: Scene, event: int) -> str:
     """The body by whose change of momentum the size of an impulse is written.
 
-    It is that with the fewest unknowns: its mass, its velocity before, its velocity after.
+    It is that with the fewest unknowns: its mass, its velocity before, its velocity after; of
+    several one that was at rest, and else that of the shortest numbers.
     """
     frame = scene.frame(event)
     spheres = scene.spheres(event)
     best = min(_unknowns(scene, sphere, event) for sphere in spheres)
     fewest = [sphere for sphere in spheres if _unknowns(scene, sphere, event) == best]
-    body = fewest[0]
-    for sphere in fewest[1:]:
-        if in_direction(scene, "along", sphere, event - 1, frame).value == 0:
-            body = sphere
+    at_rest = [
+        sphere
+        for sphere in fewest
+        if in_direction(scene, "along", sphere, event - 1, frame).value == 0
+    ]
     closed = [sphere for sphere in fewest if not _is_open(scene, sphere, event)]
+    if len(closed) == len(fewest) and not at_rest:
+        return min(fewest, key=lambda sphere: _length_of_change(scene, sphere, event))
+    body = (at_rest or fewest)[-1 if at_rest else 0]
     return closed[0] if closed and body not in closed else body
+
+
+def _length_of_change(scene: Scene, sphere: str, event: int) -> int:
+    """How much there is to read in the mass of a sphere and its components along the line."""
+    frame = scene.frame(event)
+    ends = (in_direction(scene, "along", sphere, k, frame).value for k in (event - 1, event))
+    return sum(len(walk(tree_of(tidy(x)))) for x in (*ends, scene.mass(sphere).value))
 
 
 def _unknowns(scene: Scene, sphere: str, event: int) -> tuple[bool, int]:

@@ -492,15 +492,12 @@ def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
             return Source(own.x, together(vector.refs, refs)), Source(
                 own.y, together(vector.refs, refs)
             )
-        along, across = parts(scene, body, stage, frame)
         whole = (
-            Source(
-                Vector(*map(tidy, frame.n * along.value)),
-                together(along.refs, across.refs, frame.unit_free),
-            )
-            if across.value == 0
-            else velocity_source(scene, body, stage)
+            None
+            if _comes_by_its_change(scene, body, stage, frame)
+            else _along_a_line(scene, body, stage, frame)
         )
+        whole = whole or velocity_source(scene, body, stage)
         return Source(whole.value.x, whole.refs), Source(whole.value.y, whole.refs)
     along, across = parts(scene, body, stage, frame)
     first, second = (along, across) if frame.n.x != 0 else (across, along)
@@ -516,6 +513,23 @@ def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
         for sign, each in zip(signs, (first, second), strict=True)
     )
     return x, y
+
+
+def _comes_by_its_change(scene: Scene, body: str, stage: int, frame: Frame) -> bool:
+    """Whether a velocity comes of its change along a slanting line, without the other component."""
+    across = scene.model.in_data(scene.velocity(body, stage).dot(frame.t))
+    if not scene.model.sign(across):
+        return False
+    return by_change_along(scene, body, stage, frame) is not None
+
+
+def _along_a_line(scene: Scene, body: str, stage: int, frame: Frame) -> Source | None:
+    """The velocity of who moves along a slanting line, as a multiple of its unit vector."""
+    along, across = parts(scene, body, stage, frame)
+    if across.value != 0:
+        return None
+    whole = Vector(*map(tidy, frame.n * along.value))
+    return Source(whole, together(along.refs, across.refs, frame.unit_free))
 
 
 def velocity_source(scene: Scene, body: str, stage: int) -> Source:

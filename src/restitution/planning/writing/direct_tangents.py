@@ -72,37 +72,43 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         case _:
             return None
     parts = list(components_put_in(derivation, line))
-    if len(parts) != 2 or letters(value):
+    if len(parts) != 2 or (letters(value) and not any(map(_has_root, parts))):
         return None
     plain: Expression = quotient
     for part in parts:
         plain = rebuilt(plain, lambda each, part=part: without_value(each, part))  # type: ignore[misc]
     names = {name for part in parts for name in _angles(part.plain)}
-    if plain == quotient or len(names) != 1 or letters(plain) & letters(value):
+    if plain == quotient or len(names) != 1 or names & letters(value):
         return None
     (name,) = names
     short = _multiple_of_tangent(plain, name)
     if short is None:
         return None
-    known = _tangent_line(derivation, name, parts)
-    if known is None:
-        return None
+    fact = _tangent_given(derivation, name, parts)
+    known = None if fact is not None else _tangent_line(derivation, name, parts)
     numbers: dict[Ref, Ref] = {part.number: part.line.number for part in parts}
     free = max(each.number for each in derivation.lines) + 1
-    stands = 0 < known.number < line.number
-    known = known if known.number else replace(known, number=free + 1)
+    stands = known is None or 0 < known.number < line.number
+    if known is not None and not known.number:
+        known = replace(known, number=free + 1)
     own = replace(
         line,
         number=free,
         relation=chain(left, (plain, None), (short, "rearrange")),
         premises=citing(line.premises, numbers),
     )
+    tangent = fact if known is None else known.number
+    if tangent is None:
+        return None
     put = replace(
         line,
         move=Move("put"),
         relation=chain(left, (value, None)),
-        premises=(own.number, known.number),
+        premises=(own.number, tangent),
     )
+    sources = [each for part in parts for each in part.ratios] if known is None else [known]
+    ranges = [ref for each in sources for ref in each.premises if ref != fact]
+    ranges = [ref for ref in ranges if isinstance(ref, str)]
     lines: list[Line] = []
     here = derivation.asked.get(line.item or "")
     for each in derivation.lines:
@@ -110,11 +116,10 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         premises = citing(each.premises, numbers) if at_home else each.premises
         if premises != each.premises and each.move.id == "inverse":
             # The sign of a component in letters is that of a ratio of the angle.
-            ranges = [ref for ref in known.premises if isinstance(ref, str)]
             premises = tuple(dict.fromkeys((*premises, *ranges)))
         if each.number == line.number:
-            lines += [own, put] if stands else [own, known, put]
-        elif each.number == known.number and not stands:
+            lines += [own, put] if known is None or stands else [own, known, put]
+        elif known is not None and each.number == known.number and not stands:
             continue
         elif each.number in numbers:
             shorter = next(part.line for part in parts if part.number == each.number)
@@ -125,7 +130,8 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         once_needed(lines, derivation, part)
     whole = replace(derivation, lines=tuple(lines))
     read = reader_of(whole, oracle)
-    touched = {own.number, known.number, put.number, *numbers.values()}
+    touched: set[Ref] = {own.number, put.number, *numbers.values()}
+    touched |= set() if known is None else {known.number}
     touched |= {each.number for each in _users(derivation, {part.number for part in parts})}
     return whole if all(read.accepts(read.lines[n]) for n in touched) else None  # type: ignore[index]
 
@@ -197,6 +203,16 @@ def without_value(tree: Expression, part: PutIn) -> Expression:
     return tree
 
 
+def _has_root(part: PutIn) -> bool:
+    """Whether a ratio that was put into a component is a root."""
+    sides = (
+        each.relation.only[-1].right for each in part.ratios if isinstance(each.relation, Relation)
+    )
+    return any(
+        isinstance(node, Apply) and node.function == "sqrt" for each in sides for node in walk(each)
+    )
+
+
 def _angles(tree: Expression) -> set[str]:
     """The letters of which sines and cosines stand in a tree."""
     return {
@@ -208,7 +224,7 @@ def _angles(tree: Expression) -> set[str]:
 
 
 def _multiple_of_tangent(quotient: Expression, name: str) -> Expression | None:
-    """A quotient as a number times the tangent of an angle, or over it; None where it is none."""
+    """A quotient as a multiple of the tangent of an angle, or over it; None where it is none."""
     if has_quantity(quotient):
         return None
     value, angle = in_letters(quotient), sp.Symbol(name)
@@ -216,8 +232,19 @@ def _multiple_of_tangent(quotient: Expression, name: str) -> Expression | None:
         factor = sp.cancel(sp.together(value * sp.cos(angle) / sp.sin(angle)))
         if ratio != sp.tan(angle):
             factor = sp.cancel(sp.together(value * sp.sin(angle) / sp.cos(angle)))
-        if factor.is_number:
+        if angle not in factor.free_symbols:
             return tree_of(tidy(factor * ratio))
+    return None
+
+
+def _tangent_given(derivation: Derivation, name: str, parts: list[PutIn]) -> Ref | None:
+    """The fact that gives the tangent of an angle, where ratios of it with roots come of that."""
+    cited = {ref for part in parts for each in part.ratios for ref in each.premises}
+    for fact in derivation.facts:
+        match fact.relation:
+            case Relation(((Link(Apply("tan", Letter(own)), "=", right),),)) if own == name:
+                if fact.id in cited and not letters(right) and any(map(_has_root, parts)):
+                    return fact.id
     return None
 
 
