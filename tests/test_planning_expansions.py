@@ -63,6 +63,23 @@ show A and B collide again
 """
 
 
+TURNED_BACK_AT_A_WALL = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given deflection(P) = 90°
+show tan^2(alpha) = 1/e
+show energy_lost/energy(0) = 1 - e
+"""
+SQUARE_OF_A_SPEED = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+given deflection(A) = 90°
+find speed(A)^2 in terms of u, e
+"""
+
+
 @cache
 def working(text: str) -> str:
     """A printed working, every line of which the follower accepts, with single spaces."""
@@ -81,6 +98,8 @@ def working(text: str) -> str:
         (TWO_AT_RIGHT_ANGLES, "= 3mu²(cos²θ + 2 sin θ cos θ + sin²θ)/16"),
         (BACK_FROM_A_WALL, "v > 0, as e ≤ 1 (4)"),
         (BACK_FROM_A_WALL, "component of 𝐯_B along 𝐢 ≤ 0, as e ≥ 0 and f ≥ 0 (5)"),
+        (TURNED_BACK_AT_A_WALL, "= (u²/(1 + e) − e²u²/(1 + e))/u² = 1 − e (as required)"),
+        (SQUARE_OF_A_SPEED, "= (1 − 3e)²u²/(12(1 + e)) + (3e − 1)u²/(3(1 + e)) = (3e − 1)u²/4"),
         (SHARES_WITH_ROOTS, "= 2(103 + 10√3)/(3(361 − 20√3)) ≈ 0.246"),
     ],
 )

@@ -29,7 +29,7 @@ from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turning import angle_line
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.squared_ratios import write_by_squares
-from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.energy_formulas import energy_change
 from restitution.planning.formulas.fractions_lost import fraction_lost
 from restitution.planning.formulas.named_angles import letter_of
@@ -70,8 +70,10 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         inside = scene.value(asked.argument)
         if isinstance(inside, Vector):
             return _write_size(scene, asked, inside)
-    own = energy_change(scene, asked) or fraction_lost(scene, asked)
-    own = own or squared_speed(scene, asked)
+    squares = write_by_squares(scene, asked, formula_of_squares)
+    if squares is not None:
+        return squares, scene.desk.last_link(squares).right
+    own = formula_of_squares(scene, asked)
     if own is not None:
         return write_formula(scene, own), tree_of(own.value)
     values: dict[Expression, Expression] = {}
@@ -127,6 +129,14 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
             raise NotPlannedError("an expression of sines and cosines")
         return last, final
     return scene.desk.write(Move("put"), premises, whole), final
+
+
+def formula_of_squares(scene: Scene, asked: Expression) -> Formula | None:
+    """What an energy, its change, a fraction of it or the square of a speed is by definition."""
+    if isinstance(asked, Quantity):
+        return formula(scene, asked)
+    own = energy_change(scene, asked) or fraction_lost(scene, asked)
+    return own or squared_speed(scene, asked)
 
 
 def _in_order(asked: Expression) -> list[Expression]:
@@ -275,7 +285,7 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
         number, value = journeys.write(scene, node)
         return Source(value, (number,))
     if isinstance(node, Quantity):
-        if write_by_squares(scene, node, formula) is not None:
+        if write_by_squares(scene, node, formula_of_squares) is not None:
             return scene.desk.known(node)
         if write_loss_by_products(scene, node) is not None:
             return scene.desk.known(node)

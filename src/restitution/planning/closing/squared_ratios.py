@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import sympy as sp
 
@@ -33,20 +34,29 @@ from restitution.planning.writing.premises import background, not_negative
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Find, Show, trees_of_step
 
-_KINDS = ("speed", "energy", "energy_lost")
+# The quantities that are sums of squares of components.
+KINDS = ("speed", "energy", "energy_lost")
 
 
 def write_by_squares(
-    scene: Scene, quantity: Quantity, formula: Callable[[Scene, Quantity], Formula]
+    scene: Scene,
+    asked: Expression,
+    formula: Callable[[Scene, Any], Formula | None],
+    printed: Expression | None = None,
 ) -> int | None:
-    """The line of a quantity by squares of ratios of an angle; None where that is no gain."""
-    if quantity.kind not in _KINDS or scene.desk.known(quantity) is not None or scene.others:
+    """The line of a quantity by squares of ratios of an angle; None where that is no gain.
+
+    What is asked may be the square of a speed, or a fraction of energies; ``printed`` is the form
+    that a claim has for it.
+    """
+    kinds = {node.kind for node in walk(asked) if isinstance(node, Quantity)}
+    if not kinds <= {*KINDS} or scene.desk.known(asked) is not None or scene.others:
         return None
-    if not _is_last(scene, quantity):
+    if not _is_last(scene):
         return None
     for symbol in angles_by_squares(scene):
         mark = scene.desk.mark()
-        line = _write(scene, quantity, symbol, formula)
+        line = _write(scene, asked, symbol, formula, printed)
         if line is not None:
             return line
         scene.desk.back(mark)
@@ -65,18 +75,21 @@ def keeping(scene: Scene, symbol: sp.Symbol) -> Iterator[None]:
 
 def _write(
     scene: Scene,
-    quantity: Quantity,
+    asked: Expression,
     symbol: sp.Symbol,
-    formula: Callable[[Scene, Quantity], Formula],
+    formula: Callable[[Scene, Any], Formula | None],
+    printed: Expression | None,
 ) -> int | None:
     """The line in which the squares of one angle are put in; None where something is left of it."""
     try:
         with keeping(scene, symbol):
-            own = formula(scene, quantity)
+            own = formula(scene, asked)
     except NotPlannedError:
         return None
-    right = swept(own.right)
-    if own.left != quantity or symbol not in scene.scalar(right).free_symbols:
+    right = None if own is None else swept(own.right)
+    if own is None or right is None or own.left != asked:
+        return None
+    if symbol not in scene.scalar(right).free_symbols:
         return None
     put = squares_put(scene, right, symbol)
     if put is None:
@@ -84,7 +97,7 @@ def _write(
     value = tidy(scene.scalar(put))
     line = squares_line(scene, symbol)
     first = chain(own.left, (right, None))
-    last = chain(own.left, (put, None), (tree_of(value), "rearrange"))
+    last = chain(own.left, (put, None), (printed or tree_of(value), "rearrange"))
     names = {each.name for each in value.free_symbols}
     known = together(not_negative(scene, value), background(scene, names))
     premises = scene.judge.enough(own.move, own.refs, first, known)
@@ -95,11 +108,11 @@ def _write(
     if refs is None:
         return None
     number = scene.desk.write(Move("put"), refs, last)
-    scene.desk.know(quantity, value, (number,))
+    scene.desk.know(asked, value, (number,))
     return number
 
 
-def _is_last(scene: Scene, quantity: Quantity) -> bool:
+def _is_last(scene: Scene) -> bool:
     """Whether nothing that is asked needs a component itself: no vector, and no other body."""
     asked = {
         node
@@ -111,7 +124,7 @@ def _is_last(scene: Scene, quantity: Quantity) -> bool:
     }
     speeds = {each for each in asked if each.kind == "speed" and each.stage}
     return (
-        all(each.kind in _KINDS for each in asked)
+        all(each.kind in KINDS for each in asked)
         and len(speeds) <= 1
         and all(each.stage == scene.events for each in speeds)
     )

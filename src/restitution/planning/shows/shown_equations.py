@@ -35,7 +35,7 @@ from restitution.planning.formulas.velocity_formulas import body_and_stage, fram
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.journeys import journeys
-from restitution.planning.shows.shown_ratios import ratio_by_a_tangent
+from restitution.planning.shows.shown_ratios import ratio_by_a_tangent, shown_by_squares
 from restitution.planning.shows.shown_speeds import speed_by_a_tie
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
@@ -108,6 +108,10 @@ class Equation:
                 return line
         quantities = list(dict.fromkeys(quantities_in(left, right)))
         subjects = [quantity for quantity in quantities if quantity in set(walk(left))]
+        if subjects == quantities:
+            line = shown_by_squares(self.claims.worths, self.link, quantities)
+            if line is not None:
+                return line
         if len(quantities) == 1 and len(subjects) == 1:
             line = self._of_one(quantities[0]) or self._ratio_as_asked(quantities[0])
             line = line or speed_by_a_tie(self.claims, self.link)

@@ -1,4 +1,4 @@
-"""A ratio that is to be shown with an angle of the motion: the tangent of that is put in."""
+"""A ratio that is to be shown with an angle: its tangent is put in, or its squares are."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
+from restitution.planning.angles.expressions import formula_of_squares
+from restitution.planning.closing.squared_ratios import KINDS, write_by_squares
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import product, square, total, tree_of
 from restitution.planning.writing.polynomials import cancelled, expanded
@@ -67,3 +69,20 @@ def _is_tangent(tree: Expression) -> bool:
 
 
 __all__ = ["ratio_by_a_tangent"]
+
+
+def shown_by_squares(worths: Worths, link: Link, quantities: Sequence[Quantity]) -> int | None:
+    """An energy, or a speed, by the squares of the ratios of an angle; None of another equation."""
+    unknowns = worths.scene.model.unknowns.roles
+    open_ = {
+        unknowns[symbol.name].kind for symbol in worths.scene.model.final if symbol.name in unknowns
+    }
+    if "angle" not in open_ or any(each.kind not in KINDS for each in quantities):
+        return None
+    mark = worths.mark()
+    for quantity in quantities:
+        worths.determine_angle(quantity)
+    line = write_by_squares(worths.scene, link.left, formula_of_squares, link.right)
+    if line is None:
+        worths.back(mark)
+    return line

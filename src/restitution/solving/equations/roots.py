@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import permutations
 
 import sympy as sp
 
@@ -20,6 +21,9 @@ from restitution.solving.equations.stages import fixed_besides, solve_in_stages
 from restitution.solving.story import missing
 from restitution.solving.story.conditions import AnyOf, Condition
 from restitution.solving.story.unknowns import SYMBOLIC, Letters
+
+# The letters of which a fact mostly ties one to another.
+_TIED = ("angle", "restitution")
 
 
 @dataclass(frozen=True)
@@ -287,11 +291,16 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
         for name in letters(tree)
     }
     terms = _wanted_in_answers(setting)
+    stated = _stated_of_quantities(setting)
+    if not any(setting.roles[name].kind in _TIED for name in candidates - stated):
+        stated = set()
 
     def priority(name: str) -> tuple[int, str]:
         role = setting.roles[name]
         if name in shown:
             return 0, name
+        if name in stated:
+            return 8, name
         if name == "e" and left_out:
             return 1, name
         if name in equated:
@@ -328,6 +337,21 @@ def _wanted_in_answers(setting: Setting) -> set[str]:
         for tree in step.relation.operands
         if not isinstance(tree, Letter) and not has_quantity(tree)
         for name in letters(tree)
+    }
+
+
+def _stated_of_quantities(setting: Setting) -> set[str]:
+    """The letters in which claims say what a quantity is: e in ``energy_lost = 1/2 m u^2 (1 - e)``.
+
+    So a fact that ties such a letter to another is taken to fix the other one.
+    """
+    return {
+        name
+        for step in setting.shows
+        if isinstance(step.relation, Compare) and step.relation.operators == ("=",)
+        for own, other in permutations(step.relation.operands, 2)
+        if has_quantity(own) and not has_quantity(other)
+        for name in letters(other)
     }
 
 
