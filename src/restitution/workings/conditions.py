@@ -18,7 +18,15 @@ from restitution.explaining.data.unused import first_lines_of_letters
 from restitution.explaining.lines.derivation import Derivation, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import evaluate, in_letters
-from restitution.expression.tree import Apply, Letter, has_quantity, is_zero, letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Letter,
+    Number,
+    has_quantity,
+    is_zero,
+    letters,
+)
 from restitution.oracle import All, BeyondError, Formula, Oracle, compared
 from restitution.oracle import Relation as Claim
 from restitution.oracle.roles import ACUTE
@@ -63,7 +71,8 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
             for line, answer in pairs:
                 above = {each for each, first in subjects.items() if first <= line}
-                known = Known(subjects.keys(), above, squares)
+                tangents = _squared_tangents(derivation, line)
+                known = Known(subjects.keys(), above, squares, tangents)
                 sentence = _sentence(solution, part, item, answer, known)
                 if sentence is not None:
                     sentences[line] = sentence
@@ -179,12 +188,14 @@ def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[An
 class Known:
     """Of which letters a working says the value: anywhere, and above a condition.
 
-    ``squares`` are those of ratios of angles, between their ends.
+    ``squares`` are those of ratios of angles, between their ends; ``tangents`` are the squares of
+    tangents that lines above give, each with what that comes to.
     """
 
     anywhere: AbstractSet[str]
     above: AbstractSet[str]
     squares: Mapping[str, Layout]
+    tangents: Sequence[tuple[Layout, sp.Expr]] = ()
 
 
 def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
@@ -203,6 +214,40 @@ def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
             sides = (zero, lay.from_sympy(whole), lay.from_sympy(value**2), one)
             squares[name] = lay.Relation(sides, ("<", "=", "<"))
     return squares
+
+
+def _squared_tangents(derivation: Derivation, last: int) -> list[tuple[Layout, sp.Expr]]:
+    """``tan²α`` and what it comes to, of the lines as far as one."""
+    tangents: list[tuple[Layout, sp.Expr]] = []
+    for line in derivation.lines[:last]:
+        match line.relation:
+            case Relation(
+                ((Link(Binary("^", Apply("tan", Letter()), Number()) as left, "=", right),),)
+            ) if not has_quantity(right):
+                tangents.append((lay.from_tree(left), in_letters(right, positive=True)))
+    return tangents
+
+
+def _positive_tangent(
+    solution: Solution, answer: Answer, tangents: Sequence[tuple[Layout, sp.Expr]]
+) -> tuple[Layout, ...]:
+    """``tan²α > 0``, where that is just what a condition says; nothing of another condition."""
+    oracle, letter = Oracle(roles(solution.problem)), sp.Symbol
+    try:
+        conditions = [
+            compared(evaluate(each.left, letter), each.sign, evaluate(each.right, letter))
+            for text in answer.condition
+            for each in relation_of_condition(text).only
+        ]
+    except (RestitutionError, ValueError):
+        return ()
+    for layout, value in tangents:
+        claim = Claim(value, ">")
+        if not conditions or not _follows(oracle.with_facts(conditions), claim):
+            continue
+        if all(_follows(oracle.with_facts([claim]), each) for each in conditions):
+            return (lay.Relation((layout, lay.Number("0")), (">",)),)
+    return ()
 
 
 def _ends_meet(solution: Solution, values: sp.Set) -> bool:
@@ -258,6 +303,7 @@ def _sentence(
     for name, square in known.squares.items():
         acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
         reasons = tuple(square if each == acute else each for each in reasons)
+    reasons = reasons or _positive_tangent(solution, answer, known.tangents)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)

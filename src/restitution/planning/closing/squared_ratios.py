@@ -63,6 +63,13 @@ def write_by_squares(
     return None
 
 
+def kept_for(scene: Scene, asked: Expression) -> Iterator[sp.Symbol]:
+    """The angles whose squared ratios serve what is asked, so that no ratio is put in."""
+    kinds = {node.kind for node in walk(asked) if isinstance(node, Quantity)}
+    if kinds and kinds <= {*KINDS} and _is_last(scene):
+        yield from angles_by_squares(scene)
+
+
 @contextmanager
 def keeping(scene: Scene, symbol: sp.Symbol) -> Iterator[None]:
     """For a while no ratio of an angle is put in."""
@@ -146,8 +153,8 @@ def angles_by_squares(scene: Scene) -> Iterator[sp.Symbol]:
         if role is None or role.kind != "angle" or (scene.final(symbol) / sp.pi).is_Rational:
             continue
         letter = Letter(symbol.name)
-        *others, tangent = (scene.desk.known(Apply(e, letter)) for e in ("sin", "cos", "tan"))
-        if tangent is None or len(tangent.refs) != 1 or not isinstance(tangent.refs[0], int):
+        others = [scene.desk.known(Apply(each, letter)) for each in ("sin", "cos")]
+        if _squared_tangent(scene, letter) is None:
             continue
         if any(_is_used(scene, each) for each in others if each is not None):
             continue
@@ -172,16 +179,30 @@ def _has_root(value: sp.Expr) -> bool:
 
 def _squares(scene: Scene, symbol: sp.Symbol) -> dict[type[sp.Function], sp.Expr]:
     """The squares of the sine and the cosine of an angle, by its tangent."""
-    known = scene.desk.known(Apply("tan", Letter(symbol.name)))
+    known = _squared_tangent(scene, Letter(symbol.name))
     assert known is not None
-    tangent = tidy(scene.put(known.value)[0] ** 2)
+    tangent = tidy(scene.put(known.value)[0])
     return {sp.sin: tidy(tangent / (1 + tangent)), sp.cos: tidy(1 / (1 + tangent))}
+
+
+def _squared_tangent(scene: Scene, angle: Letter) -> Source | None:
+    """The square of the tangent of an angle, by the line of that or of its square."""
+    tangent = Apply("tan", angle)
+    known = scene.desk.known(tangent)
+    if known is not None:
+        plain = len(known.refs) == 1 and isinstance(known.refs[0], int)
+        return Source(known.value**2, known.refs) if plain else None
+    line = _square_above(scene, tangent)
+    if line is None:
+        return None
+    value = scene.scalar(scene.desk.last_link(line).right)
+    return None if scene.unknown(value) else Source(value, (line,))
 
 
 def squares_line(scene: Scene, symbol: sp.Symbol) -> int:
     """``sin²α = 4/5 and cos²α = 1/5``, by the tangent; it is written once."""
     letter = Letter(symbol.name)
-    known = scene.desk.known(Apply("tan", letter))
+    known = _squared_tangent(scene, letter)
     assert known is not None
     links = tuple(
         Link(square(Apply(kind.__name__, letter)), "=", tree_of(value))

@@ -32,7 +32,7 @@ from restitution.planning.axes.by_changes import write_axis, write_wall
 from restitution.planning.axes.momenta import write_by_momentum, write_total_kept
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.ratios import inverse
-from restitution.planning.closing.squared_ratios import write_by_squares
+from restitution.planning.closing.squared_ratios import keeping, kept_for, write_by_squares
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.energy_formulas import speed_by_given_energy, speed_by_its_energy
 from restitution.planning.formulas.impacts import after
@@ -74,7 +74,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     elif placed:
         solver.determine(journeys.goals(scene, asked))
     elif not _by_a_line_above(scene, solver, asked):
-        determine(scene, solver, asked)
+        _determine_by_squares(scene, solver, asked)
         _determine_velocities(scene, solver, asked)
         _determine_what_stands(scene, solver, asked)
     write_related(scene, asked)
@@ -138,6 +138,20 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _of_letters(scene, solver, asked, name)
         case _:
             _expression(scene, asked, name)
+
+
+def _determine_by_squares(scene: Scene, solver: Solver, asked: Expression) -> None:
+    """Everything that is asked, with no ratio of an angle put in where its square will serve."""
+    for symbol in kept_for(scene, asked):
+        standing = solver.mark()
+        try:
+            with keeping(scene, symbol):
+                determine(scene, solver, asked)
+        except NotPlannedError:
+            solver.back(standing)
+        else:
+            return
+    determine(scene, solver, asked)
 
 
 def _determine_what_stands(scene: Scene, solver: Solver, asked: Expression) -> None:
