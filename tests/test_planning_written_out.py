@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from test_planning_closing import planned, said
 
 from restitution.explaining.following.follower import follow
 from restitution.language import parse
@@ -211,3 +212,47 @@ find u in terms of w
 """
     working = to_text(explain(solve(parse(text))))
     assert "v = −⅜ m s⁻¹, as this is given" in working
+
+
+def test_a_denominator_with_a_root_is_made_rational_on_paper() -> None:
+    _, derivation = planned(
+        "sphere A: mass M, velocity 4i - 3j\nsphere B: mass 2, velocity i + 2j\n"
+        "A hits B: along i - j, e = 1/2\ngiven impulse = 6\nfind M"
+    )
+    assert (
+        "M = 2/(2sqrt(2) - 1) = 2(1 + 2sqrt(2))/((2sqrt(2) - 1) (1 + 2sqrt(2)))"
+        " [rearrange] = 2(1 + 2sqrt(2))/7 [rearrange]"
+    ) in said(derivation)
+
+
+def test_a_number_beside_squares_of_ratios_stands_with_the_sum_of_both() -> None:
+    _, derivation = planned(
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/4\n"
+        "given speed(P) = u/2\nfind tan(alpha)"
+    )
+    told = said(derivation)
+    at = told.index("4(sin^2(alpha) + cos^2(alpha)) = sin^2(alpha) + 16cos^2(alpha)")
+    assert told[at - 1] == "4 = sin^2(alpha) + 16cos^2(alpha)"
+    assert told[at + 1] == "sin^2(alpha) = 4cos^2(alpha)"
+
+
+def test_a_cosine_with_a_root_in_a_root_comes_by_its_square() -> None:
+    _, derivation = planned(
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/3\n"
+        "given deflection(P) = 60°\nfind tan(alpha), speed(P)"
+    )
+    told = said(derivation)
+    at = told.index("cos^2(alpha) = 1/(1 + ((sqrt(39) - 2sqrt(3))/3)^2)")
+    assert told[at + 1] == "cos^2(alpha) = (5 + sqrt(13))/16"
+
+
+def test_a_coordinate_of_a_component_that_stays_is_by_the_whole_time() -> None:
+    _, derivation = planned(
+        "wall W: along i, through (0, 0)\nwall X: along i, through (0, d)\n"
+        "sphere P: at (0, 0), velocity u at alpha\nP hits X: e = e\nP hits W: e = e\n"
+        "find time(2) - time(1), position(P)"
+    )
+    told = said(derivation)
+    assert not any(text.startswith("along(position(P, 1), i)") for text in told)
+    (place,) = (text for text in told if text.startswith("along(position(P, 2), i)"))
+    assert "u cos(alpha) (d/(u sin(alpha)) + d/(e u sin(alpha)))" in place

@@ -77,6 +77,7 @@ from restitution.planning.unfinished import (
 from restitution.planning.unreached import write_unreached
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.checking import require_true
+from restitution.planning.writing.conjugates import with_conjugates
 from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.writing.direct_impacts import with_direct_impacts
 from restitution.planning.writing.direct_ratios import with_direct_ratios
@@ -159,7 +160,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
     for shortened in (
         *(with_direct_tangents, with_direct_ratios, with_plain_products, with_wanted_letters),
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
-        *(with_values_first, with_known_directions, with_complements),
+        *(with_values_first, with_known_directions, with_complements, with_conjugates),
     ):
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):

@@ -66,9 +66,9 @@ class Rules:
         self._add(own.y, self.world.reduced(a * unit.y + b * unit.x))
 
     def _add(self, own: Quotient, value: Quotient) -> None:
-        plane = self._of_a_vector(own)
+        plane, later = self._of_a_vector(own), self._later_time(own)
         own, value = self.put_into(own), self.put_into(value)  # type: ignore[assignment]
-        pivot = self._pivot(own, plane)
+        pivot = later if later is not None and _uses(own, later[0]) else self._pivot(own, plane)
         if pivot is None:
             return
         number, power = pivot
@@ -92,16 +92,23 @@ class Rules:
         below = self.world.keys(own.below).values()
         return all(k[0] in ("x", "y", "root") for k in keys) and all(k[0] == "root" for k in below)
 
+    def _later_time(self, own: Quotient) -> tuple[int, int] | None:
+        """The later one of two times of which a difference is told, where it is known by that.
+
+        The earlier one may be known already.
+        """
+        keys = self.world.keys(own.above)
+        if not keys or len(own.above) == 1 or not all(map(_is_time, keys.values())):
+            return None
+        last = max(keys, key=lambda n: keys[n][1].stage)
+        return (last, 1) if {m[last] for m in own.above if m[last]} == {1} else None
+
     def _pivot(self, own: Quotient, plane: bool) -> tuple[int, int] | None:
         keys = self.world.keys(own.above)
         powers = {
             n: {m[n] for m in own.above if m[n]} for n in keys if keys[n][0] not in ("root", "size")
         }
         single = len(own.above) == 1
-        if keys and not single and all(_is_time(key) for key in keys.values()):
-            # Of the time from one event to another the later one is told.
-            last = max(keys, key=lambda n: keys[n][1].stage)
-            return (last, 1) if powers[last] == {1} else None
         if len(keys) == 2 and all(k[0] == "letter" and k[1] in self.apart for k in keys.values()):
             return (max(keys), 1) if all(each == {1} for each in powers.values()) else None
         for n, key in keys.items():

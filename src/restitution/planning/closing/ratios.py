@@ -315,11 +315,39 @@ def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> 
     left = [(m, k) for m, k in terms.items() if scene.model.sign(k) > 0]
     right = [(m, -k) for m, k in terms.items() if scene.model.sign(k) < 0]
     relation = Relation(((Link(_form(left, symbol), "=", _form(right, symbol)),),))
-    own = _identity(scene, line, "pythagoras", relation)
+    between = _with_the_sum_of_squares(scene, line, mixed, symbol)
+    own = None
+    if between is not None:
+        own = scene.judge.write((Move("rearrange"),), (between,), relation)
+    if own is None:
+        own = _identity(scene, line, "pythagoras", relation)
     if own is None:
         return None
     form = sum((k * s ** m[0] * c ** m[1] for m, k in terms.items()), sp.Integer(0))
     return _by_one(scene, own, _over_cosines(form, symbol), sp.tan, symbol)
+
+
+def _with_the_sum_of_squares(
+    scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol
+) -> int | None:
+    """The line ``4(sin²α + cos²α) = sin²α + 16 cos²α``, of a number beside squares of both ratios.
+
+    None of another equation.
+    """
+    terms = dict(mixed.terms())
+    number_ = terms.pop((0, 0), sp.Integer(0))
+    if number_ == 0 or not terms.keys() >= {(2, 0), (0, 2)} or max(map(sum, terms)) > 2:
+        return None
+    sign = scene.model.sign(number_)
+    sides: tuple[list[Expression], list[Expression]] = ([], [])
+    squares = [square(Apply(each, Letter(symbol.name))) for each in ("sin", "cos")]
+    sides[0].append(product(tree_of(sign * number_), total(squares)))
+    for m, k in terms.items():
+        negative = sign * scene.model.sign(k) < 0
+        part = [(m, -sign * k if negative else sign * k)]
+        sides[negative].append(_form(part, symbol))
+    relation = Relation(((Link(total(sides[0]), "=", total(sides[1])),),))
+    return _identity(scene, line, "pythagoras", relation)
 
 
 def _form(terms: list[tuple[tuple[int, int], sp.Expr]], symbol: sp.Symbol) -> Expression:

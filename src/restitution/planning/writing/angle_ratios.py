@@ -10,9 +10,9 @@ import sympy as sp
 from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Fact, Link, Move, Ref, Relation
-from restitution.expression.tree import Apply, Expression, Letter
-from restitution.planning.writing.desk import Desk, NotPlannedError, chain
-from restitution.planning.writing.forms import tree_of
+from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.planning.writing.desk import Desk, NotPlannedError, Source, chain
+from restitution.planning.writing.forms import ONE, square, total, tree_of
 
 
 class Angles(Protocol):
@@ -117,8 +117,22 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != each]
         trees = {own: ratio_of(own, scene.model.final[symbol]) for own in kinds}
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
-        premises = (*known.refs, range_of(scene, symbol.name))
+        refs = known.refs
+        nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
+        if each == "tan" and nested and known.value.is_number:
+            refs = (_square_of_cosine(scene, letter, known),)
+        premises = (*refs, range_of(scene, symbol.name))
         number = scene.desk.write(Move("triangle"), premises, Relation((links,)))
         for own in kinds:
             scene.desk.know(Apply(own, letter), trees[own], (number,))
         return
+
+
+def _square_of_cosine(scene: Angles, letter: Letter, tangent: Source) -> int:
+    """``cos²α = 1/(1 + tan²α)`` with a tangent that has roots put in, and what that comes to."""
+    squared = square(Apply("cos", letter))
+    whole = Binary("/", ONE, total((ONE, square(tree_of(tangent.value)))))
+    premises = (*tangent.refs, range_of(scene, letter.name))
+    first = scene.desk.write(Move("triangle"), premises, chain(squared, (whole, None)))
+    value = tidy(sp.radsimp(1 / sp.expand(1 + tangent.value**2)))
+    return scene.desk.write(Move("rearrange"), (first,), chain(squared, (tree_of(value), None)))

@@ -1,0 +1,76 @@
+"""A quotient with a sum of roots below, of which the denominator is made rational on paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from restitution.exact import tidy
+from restitution.explaining.following.follower import reader_of
+from restitution.explaining.lines.derivation import Derivation, Link, Relation
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Apply, Binary, Expression, letters, walk
+from restitution.oracle import Oracle
+from restitution.planning.writing.forms import product, tree_of
+
+
+def with_conjugates(derivation: Derivation, oracle: Oracle) -> Derivation:
+    """The same working, in which a quotient is multiplied by the conjugate of what is below."""
+    lines = list(derivation.lines)
+    read = None
+    for index, line in enumerate(lines):
+        if not isinstance(line.relation, Relation) or len(line.relation.options) > 1:
+            continue
+        links = tuple(_longer(line.relation.only))
+        if len(links) > len(line.relation.only):
+            own = replace(line, relation=Relation((links,)))
+            read = read or reader_of(derivation, oracle)
+            lines[index] = own if read.accepts(own) else line
+    return replace(derivation, lines=tuple(lines))
+
+
+def _longer(links: tuple[Link, ...]) -> Iterator[Link]:
+    """The links of a chain, with one that multiplies by the conjugate before a rational form."""
+    for link in links:
+        between = _multiplied(link) if link.sign == "=" and link.by in (None, "rearrange") else None
+        if between is None:
+            yield link
+            continue
+        yield replace(link, right=between)
+        yield replace(link, left=between, by="rearrange")
+
+
+def _multiplied(link: Link) -> Expression | None:
+    """A left side above and below times the conjugate of its denominator; the right has no such.
+
+    None where the denominator is no sum of two numbers of which one at least is a root.
+    """
+    match link.left:
+        case Binary("/", above, Binary("+" | "-") as below) if _has_root(below):
+            pass
+        case _:
+            return None
+    if letters(below) or any(_is_over_roots(node) for node in walk(link.right)):
+        return None
+    terms = sp.Add.make_args(sp.expand(in_letters(below)))
+    if len(terms) != 2 or any(abs(term).is_rational is None for term in terms):
+        return None
+    first, second = sorted(terms, key=lambda term: -float(abs(term)))
+    other = abs(first) - abs(second) if first * second > 0 else abs(first) + abs(second)
+    content = sp.gcd_list([abs(term.as_coeff_Mul()[0]) for term in terms])
+    tree = tree_of(tidy(sp.expand(other / content)))
+    return Binary("/", product(above, tree), product(below, tree))
+
+
+def _is_over_roots(node: Expression) -> bool:
+    """Whether a node is a quotient with a root below."""
+    return isinstance(node, Binary) and node.op == "/" and _has_root(node.right)
+
+
+def _has_root(tree: Expression) -> bool:
+    return any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+
+
+__all__ = ["with_conjugates"]
