@@ -255,6 +255,19 @@ def test_an_interval_holds_the_value(function: Any, at: tuple[str, ...]) -> None
         value = Fraction(*map(int, sp.Rational(number).as_numer_denom()))
         assert low - Fraction(1, 10**70) <= value <= high + Fraction(1, 10**70)
         assert high - low < abs(value) / 10**35
+        (near,) = program.balls({"x": Fraction(text)})
+        if near is not None and near[1] == near[1]:  # floats know some functions only
+            middle, error = near
+            assert abs(Fraction(middle) - value) <= Fraction(error) < abs(value) / 10**9
+
+
+def test_what_has_no_value_leaves_the_signs_of_others() -> None:
+    k, u = sp.symbols("k u", real=True)
+    program = Program.of([sp.acos(k), k - sp.Rational(1, 3), sp.tan(k), u * sp.acos(k)])
+    point = {"k": Fraction(1, 2), "u": Fraction(0)}
+    assert program.sure_signs(point) == [None, 1, 1, None]
+    assert program.near_signs(point) == [1, 1, 1, 0]
+    assert program.near_signs({"k": Fraction(2), "u": Fraction(0)}) == [None, 1, -1, None]
 
 
 def _questions(monkeypatch: pytest.MonkeyPatch) -> list[Any]:

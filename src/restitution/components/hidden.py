@@ -12,7 +12,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import POSITIVE, REAL, Role
-from restitution.solving.algebra.numbers import FIELD, at, plain_sign
+from restitution.solving.algebra.numbers import FIELD, at, plain_sign, sign_there
 from restitution.solving.equations.solution import Branch
 from restitution.solving.story.state import Sign
 
@@ -82,6 +82,6 @@ class NamedUnknowns:
         if plain is not None:
             return plain
         try:
-            return at(x, self.sample).sign
+            return sign_there(x, self.sample)
         except (UndefinedError, KeyError, ArithmeticError):
             return None

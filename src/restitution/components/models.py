@@ -43,7 +43,7 @@ from restitution.oracle import (
 )
 from restitution.problem import Part, Problem
 from restitution.shapes import Circle
-from restitution.solving.algebra.numbers import at, number_of
+from restitution.solving.algebra.numbers import at, number_of, sign_there
 from restitution.solving.equations.solution import Branch
 from restitution.solving.story.forward import Story
 from restitution.solving.story.happenings import Happening
@@ -308,7 +308,9 @@ class Model:
     def sign(self, x: Any) -> int:
         """The sign of an expression at the sample (0 where it has no value)."""
         try:
-            return int(self.number(x).sign)
+            x = sp.sympify(x, strict=True)
+            known = self._numbers.get(x)
+            return int(sign_there(x, self.sample) if known is None else known.sign)
         except (UndefinedError, KeyError, ArithmeticError):
             return 0
 
@@ -335,7 +337,7 @@ class Model:
         points = [numbers for _, numbers in self._points(names)]
         for point in (*self.witnesses(one, other), *points):
             with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
-                if at(gap, {**self.sample, **point}).sign:
+                if sign_there(gap, {**self.sample, **point}):
                     return True
         return False
 
@@ -348,7 +350,7 @@ class Model:
                 name: self.sample[name] * (1 + rng.random()) + rng.random() / 16 for name in names
             }
             try:
-                if at(x, point).sign:
+                if sign_there(x, point):
                     return False
             except (UndefinedError, KeyError, ArithmeticError):
                 return False

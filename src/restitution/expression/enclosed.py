@@ -7,6 +7,7 @@ that vanishes has zero between its ends, and so has the root of it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
@@ -21,10 +22,14 @@ from mpmath.libmp import (
     fone,
     from_float,
     from_int,
+    from_man_exp,
     from_rational,
     fzero,
+    mpf_add,
+    mpf_atan,
     mpf_lt,
     mpf_sign,
+    mpf_sub,
     mpi_abs,
     mpi_add,
     mpi_atan,
@@ -37,7 +42,6 @@ from mpmath.libmp import (
     mpi_mul,
     mpi_neg,
     mpi_pow_int,
-    mpi_sqrt,
     mpi_sub,
     round_ceiling,
     round_floor,
@@ -75,7 +79,7 @@ def power_in(precision: int, base: Interval | None, p: int, q: int) -> Interval:
     if mpf_sign(base[0]) < 0:  # what is not known to be negative may be nothing
         base = fzero, base[1]
     if q == 2:
-        return mpi_pow_int(mpi_sqrt(base, precision), p, precision)  # type: ignore[no-any-return]
+        return mpi_pow_int(_roots(base, precision), p, precision)  # type: ignore[no-any-return]
     if mpf_sign(base[0]) <= 0:
         raise UndefinedError
     exponent = fraction_in(precision, Fraction(p, q))
@@ -113,11 +117,11 @@ def function_in(precision: int, operation: str, inner: Sequence[Interval]) -> In
         above = {"tan": sine, "cot": cosine}.get(operation, _ONE)
         return mpi_div(above, below, precision)  # type: ignore[no-any-return]
     if operation == "atan":
-        return mpi_atan(x, precision)  # type: ignore[no-any-return]
+        return _arctangents(x, precision)
     if operation == "acot":
         if holds_zero(x):
             raise UndefinedError
-        return mpi_atan(mpi_div(_ONE, x, precision), precision)  # type: ignore[no-any-return]
+        return _arctangents(mpi_div(_ONE, x, precision), precision)
     if operation in ("acos", "asin"):
         if mpf_lt(x[1], fnone) or mpf_lt(fone, x[0]):
             raise UndefinedError
@@ -126,7 +130,7 @@ def function_in(precision: int, operation: str, inner: Sequence[Interval]) -> In
             raise UndefinedError
         if mpf_sign(other[0]) < 0:
             other = fzero, other[1]
-        other = mpi_sqrt(other, precision)
+        other = _roots(other, precision)
         pair = (other, x) if operation == "acos" else (x, other)
         return mpi_atan2(*pair, precision)  # type: ignore[no-any-return]
     if operation == "atan2":
@@ -150,6 +154,52 @@ def function_in(precision: int, operation: str, inner: Sequence[Interval]) -> In
         else:
             low, high = (a if mpf_lt(a, low) else low), (b if mpf_lt(b, high) else high)
     return low, high
+
+
+def _roots(x: Interval, precision: int) -> Interval:
+    """The square roots of an interval without negative numbers, as ``mpi_sqrt`` has them.
+
+    That takes whole roots in Python, and of either end where there is but one.
+    """
+    low, high = x
+    if low != high:
+        return _root(low, precision)[0], _root(high, precision)[1]
+    return _root(low, precision)
+
+
+def _root(x: Any, precision: int) -> Interval:
+    """A square root between numbers of so many bits."""
+    _, mantissa, exponent, bits = x
+    if not mantissa:
+        return x, x
+    shift = max(4, 2 * precision - bits + 4)
+    shift += (exponent - shift) & 1
+    whole = mantissa << shift
+    root = math.isqrt(whole)
+    exponent = (exponent - shift) // 2
+    low = from_man_exp(root, exponent, precision, round_floor)
+    if root * root != whole:  # a little more, of which only is rounded that it is more
+        root, exponent = 2 * root + 1, exponent - 1
+    return low, from_man_exp(root, exponent, precision, round_ceiling)
+
+
+def _arctangents(x: Interval, precision: int) -> Interval:
+    """The arctangents of an interval, whose ends are no further apart than the tangents."""
+    low, high = x
+    if high in (finf, fninf) or low in (finf, fninf):
+        return mpi_atan(x, precision)  # type: ignore[no-any-return]
+    least = most = fzero
+    if low != fzero:
+        # Ten bits more, so that it need not be rounded well: one of the last place is left on
+        # either side.
+        first = mpf_atan(low, precision + 10, round_floor)
+        _, _, exponent, bits = first
+        last = from_man_exp(1, exponent + bits - precision)
+        least = mpf_sub(first, last, precision, round_floor)
+        most = mpf_add(first, last, precision, round_ceiling)
+    if low != high:
+        most = mpf_add(most, mpf_sub(high, low), precision, round_ceiling)
+    return least, most
 
 
 def sign_of(interval: Interval) -> int | None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
@@ -49,6 +50,7 @@ Ball = tuple[float, float]
 # Twice the unit roundoff: what one operation adds, itself rounded.
 _EPSILON = 2.0**-51
 _TINY = 1e-300
+_NOWHERE = (math.nan, math.nan)  # of what has no value in floats; nor has what is made of it
 # Floats below it are added and multiplied without an error if they are whole and few.
 _WHOLE = 2.0**26
 _EXACT = 2.0**53
@@ -86,20 +88,9 @@ class Program:
         ``balls`` are the letters' values in floats, where they are known already.
         Raises KeyError for a letter without a value.
         """
-        signs: list[int | None] = [None] * len(self.results)
-        try:
-            values = self._balls(self._balls_at(point) if balls is None else balls)
-        except (BeyondError, ArithmeticError, ValueError):
-            pass
-        else:
-            for n, place in enumerate(self.results):
-                middle, error = values[place]
-                if abs(middle) > error:
-                    signs[n] = 1 if middle > 0 else -1
-                elif error == 0:
-                    signs[n] = 0
-            if None not in signs:
-                return signs
+        signs = self.sure_signs(point, balls)
+        if None not in signs:
+            return signs
         if self.rational and all(
             isinstance(point[name], int | float | Fraction) for name in self.letters
         ):
@@ -109,12 +100,13 @@ class Program:
                 return signs
             return [(x > 0) - (x < 0) for x in (numbers[place] for place in self.results)]
         for digits in DIGITS:
+            left = [n for n, sign in enumerate(signs) if sign is None]
             try:
-                intervals = self.enclosures(point, digits)
+                intervals = self.enclosures(point, digits, left)
             except BeyondError:
                 continue
-            for n, interval in enumerate(intervals):
-                if signs[n] is None and interval is not None:
+            for n, interval in zip(left, intervals, strict=True):
+                if interval is not None:
                     signs[n] = sign_of(interval)
             if None not in signs:
                 break
@@ -125,17 +117,40 @@ class Program:
 
         None is for what has no real value. This is for a search; it decides nothing.
         """
+        signs = self.sure_signs(point)
+        left = [n for n, sign in enumerate(signs) if sign is None]
+        if left:
+            for n, interval in zip(left, self.enclosures(point, _SEARCHED, left), strict=True):
+                signs[n] = None if interval is None else sign_of(interval) or 0
+        return signs
+
+    def sure_signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
+        """The signs that floats show for certain; None where they do not.
+
+        ``balls`` are the letters' values in floats, where they are known already.
+        Raises KeyError for a letter without a value.
+        """
+        signs: list[int | None] = [None] * len(self.results)
+        for n, value in enumerate(self.balls(point, balls)):
+            if value is not None:
+                middle, error = value
+                if abs(middle) > error:
+                    signs[n] = 1 if middle > 0 else -1
+                elif error == 0:
+                    signs[n] = 0
+        return signs
+
+    def balls(self, point: Point, letters: Mapping[str, Ball] | None = None) -> list[Ball | None]:
+        """The values in floats, with bounds of the errors; None where floats have none.
+
+        ``letters`` are those of the letters, where they are known already.
+        Raises KeyError for a letter without a value.
+        """
         try:
-            balls = self._balls(self._balls_at(point))
-            middles = [balls[place] for place in self.results]
-            if all(abs(middle) > error for middle, error in middles):
-                return [1 if middle > 0 else -1 for middle, _ in middles]
+            values = self._balls(self._balls_at(point) if letters is None else letters)
         except (BeyondError, ArithmeticError, ValueError):
-            pass
-        return [
-            None if interval is None else sign_of(interval) or 0
-            for interval in self.enclosures(point, _SEARCHED)
-        ]
+            return [None] * len(self.results)
+        return [values[place] for place in self.results]
 
     def _balls_at(self, point: Point) -> dict[str, Ball]:
         return {name: ball(point[name]) for name in self.letters}
@@ -151,6 +166,8 @@ class Program:
                 value = ball(arguments[0])
             elif operation == "pi":
                 value = (math.pi, math.pi * _EPSILON)
+            elif operation == "nothing":
+                value = _NOWHERE
             else:
                 if operation == "power" and arguments[1] == 2:
                     operation = "square"
@@ -179,8 +196,8 @@ class Program:
                             and m.is_integer()
                         ):
                             error = abs(product) * _EPSILON + _TINY
-                    elif (error == 0.0 and middle == 0.0) or (r == 0.0 and m == 0.0):
-                        product = error = 0.0
+                    elif (error == middle == 0.0 and r == r) or (r == m == 0.0 and error == error):
+                        product = error = 0.0  # unless the other has no value at all
                     else:
                         error = (
                             (abs(middle) * r + abs(m) * error + error * r) * (1 + _EPSILON)
@@ -210,14 +227,16 @@ class Program:
                     error = (2 * abs(middle) + error) * error * (1 + 4 * _EPSILON)
                     error += product * _EPSILON + _TINY
                 values[place] = product, error
-            elif operation == "power":
-                values[place] = _ball_power(values[arguments[0]], arguments[1])
-            elif operation == "root":
-                values[place] = _ball_root(values[arguments[0]], arguments[1], arguments[2])
             else:
-                values[place] = _ball_function(
-                    operation, [values[argument] for argument in arguments]
-                )
+                try:
+                    if operation == "power":
+                        values[place] = _ball_power(values[arguments[0]], arguments[1])
+                    elif operation == "root":
+                        values[place] = _ball_root(values[arguments[0]], arguments[1], arguments[2])
+                    else:
+                        values[place] = _ball_function(operation, values[arguments[0]])
+                except (BeyondError, ArithmeticError, ValueError):
+                    values[place] = _NOWHERE
         return values
 
     def _fractions(self, point: Point) -> list[Fraction]:
@@ -237,16 +256,39 @@ class Program:
                 values.append(values[arguments[0]] ** arguments[1])
         return values
 
-    def enclosures(self, point: Point, digits: int) -> list[Interval | None]:
-        """Intervals of so many digits that hold the values; None where there is no value."""
+    def enclosures(
+        self, point: Point, digits: int, wanted: Sequence[int] | None = None
+    ) -> list[Interval | None]:
+        """Intervals of so many digits that hold the values; None where there is no value.
+
+        ``wanted`` are the numbers of some of the expressions; without it, it is all of them.
+        """
         precision = dps_to_prec(digits)
-        values: list[Interval | None] = []
-        for operation, arguments in self.instructions:
-            try:
-                values.append(_enclosed(precision, operation, arguments, values, point))
-            except _NO_VALUE:
-                values.append(None)
-        return [values[place] for place in self.results]
+        values: list[Interval | None] = [None] * len(self.instructions)
+        instructions = self.instructions
+        for place in self._needed(None if wanted is None else tuple(wanted)):
+            operation, arguments = instructions[place]
+            with suppress(*_NO_VALUE):
+                values[place] = _enclosed(precision, operation, arguments, values, point)
+        results = self.results if wanted is None else [self.results[n] for n in wanted]
+        return [values[place] for place in results]
+
+    def _needed(self, wanted: tuple[int, ...] | None) -> Sequence[int]:
+        """The instructions from which some of the expressions have their values, in order."""
+        if wanted is None or len(wanted) == len(self.results):
+            return range(len(self.instructions))
+        if wanted not in self._slices:
+            needed = {self.results[n] for n in wanted}
+            for place in range(len(self.instructions) - 1, -1, -1):
+                operation, arguments = self.instructions[place]
+                if place in needed:
+                    needed.update(_earlier(operation, arguments))
+            self._slices[wanted] = tuple(sorted(needed))
+        return self._slices[wanted]
+
+    @cached_property
+    def _slices(self) -> dict[tuple[int, ...], tuple[int, ...]]:
+        return {}
 
 
 @lru_cache(maxsize=512)
@@ -277,6 +319,13 @@ _FUNCTIONS: dict[type, str] = {
     sp.Max: "max",
     sp.Min: "min",
 }
+
+
+def _earlier(operation: str, arguments: tuple[Any, ...]) -> tuple[int, ...]:
+    """The places of the values that an instruction needs."""
+    if operation in ("number", "letter", "constant"):
+        return ()
+    return arguments[:1] if operation in ("power", "root") else arguments
 
 
 class _Compiler:
@@ -354,6 +403,13 @@ def _ball_of_fraction(value: Fraction) -> Ball:
     return middle, 0.0 if exact else abs(middle) * _EPSILON + _TINY
 
 
+def _ball_product(one: Ball, other: Ball) -> Ball:
+    (middle, error), (m, r) = one, other
+    product = middle * m
+    spread = (abs(middle) * r + abs(m) * error + error * r) * (1 + _EPSILON)
+    return product, spread + abs(product) * _EPSILON + _TINY
+
+
 def _ball_power(base: Ball, n: int) -> Ball:
     middle, error = base
     if n < 0:
@@ -397,10 +453,8 @@ def _ball_root(base: Ball, p: int, q: int) -> Ball:
     return value, (steepest * error + 4 * value * _EPSILON) * (1 + _EPSILON)
 
 
-def _ball_function(operation: str, values: list[Ball]) -> Ball:
-    if operation == "nothing":
-        raise BeyondError
-    middle, error = values[0]
+def _ball_function(operation: str, x: Ball) -> Ball:
+    middle, error = x
     if operation in ("sin", "cos"):
         value = math.sin(middle) if operation == "sin" else math.cos(middle)
         return value, error + 2 * _EPSILON
@@ -408,6 +462,11 @@ def _ball_function(operation: str, values: list[Ball]) -> Ball:
         return abs(middle), error
     if operation == "atan":
         return math.atan(middle), error + 4 * _EPSILON
+    if operation in ("tan", "sec", "cot", "csc"):
+        cosine, sine = (_ball_function(each, x) for each in ("cos", "sin"))
+        below = cosine if operation in ("tan", "sec") else sine
+        above = {"tan": sine, "cot": cosine}.get(operation, (1.0, 0.0))
+        return _ball_product(above, _ball_power(below, -1))
     raise BeyondError
 
 

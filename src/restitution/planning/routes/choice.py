@@ -19,7 +19,7 @@ from restitution.components.models import Model
 from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import UndefinedError
 from restitution.planning.writing.candidates import Candidate
-from restitution.solving.algebra.numbers import at, number_of
+from restitution.solving.algebra.numbers import float_at, number_of
 
 # Numbers in a reduced gradient below this share of its largest are rounding.
 _ROUNDING = 1e-9
@@ -47,10 +47,9 @@ def points(model: Model) -> tuple[Point, ...]:
     other: dict[sp.Symbol, float] = {}
     for each in symbols:
         try:
-            value = at(model.in_data(each), there)
+            other[each] = float_at(model.in_data(each), there)
         except (UndefinedError, KeyError, ArithmeticError):
             return (sample,)
-        other[each] = float(value)
     return sample, other
 
 

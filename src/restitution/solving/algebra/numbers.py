@@ -10,11 +10,13 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
 import sympy as sp
+from mpmath.libmp import to_float
 
 from restitution.expression.enclosed import DIGITS, Enclosed, UndefinedError
 from restitution.expression.evaluate import Numeric
@@ -24,6 +26,8 @@ from restitution.oracle.roles import REAL, Role
 FIELD = Numeric()
 
 Sample = dict[str, Enclosed]
+
+_OF_FLOATS = 40
 
 
 def at(x: Any, values: Mapping[str, Enclosed]) -> Enclosed:
@@ -40,8 +44,33 @@ def at(x: Any, values: Mapping[str, Enclosed]) -> Enclosed:
         return _otherwise(expression, values)
     (interval,) = program.enclosures(values, DIGITS)
     if interval is None:
-        raise UndefinedError(str(expression))
+        # The expression is not named: to print it takes longer than to work it out.
+        raise UndefinedError("no real value")
     return Enclosed(interval)
+
+
+def sign_there(x: Any, values: Mapping[str, Enclosed]) -> int:
+    """The sign of what `at` gives: 0 where it may be zero. Raises what that raises."""
+    expression = x if isinstance(x, sp.Basic) else sp.sympify(x, strict=True)
+    if not expression.is_Symbol:
+        with suppress(BeyondError):
+            (sign,) = Program.of((expression,)).sure_signs(values)
+            if sign is not None:
+                return sign
+    return at(expression, values).sign
+
+
+def float_at(x: Any, values: Mapping[str, Enclosed]) -> float:
+    """The value of an expression as a float. Raises what `at` raises."""
+    expression = x if isinstance(x, sp.Basic) else sp.sympify(x, strict=True)
+    if not expression.is_Symbol:
+        with suppress(BeyondError):
+            (interval,) = Program.of((expression,)).enclosures(values, _OF_FLOATS)
+            if interval is not None:
+                low, high = (to_float(end) for end in interval)
+                if low == high:
+                    return float(low)
+    return float(at(expression, values))
 
 
 def _otherwise(x: sp.Basic, values: Mapping[str, Enclosed]) -> Enclosed:
@@ -135,7 +164,7 @@ def sign_at(x: Any, samples: Iterable[Mapping[str, Enclosed]]) -> int | None:
     common: int | None = None
     for values in samples:
         try:
-            sign = at(x, values).sign
+            sign = sign_there(x, values)
         except UndefinedError:
             continue
         except KeyError:
@@ -159,7 +188,7 @@ def vanishes(x: sp.Expr, roles: Mapping[str, Role], seed: int = 1) -> bool:
     for _ in range(12):
         values = sample(names, roles, rng)
         try:
-            if at(x, values).sign:
+            if sign_there(x, values):
                 return False
         except UndefinedError:
             continue
