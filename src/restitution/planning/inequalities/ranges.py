@@ -30,6 +30,7 @@ from restitution.planning.inequalities.angles_at_ends import (
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.routes.items import determine
 from restitution.planning.routes.order import Solver
+from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
@@ -98,14 +99,15 @@ def _of_a_turn(
     """The range of a deflection by that of the one angle of which it is made that is not given.
 
     ``δ = 120° − arctan(√3/e)`` needs no tangent of a sum. None of another range, and where the
-    tangent is asked too, or stands, or is that of a line of centres and without roots at the ends.
+    tangent is asked too, or stands, or is that of a line of centres with a tangent at the ends that
+    has no root.
     """
     scene = claims.scene
     if not isinstance(asked, Quantity) or asked.kind != "deflection":
         return None
     nodes = {n for link in relation.only for e in (link.left, link.right) for n in walk(e)}
     rooted = any(isinstance(each, Apply) and each.function == "sqrt" for each in nodes)
-    if not (rooted or _is_at_a_slanting_wall(scene, asked)):
+    if not (rooted or _ends_at_a_right_angle(relation) or _is_at_a_slanting_wall(scene, asked)):
         return None
     if Apply("tan", asked) in scene.asked or _has_its_tangent(scene, asked):
         return None
@@ -121,6 +123,13 @@ def _of_a_turn(
                     return line, whole
     claims.worths.back(mark)
     return None
+
+
+def _ends_at_a_right_angle(relation: Relation) -> bool:
+    """Whether an end of a range that is reached is 90°, where there is no tangent."""
+    return any(
+        link.sign in ("<=", ">=") and RIGHT in (link.left, link.right) for link in relation.only
+    )
 
 
 def _is_at_a_slanting_wall(scene: Scene, deflection: Quantity) -> bool:

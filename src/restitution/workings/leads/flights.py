@@ -224,6 +224,7 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
     match line.relation:
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
             not line.move.event
+            and not any(_is_of_a_place(derivation, ref) for ref in line.premises)
         ):
             places = [each for each in ends if isinstance(each, Quantity)]
             if not places:
@@ -235,6 +236,15 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
     if any(_tells_a_displacement(derivation, ref) for ref in line.premises):
         return say("distance.displacements")
     return say("distance.relative" if line.move.event else "distance.coordinates")
+
+
+def _is_of_a_place(derivation: Derivation, ref: Ref) -> bool:
+    """Whether a premise is the line of a coordinate."""
+    own = derivation.line(ref) if isinstance(ref, int) else None
+    match None if own is None else own.relation:
+        case Relation(options=((Link(Quantity("along", (Quantity("position"), _))), *_), *_)):
+            return True
+    return False
 
 
 def _tells_a_displacement(derivation: Derivation, ref: Ref) -> bool:
