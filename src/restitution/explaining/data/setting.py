@@ -50,6 +50,8 @@ class Setting:
     values: Mapping[str, Expression] = field(default_factory=dict)
     either: frozenset[int] = frozenset()
     """The impacts at which a line of centres may be on either side of **i**: they are mirrored."""
+    bounces: tuple[Cited, ...] = ()
+    """Data of velocities and walls, and both laws at walls: they tell the senses of velocities."""
 
     def role(self, name: str) -> Role:
         """What a letter may be: one of the statement, or an angle that a working introduces."""
@@ -97,8 +99,22 @@ class Setting:
         """The tree of a text, such as what a move eliminates."""
         return settled(read_tree(text, self.names), self.events)
 
-    def of_letters(self, names: frozenset[str]) -> Setting:
-        """The same setting, without letters introduced of which nothing is said."""
+    def of_letters(self, names: frozenset[str], *, with_bounces: bool) -> Setting:
+        """The same setting, without letters introduced of which nothing is said.
+
+        The laws at walls are left out too, unless it is ``with_bounces``.
+        """
+        if self.bounces and not with_bounces:
+            return replace(self, bounces=()).of_letters(names, with_bounces=True)
+        names |= {
+            name
+            for each in self.bounces
+            if isinstance(each.relation, Relation)
+            for links in each.relation.options
+            for link in links
+            for side in (link.left, link.right)
+            for name in letters(side)
+        }
         kept = set(names & self.meanings.keys())
         pending = list(kept)
         while pending:
@@ -121,7 +137,12 @@ class Setting:
     def _hash(self) -> int:
         mappings = (self.roles, self.meanings, self.names, self.values)
         return hash(
-            (self.events, self.either, *(tuple(sorted(mapping.items())) for mapping in mappings))
+            (
+                self.events,
+                self.either,
+                self.bounces,
+                *(tuple(sorted(mapping.items())) for mapping in mappings),
+            )
         )
 
     @cached_property

@@ -15,6 +15,7 @@ from restitution.explaining.definitions.energies import (
     velocity_by_its_change,
 )
 from restitution.explaining.definitions.journeys import beside, chords, moving_off, rounds
+from restitution.explaining.definitions.next_walls import next_walls
 from restitution.explaining.definitions.ties import between_directions, tied
 from restitution.explaining.definitions.turnings import turnings
 from restitution.explaining.definitions.wall_angles import by_angles, to_walls
@@ -27,8 +28,14 @@ def nothing(step: Step, event: Event | None) -> Iterable[Link]:
     return ()
 
 
+def angles_made_of_others(step: Step, event: Event | None) -> Iterable[Link]:
+    """Angles between velocities, and angles of one to walls, by others."""
+    yield from turnings(step, event)
+    yield from next_walls(step, event)
+
+
 WORKED_OUT: Mapping[str, Callable[[Step, Event | None], Iterable[Link]]] = {
-    "difference": turnings,
+    "difference": angles_made_of_others,
     "tan": to_walls,
     "speed": by_angles,
     "total": total,

@@ -108,6 +108,9 @@ def by_angles(step: Step, event: Event | None) -> Iterator[Link]:
     """
     if event is None:
         return
+    if event.wall and step.keeps_speeds(event):
+        speeds = (Quantity("speed", (Name(event.bodies[0]),), event.number - n) for n in (0, 1))
+        yield Link(next(speeds), "=", next(speeds))
     axis = Quantity("line_of_centres", (), event.number)
     lines: list[tuple[Expression, str, str]] = [(axis, "along", "across")]
     if event.wall:

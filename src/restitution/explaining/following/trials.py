@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from functools import lru_cache
@@ -120,7 +120,9 @@ class _OpenError(Exception):
 def _as_before(read: Callable[..., bool | None], step: Step, relation: Relation) -> bool:
     """What a reading comes to, as it did before where the same was cited."""
     own = [relation, *(c.relation for c in step.cited), *(k.relation for k in step.known)]
-    setting = step.setting.of_letters(frozenset(name for each in own for name in names_in(each)))
+    names = frozenset(name for each in own for name in names_in(each))
+    with_bounces = step.move.record in _BY_SENSES
+    setting = step.setting.of_letters(names, with_bounces=with_bounces)
     try:
         right = read(setting, step.move, step.cited, step.known, relation)
     except _OpenError as open_:
@@ -181,7 +183,31 @@ def setting_of(
     }
     own = names_of(derivation.events, derivation.facts) if names is None else names
     either = on_either_side(derivation)
-    return Setting(oracle.roles, derivation.events, derivation.meanings, own, values, either)
+    bounces = tuple(_bounces(derivation))
+    return Setting(
+        oracle.roles, derivation.events, derivation.meanings, own, values, either, bounces
+    )
+
+
+def _bounces(derivation: Derivation) -> Iterator[Cited]:
+    """Both laws at walls, as lines have them, with the data of velocities and walls."""
+    walls = {event.number for event in derivation.events if event.wall}
+    lines = [
+        line
+        for line in derivation.lines
+        if line.move.event in walls
+        and line.move.record in ("unchanged", "restitution-wall")
+        and isinstance(line.relation, Relation)
+        and len(line.relation.options) == 1
+    ]
+    for fact in derivation.facts if walls else ():
+        if fact.id.startswith(("axis ", "velocity ", "e ", "wall ")):
+            yield Cited(fact.id, fact.relation)
+    yield from (Cited(line.number, line.relation) for line in lines)
+
+
+# The records of which a line may rest on the sides to which a body leaves walls.
+_BY_SENSES = frozenset({"component", "difference"})
 
 
 def names_of(events: Iterable[Event], facts: Iterable[Fact]) -> dict[str, str]:

@@ -385,6 +385,12 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{body} goes on along {wall}, so it turns through the angle that its path made with "
         "{wall} before:"
     ),
+    "kept.angle": (
+        "{wall} is perfectly elastic, so the path of {body} makes the same angle with it after the "
+        "impact as before:"
+    ),
+    "kept.speed": "{wall} is perfectly elastic, so {body} keeps its speed",
+    "next-wall.angle": "The angle that the path makes with {next}, by the one with {wall}:",
     "turned.straight": "{body} is sent straight back along the line of centres:",
     "turned.from": (
         "{body} turns through the difference of the angles that its velocities make with {axis}:"

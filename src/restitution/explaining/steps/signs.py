@@ -218,10 +218,13 @@ def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotien
         return None
     a, b = line.above, expected.above
     roots = set(world.squares)
-    lead_a, lead_b = _lead(a, roots), _lead(b, roots)
-    if world.reduced(Quotient(a * lead_b - b * lead_a, a.ring.one)).vanishes:
-        above, below = without_common(lead_a * expected.below, lead_b * line.below)
-        return Quotient(above, below)
+    # Of a sum that is a factor of one of them alone, such as 1 + k, every term leads.
+    apart = set(world.keys(a)) ^ set(world.keys(b))
+    for silent in (roots, roots | apart) if apart else (roots,):
+        lead_a, lead_b = _lead(a, silent), _lead(b, silent)
+        if world.reduced(Quotient(a * lead_b - b * lead_a, a.ring.one)).vanishes:
+            above, below = without_common(lead_a * expected.below, lead_b * line.below)
+            return Quotient(above, below)
     return None
 
 
@@ -264,12 +267,12 @@ def _ratio_with(
     return None
 
 
-def _lead(polynomial: PolyElement, roots: set[int]) -> PolyElement:
-    """The terms with the leading powers of all generators but roots."""
-    key = max(tuple(0 if n in roots else p for n, p in enumerate(m)) for m in polynomial)
+def _lead(polynomial: PolyElement, silent: set[int]) -> PolyElement:
+    """The terms with the leading powers of all generators but some."""
+    key = max(tuple(0 if n in silent else p for n, p in enumerate(m)) for m in polynomial)
     terms = {
         m: value
         for m, value in polynomial.items()
-        if tuple(0 if n in roots else p for n, p in enumerate(m)) == key
+        if tuple(0 if n in silent else p for n, p in enumerate(m)) == key
     }
     return polynomial.ring.from_dict(terms)

@@ -188,6 +188,14 @@ class Step(Premises):
                     away or velocity == before
                 ):
                     continue
+                if velocity.stage and not away:
+                    pairs = (along, sine), (across, cosine)
+                    senses = [self.sense_on_paper(velocity, centres, n) for n in (0, 1)]
+                    for (component, size), on_paper in zip(pairs, senses, strict=True):
+                        if on_paper is not None:
+                            yield component, size if on_paper == 1 else Negate(size)
+                    if senses != [None, None]:
+                        continue
                 if self._towards(event, rules):
                     yield along, Negate(sine) if away else sine
                 sense = self._sense_along(Quantity("across", (before, centres)), rules)
@@ -219,6 +227,69 @@ class Step(Premises):
             if oracle.proves(compared(sign * own, ">=", sp.Integer(0))):
                 return sign
         return None
+
+    def sense_on_paper(self, velocity: Quantity, line: Expression, turns: int = 0) -> int | None:
+        """1 or −1 where a velocity is certain to point to that side along a direction.
+
+        So the velocities of the data make it, and the laws at walls as lines have them, whether
+        they are cited or not; the inequalities between letters count that are cited. The direction
+        is that of a line of centres, or a vector, turned to the left so many times.
+        """
+        facts = (each for each in self.cited if isinstance(each.ref, str))
+        cited = (*facts, *self.setting.bounces)
+        paper = self.under(setting=replace(self.setting, bounces=()), cited=cited)
+        whole, direction = paper.moving(velocity), paper.world.pointing(line)
+        if whole is None or not isinstance(direction, Plane):
+            return None
+        for _ in range(turns):
+            direction = Plane(-direction.y, direction.x)
+        value = paper.world.reduced(whole.x * direction.x + whole.y * direction.y)
+        worth = paper.world.expression(value, self.setting.roles)
+        if any(x.name.startswith("q_") for x in worth.free_symbols):
+            return None
+        oracle = Oracle(self.setting.roles, self.given_inequalities)
+        for sign in (1, -1):
+            if oracle.proves(compared(sign * worth, ">=", sp.Integer(0))):
+                return sign
+        return None
+
+    def moving(self, velocity: Quantity) -> Plane | None:
+        """A velocity, with what is cited put in; it is mirrored at a wall with e = 1."""
+        own = self.world.value(velocity)
+        value = self._rules.put_into(own)
+        if value != own and isinstance(value, Plane):
+            return value
+        event = self.setting.event(velocity.stage if isinstance(velocity.stage, int) else None)
+        if event is None or not event.wall or not self.keeps_speeds(event):
+            return None
+        before = settled(replace(velocity, stage=event.number - 1), self.setting.events)
+        assert isinstance(before, Quantity)
+        early = self.moving(before)
+        normal = self.world.direction(Quantity("line_of_centres", (), event.number))
+        if early is None or normal is None:
+            return None
+        dot = early.x * normal.x + early.y * normal.y
+        twice = (dot + dot) / (normal.x * normal.x + normal.y * normal.y)
+        return Plane(early.x - twice * normal.x, early.y - twice * normal.y)
+
+    def keeps_speeds(self, event: Event) -> bool:
+        """Whether a coefficient is cited with which a wall takes no speed from a body."""
+        coefficient = Quantity("restitution", (), event.number)
+        return any(
+            link.left == coefficient and (link.sign, link.right) == ("=", Number(Fraction(1)))
+            for link in self.links
+        )
+
+    @cached_property
+    def given_inequalities(self) -> tuple[Formula, ...]:
+        """The inequalities between letters of the statement that are cited."""
+        return tuple(
+            compared(self._in_roles(link.left), link.sign, self._in_roles(link.right))
+            for link in self._inequalities()
+        )
+
+    def _in_roles(self, tree: Expression) -> sp.Expr:
+        return self.world.expression(self.world.scalar(tree), self.setting.roles)
 
     def _towards(self, event: Event, rules: Rules) -> bool:
         """Whether the direction of an event at a wall is the one into it, as far as is cited."""

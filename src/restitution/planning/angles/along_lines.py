@@ -51,7 +51,9 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
         case _:
             return None
     mark = scene.desk.mark()
-    turns = [_turn(scene, each) for each in (one, other)] if moving else []
+    walls = [each for each in (one, other) if isinstance(each, Name)]
+    slants = any(isinstance(_along(scene, each), Degrees) for each in walls)
+    turns = [_turn(scene, each, slants=slants) for each in (one, other)] if moving else []
     known = [each for each in turns if each is not None]
     angle = _between(scene, *known) if len(known) == len(turns) > 0 else None
     if angle is not None:
@@ -79,17 +81,25 @@ def _is_velocity(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind == "velocity"
 
 
-def _turn(scene: Scene, tree: Expression) -> _Turn | None:
-    """The direction of **i**, **j**, a wall or a velocity along a line of centres, as an angle."""
+def _along(scene: Scene, wall: Name) -> Expression | None:
+    """The direction of a wall as it is given."""
+    fact = scene.facts.get(f"wall {wall.name}")
+    return None if fact is None else fact.relation.only[0].right
+
+
+def _turn(scene: Scene, tree: Expression, *, slants: bool) -> _Turn | None:
+    """The direction of **i**, **j**, a wall or a velocity along a line of centres, as an angle.
+
+    The line of centres is along neither **i** nor **j**, but beside a wall that ``slants``.
+    """
     match tree:
         case Unit(axis):
             return _Turn(RIGHT if axis == "j" else Degrees(Fraction(0)))
-        case Name(wall) if f"wall {wall}" in scene.facts:
-            ref = f"wall {wall}"
-            along = _turn_of_a_wall(scene.facts[ref].relation.only[0].right)
-            return None if along is None else _Turn(along, (ref,), both_ways=True)
+        case Name(wall) if (right := _along(scene, tree)) is not None:
+            along = _turn_of_a_wall(right)
+            return None if along is None else _Turn(along, (f"wall {wall}",), both_ways=True)
         case Quantity("velocity"):
-            return _turn_of_a_velocity(scene, tree)
+            return _turn_of_a_velocity(scene, tree, slants=slants)
     return None
 
 
@@ -102,13 +112,13 @@ def _turn_of_a_wall(right: Expression) -> Expression | None:
     return None
 
 
-def _turn_of_a_velocity(scene: Scene, velocity: Quantity) -> _Turn | None:
+def _turn_of_a_velocity(scene: Scene, velocity: Quantity, *, slants: bool) -> _Turn | None:
     """The direction of a sphere that has no component across the last line of centres."""
     body, stage = body_and_stage(scene, velocity)
     if stage == 0:
         return _turn_at_the_start(scene, body)
     own = scene.model.frames.get(stage)
-    if own is None or own.wall is not None or own.axis is not None:
+    if own is None or own.wall is not None or (own.axis is not None and not slants):
         return None
     frame = scene.frame(stage)
     angle = angle_of_the_line(scene, frame)

@@ -22,8 +22,8 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
-from restitution.planning.angles.wall_turns import angle_of_approach, data_of_approach
 from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.writing.angles import angle_of_approach, data_of_approach
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene

@@ -65,7 +65,7 @@ from restitution.planning.angles.vectors_between import (
     own_size,
     vectors_in_numbers,
 )
-from restitution.planning.angles.wall_turns import angle_of_approach, tangent_at_a_wall
+from restitution.planning.angles.wall_turns import tangent_at_a_wall
 from restitution.planning.closing.cotangents import write_open_angle
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import (
@@ -75,6 +75,7 @@ from restitution.planning.formulas.named_angles import (
     ratio_line,
     tangent_line,
 )
+from restitution.planning.formulas.next_walls import angle_to_a_wall
 from restitution.planning.formulas.standing_vectors import stand_as_vectors
 from restitution.planning.formulas.turns import turns_of, velocities_of
 from restitution.planning.formulas.velocity_formulas import (
@@ -85,7 +86,7 @@ from restitution.planning.formulas.velocity_formulas import (
     velocity_source,
 )
 from restitution.planning.writing.angle_ratios import range_of
-from restitution.planning.writing.angles import angle_to_a_line
+from restitution.planning.writing.angles import angle_of_approach, angle_to_a_line
 from restitution.planning.writing.circles import chord_from
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
@@ -146,7 +147,7 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if line is None:
         line = write_right_angle_of_axes(scene, asked) or angle_at_sight(scene, asked)
     if line is None:
-        line = angle_along_the_centres(scene, asked)
+        line = angle_along_the_centres(scene, asked) or _by_walls(scene, asked)
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
@@ -154,6 +155,16 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         line = own if isinstance(own, int) else _by_inverse(scene, with_letters_put(scene, own))
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
+
+
+def _by_walls(scene: Scene, asked: Quantity) -> int | None:
+    """The line of an angle to a wall by that to the wall before, or by that before it; or None."""
+    match asked:
+        case Quantity("angle", (Quantity("velocity", (Name(body),), int(stage)), Name(wall))):
+            own = angle_to_a_wall(scene, body, stage, wall)
+            lines = () if own is None else (ref for ref in own.refs if isinstance(ref, int))
+            return next(iter(lines), None)
+    return None
 
 
 def _with_values(scene: Scene, asked: Quantity, known: Source) -> int | None:
@@ -419,6 +430,8 @@ def _deflection(
     frame = scene.frame(event)
     if frame.wall and not wanted and isinstance(angle_of_approach(scene, body, frame), Degrees):
         return _by_sum(scene, asked)
+    if frame.wall and not wanted and _are_exact(scene, body, event, frame):
+        return _by_sum(scene, asked)
     if wanted is None and frame.wall and chord_from(scene, body, event) is not None:
         return _by_sum(scene, asked)  # the angles are known before the place is
     square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
@@ -493,6 +506,30 @@ def _deflection(
     own = formula(scene, asked)
     line, letter = tangent_line(scene, asked, own, own.move)
     return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
+
+
+def _are_exact(scene: Scene, body: str, event: int, frame: Frame) -> bool:
+    """Whether the angle to a wall before an impact is told by another one, and both are degrees.
+
+    That before is told by the angle to the wall from which the body comes, or by its line of
+    centres.
+    """
+    last = scene.last_event(body, event - 1)
+    if not last or frame.wall is None:
+        return False
+    late = [in_direction(scene, kind, body, event, frame) for kind in ("along", "across")]
+    if late[0].value == 0 or late[1].value == 0:
+        return False
+    after = sp.sympify(tidy(late[0].value / late[1].value), strict=True)
+    if not after.is_number or not (sp.atan(after) / sp.pi).is_Rational:
+        return False
+    early = Quantity("angle", (Quantity("velocity", (Name(body),), last), Name(frame.wall)))
+    line = angle_along_the_centres(scene, early) or _by_walls(scene, early)
+    if line is None:
+        return False
+    value = scene.scalar(scene.desk.last_link(line).right)
+    scene.desk.know(early, value, (line,))
+    return bool(value.is_number)
 
 
 def _turned_by_a_blow(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio | int:
@@ -577,6 +614,10 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         value = scene.scalar(own.right)
         total_ += value
         terms.append(own.right)
+        if own.left == quantity:
+            names.append(own.right)
+            refs.append(line)
+            continue
         letter, meaning = letter_of(scene, quantity)
         names.append(own.right if isinstance(own.right, Degrees) else Letter(letter))
         refs += [line, meaning]

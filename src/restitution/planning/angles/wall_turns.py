@@ -14,7 +14,6 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Polar,
     Quantity,
     has_quantity,
     letters,
@@ -24,36 +23,11 @@ from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import Term, by_tangents, term_of_data
 from restitution.planning.formulas.named_angles import letter_of, tangent_line
 from restitution.planning.formulas.turns import Form
-from restitution.planning.writing.angles import angle_to_a_line
+from restitution.planning.writing.angles import angle_of_approach, data_of_approach
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
-
-
-def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
-    """The angle to a wall at which a body comes, where the data tell it as a letter or in degrees.
-
-    The velocity may be given by that angle, or by one to a direction of the plane.
-    """
-    fact, wall = scene.facts.get(f"velocity {body}"), scene.facts.get(f"wall {frame.wall}")
-    if fact is None or scene.last_event(body, frame.number - 1):
-        return None
-    angle: Expression | None = None
-    match fact.relation.only[0].right:
-        case Polar(_, size, wall=Name(name)) if name == frame.wall:
-            angle = size
-        case Polar(wall=None) if wall is not None:
-            angle = angle_to_a_line(scene, body, wall.relation.only[0].right)
-    return angle if isinstance(angle, Letter | Degrees) else None
-
-
-def data_of_approach(scene: Scene, body: str, frame: Frame) -> tuple[str, ...]:
-    """The facts that tell the angle at which a body comes to a wall."""
-    velocity = f"velocity {body}"
-    right = scene.facts[velocity].relation.only[0].right
-    by_the_wall = isinstance(right, Polar) and right.wall is not None
-    return (velocity,) if by_the_wall else (velocity, f"wall {frame.wall}")
 
 
 def tangent_at_a_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:

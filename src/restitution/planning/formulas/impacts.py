@@ -32,6 +32,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.assembling import put_together
 from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.next_walls import component_by_angle
 from restitution.planning.formulas.scalar_products import (
     body_of,
     by_scalar_product,
@@ -288,6 +289,9 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
         speed = _whole_speed(scene, body, stage, frame) if tidy(beside) == 0 else None
         if speed is not None:
             return speed
+    by_angle = component_by_angle(scene, kind, body, stage, frame, value)
+    if by_angle is not None:
+        return by_angle
     in_degrees = _are_in_degrees(scene, own, frame) and sum(part.value != 0 for part in put) == 1
     functions = ("cos", "sin") if kind == "along" else ("sin", "cos")
     if in_degrees:

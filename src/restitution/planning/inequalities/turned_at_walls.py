@@ -10,9 +10,9 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity
 from restitution.planning.angles.quantities import formula
-from restitution.planning.angles.wall_turns import angle_of_approach, data_of_approach
 from restitution.planning.formulas.named_angles import tangent_line
 from restitution.planning.inequalities.comparing import Comparing
+from restitution.planning.writing.angles import angle_of_approach, data_of_approach
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import tree_of
 

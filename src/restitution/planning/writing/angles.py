@@ -1,4 +1,4 @@
-"""Angles between a velocity and a line."""
+"""Angles between a velocity and a line, as the data tell them."""
 
 from __future__ import annotations
 
@@ -12,12 +12,14 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Polar,
     Unit,
     walk,
 )
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
 
 STRAIGHT, RIGHT = (Degrees(Fraction(each)) for each in (180, 90))
@@ -64,3 +66,28 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
             plain = form is None or own.is_number or own.is_Symbol
             return tree_of(own, angle=True) if plain else form
     return None
+
+
+def angle_of_approach(scene: Scene, body: str, frame: Frame) -> Letter | Degrees | None:
+    """The angle to a wall at which a body comes, where the data tell it as a letter or in degrees.
+
+    The velocity may be given by that angle, or by one to a direction of the plane.
+    """
+    fact, wall = scene.facts.get(f"velocity {body}"), scene.facts.get(f"wall {frame.wall}")
+    if fact is None or scene.last_event(body, frame.number - 1):
+        return None
+    angle: Expression | None = None
+    match fact.relation.only[0].right:
+        case Polar(_, size, wall=Name(name)) if name == frame.wall:
+            angle = size
+        case Polar(wall=None) if wall is not None:
+            angle = angle_to_a_line(scene, body, wall.relation.only[0].right)
+    return angle if isinstance(angle, Letter | Degrees) else None
+
+
+def data_of_approach(scene: Scene, body: str, frame: Frame) -> tuple[str, ...]:
+    """The facts that tell the angle at which a body comes to a wall."""
+    velocity = f"velocity {body}"
+    right = scene.facts[velocity].relation.only[0].right
+    by_the_wall = isinstance(right, Polar) and right.wall is not None
+    return (velocity,) if by_the_wall else (velocity, f"wall {frame.wall}")

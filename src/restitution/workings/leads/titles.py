@@ -168,6 +168,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         bodies = line.move.bodies or (() if event is None else event.bodies)
         assert isinstance(line.relation, Relation)
         first, last = line.relation.options[0][0], line.relation.options[0][-1]
+        if (kept := self.kept_speed(line, event)) is not None:
+            return kept
         # What is lost in all is lost in the one impact.
         lost = record.id == "total-lost" and not self._naming.several and not self._by_speeds(line)
         name = (RECORDS["energy-lost"] if lost else record).title(event)

@@ -6,6 +6,7 @@ from fractions import Fraction
 
 from restitution.explaining.lines.derivation import (
     FLIPPED,
+    Event,
     Fact,
     Line,
     Link,
@@ -230,6 +231,9 @@ class TurnLeads(LinesAround):
         if same is not None:
             return same
         if event.wall:
+            to_a_wall = self._to_a_wall(first.left, event)
+            if to_a_wall is not None:
+                return to_a_wall
             name = "turned-wall.sum"
             if line.move.record == "difference":
                 straight = first.right == STRAIGHT_ANGLE
@@ -278,6 +282,27 @@ class TurnLeads(LinesAround):
         if turn is not None:
             return say("turned.back-as", body=body, turn=self._naming.layout(turn))
         return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _to_a_wall(self, angle: Expression, event: Event) -> Sentence | None:
+        """How the angle of a path to a wall after an impact is known, by another such angle."""
+        match angle:
+            case Quantity("angle", (Quantity("velocity"), Name(wall))):
+                pass
+            case _:
+                return None
+        body, own = event.bodies
+        if wall == own:
+            return say("kept.angle", body=body, wall=own)
+        return say("next-wall.angle", next=wall, wall=own)
+
+    def kept_speed(self, line: Line, event: Event | None) -> Sentence | None:
+        """That a body keeps its speed at a wall with e = 1; None of another line."""
+        if line.move.record != "speed" or event is None or not event.wall:
+            return None
+        if f"e {event.number}" not in line.premises:
+            return None
+        body, wall = event.bodies
+        return say("kept.speed", body=body, wall=wall)
 
     def _pushed(self, line: Line, axis: Unit) -> Sentence:
         """That a body turns through the difference of its angles to **i** or **j**.

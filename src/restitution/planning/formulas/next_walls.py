@@ -1,0 +1,213 @@
+"""The angle of a path to a wall by that to the wall from which it comes, and components by it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.exact import tidy, tidy_angle
+from restitution.explaining.definitions.next_walls import made_of
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Polar,
+    Quantity,
+    Unit,
+    letters,
+)
+from restitution.planning.formulas.named_angles import letter_known
+from restitution.planning.writing.angles import angle_of_approach, data_of_approach
+from restitution.planning.writing.circles import circle_of
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import negative, product, tree_of
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.scene import Scene
+
+
+def angle_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Source | None:
+    """The angle to a wall of a velocity after a wall, in degrees or in letters; None without one.
+
+    It is one that stands, that of the path before at a wall with e = 1, or is made of the angle to
+    the wall from which the body comes.
+    """
+    frame = scene.model.frames.get(stage)
+    if frame is None or frame.wall is None or circle_of(scene, stage) is not None:
+        return None
+    asked = Quantity("angle", (Quantity("velocity", (Name(body),), stage), Name(wall)))
+    known = _standing(scene, asked)
+    if known is not None:
+        return known if _is_plain(scene, known) else None
+    if wall == frame.wall:
+        return _kept(scene, asked, body, stage)
+    return _by_the_last(scene, asked, body, stage)
+
+
+def _standing(scene: Scene, angle: Quantity) -> Source | None:
+    """What an angle is by a line of it or of its letter, with the line that names it."""
+    known = scene.desk.known(angle)
+    named = letter_known(scene, angle)
+    if named is None:
+        return known
+    by_letter = scene.desk.known(Letter(named[0]))
+    own = by_letter or known
+    return None if own is None else Source(own.value, together(own.refs, (named[1],)))
+
+
+def _is_plain(scene: Scene, angle: Source) -> bool:
+    """Whether an angle is a number of degrees, or made of letters for angles that are given."""
+    value = sp.sympify(angle.value, strict=True)
+    if value.is_number:
+        return bool(sp.sympify(value / sp.pi, strict=True).is_Rational)
+    return value.is_polynomial(*value.free_symbols) and not scene.unknown(value)
+
+
+def _kept(scene: Scene, asked: Quantity, body: str, stage: int) -> Source | None:
+    """The angle after a wall with e = 1: it is that before, which the data tell, or a line."""
+    if scene.coefficient(stage).value != 1:
+        return None
+    frame = scene.frame(stage)
+    last = scene.last_event(body, stage - 1)
+    if last:
+        assert frame.wall is not None
+        own = angle_to_a_wall(scene, body, last, frame.wall)
+        if own is None:
+            return None
+    else:
+        angle = angle_of_approach(scene, body, frame)
+        if angle is None:
+            return None
+        own = Source(scene.scalar(angle), data_of_approach(scene, body, frame))
+    move = Move("define", "difference", stage, (body,))
+    relation = chain(asked, (tree_of(own.value, angle=True), None))
+    refs = scene.judge.needed(move, together(own.refs, scene.coefficient(stage).refs), relation)
+    if refs is None:
+        return None
+    return scene.desk.know(asked, own.value, (scene.desk.write(move, refs, relation),))
+
+
+def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source | None:
+    """The angle to a wall by that to the wall from which a body comes, and their directions."""
+    frame = scene.frame(stage)
+    velocity, wall = asked.arguments
+    assert isinstance(wall, Name)
+    assert frame.wall is not None
+    here, there = (_turn_of(scene, name) for name in (frame.wall, wall.name))
+    if here is None or there is None:
+        return None
+    mark = scene.desk.mark()
+    known = angle_to_a_wall(scene, body, stage, frame.wall)
+    if known is None:
+        return None
+    first = Quantity("angle", (velocity, Name(frame.wall)))
+    walls = (f"wall {frame.wall}", f"wall {wall.name}")
+    letters_in = {name for each in (here, there) for name in letters(each)}
+    pool = together(known.refs, walls, _ranges(scene, letters_in | _names(known)))
+    move = Move("define", "difference", stage, (body,))
+    for sense in (1, -1):
+        for made in made_of(here, there, first, sense):
+            tree = exchanged(made, {first: tree_of(known.value, angle=True)})
+            value = tidy_angle(scene.scalar(tree))
+            if value.is_number and not 0 <= value <= sp.pi / 2:
+                continue
+            final = tree_of(value, angle=True, as_it_is=True)
+            relation = chain(asked, (tree, None), (final, "rearrange"))
+            refs = scene.judge.needed(move, pool, relation, known.refs)
+            if refs is not None:
+                return scene.desk.know(asked, value, (scene.desk.write(move, refs, relation),))
+    scene.desk.back(mark)
+    return None
+
+
+def _names(angle: Source) -> set[str]:
+    return {symbol.name for symbol in sp.sympify(angle.value, strict=True).free_symbols}
+
+
+def _ranges(scene: Scene, names: set[str]) -> list[Ref]:
+    """The inequalities that are given of letters."""
+    return [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
+
+
+def _turn_of(scene: Scene, wall: str) -> Expression | None:
+    """The angle from **i** at which a wall is given, in degrees or as a letter."""
+    fact = scene.facts.get(f"wall {wall}")
+    right = None if fact is None else fact.relation.only[0].right
+    match right:
+        case Unit(axis):
+            return Degrees(Fraction(90 if axis == "j" else 0))
+        case Degrees() | Letter():
+            return right
+    return None
+
+
+def component_by_angle(
+    scene: Scene, kind: str, body: str, stage: int, frame: Frame, value: sp.Expr
+) -> Source | None:
+    """A component before a wall, of a body that comes from another one: u sin 30°, by a line.
+
+    None where its angle to the wall is not exact, or its speed does not stand.
+    """
+    if frame.wall is None or circle_of(scene, frame.number) is not None or value == 0:
+        return None
+    mark = scene.desk.mark()
+    source = _by_angle(scene, kind, body, stage, frame, value)
+    if source is None:
+        scene.desk.back(mark)
+    return source
+
+
+def _by_angle(
+    scene: Scene, kind: str, body: str, stage: int, frame: Frame, value: sp.Expr
+) -> Source | None:
+    assert frame.wall is not None
+    angle = angle_to_a_wall(scene, body, stage, frame.wall)
+    speed = None if angle is None else _speed(scene, body, stage)
+    if speed is None or angle is None:
+        return None
+    function = "sin" if kind == "along" else "cos"
+    ratio = (sp.sin if kind == "along" else sp.cos)(angle.value)
+    size = speed.value * ratio
+    sign = -1 if scene.model.sign(value) < 0 else 1
+    form = product(tree_of(speed.value), Apply(function, tree_of(angle.value, angle=True)))
+    form = form if sign == 1 else negative(form)
+    final = value if angle.value.is_number else sign * size
+    quantity = frame.component(kind, body, stage)
+    move = Move("define", "component", frame.number, (body,))
+    relation = chain(quantity, (form, None), (tree_of(tidy(final)), "rearrange"))
+    pool = together(speed.refs, angle.refs, frame.refs, _ranges(scene, _names(angle)))
+    refs = scene.judge.needed(move, pool, relation, (*speed.refs, *angle.refs))
+    if refs is None:
+        return None
+    return scene.desk.know(quantity, final, (scene.desk.write(move, refs, relation),))
+
+
+def _speed(scene: Scene, body: str, stage: int) -> Source | None:
+    """A speed that stands, or that at a wall with e = 1, which is the one before it."""
+    speed = Quantity("speed", (Name(body),), stage)
+    known = scene.desk.known(speed)
+    if known is not None or scene.coefficient(stage).value != 1:
+        return known
+    last = scene.last_event(body, stage - 1)
+    if last:
+        before = scene.desk.known(Quantity("speed", (Name(body),), last))
+    else:
+        fact = scene.facts.get(f"velocity {body}")
+        right = None if fact is None else fact.relation.only[0].right
+        size = right.size if isinstance(right, Polar) else None
+        before = None if size is None else Source(scene.scalar(size), (f"velocity {body}",))
+    if before is None:
+        return None
+    move = Move("define", "speed", stage, (body,))
+    relation = chain(speed, (tree_of(before.value), None))
+    refs = scene.judge.needed(move, together(before.refs, scene.coefficient(stage).refs), relation)
+    if refs is None:
+        return None
+    return scene.desk.know(speed, before.value, (scene.desk.write(move, refs, relation),))
+
+
+__all__ = ["angle_to_a_wall", "component_by_angle"]
