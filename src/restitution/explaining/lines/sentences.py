@@ -389,7 +389,6 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{wall} is perfectly elastic, so the path of {body} makes the same angle with it after the "
         "impact as before:"
     ),
-    "kept.speed": "{wall} is perfectly elastic, so {body} keeps its speed",
     "next-wall.angle": "The angle that the path makes with {next}, by the one with {wall}:",
     "turned.straight": "{body} is sent straight back along the line of centres:",
     "turned.from": (
@@ -1012,6 +1011,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived-speed.one": "The velocity of {body} has one component only",
     "derived-speed.along": "{body} moves along the line of centres",
     "derived-speed.along-from-rest": "{body} was at rest, so it moves along the line of centres",
+    "derived-speed.kept": "{wall} is perfectly elastic, so {body} keeps its speed",
     "derived-speed.across": "{body} moves perpendicular to the line of centres",
     "derived-speed.by-cos": "Speed of {body} = component ÷ cosine of its angle",
     "derived-speed.by-sin": "Speed of {body} = component ÷ sine of its angle",

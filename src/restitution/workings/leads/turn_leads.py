@@ -302,7 +302,7 @@ class TurnLeads(LinesAround):
         if f"e {event.number}" not in line.premises:
             return None
         body, wall = event.bodies
-        return say("kept.speed", body=body, wall=wall)
+        return say("derived-speed.kept", body=body, wall=wall)
 
     def _pushed(self, line: Line, axis: Unit) -> Sentence:
         """That a body turns through the difference of its angles to **i** or **j**.
