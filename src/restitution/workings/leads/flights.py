@@ -224,7 +224,7 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
     match line.relation:
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
             not line.move.event
-            and not any(_is_of_a_place(derivation, ref) for ref in line.premises)
+            and not _is_a_coordinate(derivation, line)
         ):
             places = [each for each in ends if isinstance(each, Quantity)]
             if not places:
@@ -238,13 +238,23 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
     return say("distance.relative" if line.move.event else "distance.coordinates")
 
 
-def _is_of_a_place(derivation: Derivation, ref: Ref) -> bool:
-    """Whether a premise is the line of a coordinate."""
-    own = derivation.line(ref) if isinstance(ref, int) else None
-    match None if own is None else own.relation:
-        case Relation(options=((Link(Quantity("along", (Quantity("position"), _))), *_), *_)):
-            return True
-    return False
+def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
+    """Whether a distance is a coordinate that a line gives: no time is among its premises."""
+    premises = [derivation.line(each) for each in line.premises if isinstance(each, int)]
+    subjects = [
+        each.relation.options[0][0].left
+        for each in premises
+        if each is not None and isinstance(each.relation, Relation)
+    ]
+    places = [each for each in subjects if isinstance(each, Quantity) and each.kind == "along"]
+    return any(
+        isinstance(e.arguments[0], Quantity) and e.arguments[0].kind == "position" for e in places
+    ) and not any(map(_is_of_time, subjects))
+
+
+def _is_of_time(tree: Expression) -> bool:
+    """Whether a tree is a time, or one less another."""
+    return is_time(tree) or (isinstance(tree, Binary) and is_time(tree.left))
 
 
 def _tells_a_displacement(derivation: Derivation, ref: Ref) -> bool:
