@@ -66,6 +66,16 @@ find e in terms of theta
 """,
         ("β = θ + 30°", "By the formula for the tangent of a sum"),
     ),
+    "at a wall, with the speed given": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given deflection(P) = 60°, speed(P) = u/sqrt(3)
+find alpha
+""",
+        ("P turns through the sum of", "angle between 𝐯_P and W = 60° − α"),
+    ),
     "at a wall, as a difference": (
         """
 wall W: along i

@@ -223,8 +223,7 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
         return level
     match line.relation:
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
-            not line.move.event
-            and not _is_a_coordinate(derivation, line)
+            not line.move.event and not _is_a_coordinate(derivation, line)
         ):
             places = [each for each in ends if isinstance(each, Quantity)]
             if not places:

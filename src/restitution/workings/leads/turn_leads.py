@@ -231,7 +231,7 @@ class TurnLeads(LinesAround):
         if same is not None:
             return same
         if event.wall:
-            to_a_wall = self._to_a_wall(first.left, event)
+            to_a_wall = self._to_a_wall(line, first.left, event)
             if to_a_wall is not None:
                 return to_a_wall
             name = "turned-wall.sum"
@@ -283,8 +283,11 @@ class TurnLeads(LinesAround):
             return say("turned.back-as", body=body, turn=self._naming.layout(turn))
         return say(_TURNED[form], body=body) if form in _TURNED else None
 
-    def _to_a_wall(self, angle: Expression, event: Event) -> Sentence | None:
-        """How the angle of a path to a wall after an impact is known, by another such angle."""
+    def _to_a_wall(self, line: Line, angle: Expression, event: Event) -> Sentence | None:
+        """How the angle of a path to a wall after an impact is known, by another such angle.
+
+        None where it is by the deflection that is given, not by e = 1.
+        """
         match angle:
             case Quantity("angle", (Quantity("velocity"), Name(wall))):
                 pass
@@ -292,7 +295,8 @@ class TurnLeads(LinesAround):
                 return None
         body, own = event.bodies
         if wall == own:
-            return say("kept.angle", body=body, wall=own)
+            kept = f"e {event.number}" in line.premises
+            return say("kept.angle", body=body, wall=own) if kept else None
         return say("next-wall.angle", next=wall, wall=own)
 
     def kept_speed(self, line: Line, event: Event | None) -> Sentence | None:
