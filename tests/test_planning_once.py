@@ -225,3 +225,30 @@ def test_no_sine_with_a_root_is_worked_out_for_a_tangent_of_the_data() -> None:
         derivation
     )
     assert "triangle" not in [line.move.id for line in derivation.lines]
+
+
+BACK = (
+    "wall W: along j, through (d, 0)\nsphere A: mass 2m, at (0, 0), velocity u i\n"
+    "sphere B: mass m, at (0, 0), at rest\nA hits B: along i, e = 1/2\nB hits W: e = {e}\n"
+)
+
+
+@pytest.mark.parametrize("gap", ["", "distance(A, B, 2), "])
+def test_two_that_meet_close_the_gap_between_them(gap: str) -> None:
+    text = BACK.format(e="1/3") + f"find {gap}time(2)\nA hits B: e = 1/2\nfind time(3) - time(2)"
+    _, derivation = planned(text)
+    (time,) = shown(derivation, "time(3) - time(2)")
+    above = "d/2/" if gap else "(d - d/2)/"
+    assert time == f"time(3) - time(2) = {above}(u/2 + u/3) = 3d/(5u) [rearrange]"
+    assert not shown(derivation, "along(position(A, 3)")
+    words = to_text(explain(solve(parse(text))))
+    assert "Time = gap ÷ speed at which it closes" in words
+
+
+def test_no_gap_is_closed_along_one_axis_by_two_that_move_in_two_directions() -> None:
+    _, derivation = planned(
+        "sphere A: mass 1, at (0, 0), velocity 3i\nsphere B: mass 1, at (6, -4), velocity 2j\n"
+        "A hits B: along i, e = 1/2\nfind time(1), position(A, 1)"
+    )
+    lines = [line for line in derivation.lines if line.move.record == "straight-line"]
+    assert all(len(line.move.bodies) == 1 for line in lines)

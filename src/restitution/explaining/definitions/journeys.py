@@ -38,6 +38,7 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
     if step.move.record == "straight-line" and event is not None:
         yield from _journeys(step, event)
         yield from _several_ways(step, event)
+        yield from _gaps_closed(step, event)
     for tree in (*walk(line.left), *walk(line.right)):
         match tree:
             case Quantity("position", _, AtTime()):
@@ -98,6 +99,41 @@ def _several_ways(step: Step, event: Event) -> Iterator[Link]:
                 lengths.append(Binary("*", _along("velocity", body, early, axis), flight))
             ends = (_along("position", body, each, axis) for each in (stages[-1], stages[first]))
             yield Link(Binary("-", *ends), "=", total_of(lengths))
+
+
+def _gaps_closed(step: Step, event: Event) -> Iterator[Link]:
+    """How long two bodies take to close the gap between them, which move along **i**, or **j**.
+
+    It is cited that they meet with no gap left. Their distance is that at an event since which
+    neither has changed how it moves.
+    """
+    bodies = tuple(map(Name, event.bodies))
+    if len(bodies) != 2 or set(step.move.bodies) != set(event.bodies) or event.wall:
+        return
+    ends = [Quantity("position", (body,), event.number) for body in bodies]
+    if not any({link.left, link.right} == set(ends) and link.sign == "=" for link in step.links):
+        return
+    own = (
+        e.number
+        for e in step.setting.events
+        if e.number < event.number and set(event.bodies) & set(e.bodies[:2])
+    )
+    for since in range(max(own, default=0), event.number):
+        paces = [settled(Quantity("velocity", (b,), since), step.setting.events) for b in bodies]
+        closing = step.rules().put_into(step.world.value(Binary("-", *paces)))
+        if not isinstance(closing, Plane) or closing.x.vanishes == closing.y.vanishes:
+            continue
+        axis, pace = ("i", closing.x) if closing.y.vanishes else ("j", closing.y)
+        sign = step.signs.of(pace)
+        if sign not in (1, -1):
+            continue
+        along = [Quantity("along", (each, unit_vector(axis))) for each in paces[::sign]]
+        times = (Quantity("time", (), each) for each in (event.number, since))
+        way = Binary("*", Binary("-", *along), Binary("-", *times))
+        for pair in (bodies, bodies[::-1]):
+            yield Link(Quantity("distance", pair, since), "=", way)
+        behind, ahead = (_along("position", body.name, since, axis) for body in bodies[::sign])
+        yield Link(Binary("-", ahead, behind), "=", way)
 
 
 def _along(kind: str, body: str, stage: int, axis: str) -> Quantity:

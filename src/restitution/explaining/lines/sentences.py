@@ -1180,6 +1180,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Time = distance ÷ speed in that direction, which no impact in between changes"
     ),
     "flight.whole-way": "Time = distance ÷ speed in that direction, which no impact changes",
+    "flight.closing": "Time = gap ÷ speed at which it closes",
     "flight.time": "Time = distance ÷ speed in that direction",
     "flight.time-of": "Time = distance ÷ speed in that direction, for {body}",
     "flight.at-once": "{bodies:and} are at one place at the start",

@@ -39,6 +39,7 @@ from restitution.planning.formulas.whereabouts import (
     velocity,
 )
 from restitution.planning.journeys.aims import striker, write_aim
+from restitution.planning.journeys.closing_gaps import time_of_closing
 from restitution.planning.journeys.encounters import with_the_gap
 from restitution.planning.journeys.flights import (
     begin_of,
@@ -606,6 +607,18 @@ def _leg_to_resting(scene: Scene, number: int, body: str, other: str) -> tuple[i
     return since, flight_by_axis(scene, number, body, (first, last), since, axis, begin, end)
 
 
+def _leg_by_a_gap(
+    scene: Scene, number: int, pair: tuple[str, str], begin: int, axis: Axis
+) -> Source | None:
+    """The time in which a pair that moves along an axis closes the gap between them."""
+    mark = scene.desk.mark()
+    places = {each: coordinate(scene, each, begin, axis) for each in pair}
+    closed = time_of_closing(scene, number, pair, begin, axis, places)
+    if closed is None:
+        scene.desk.back(mark)
+    return closed
+
+
 def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, Source]:
     """The one's coordinate with the time as unknown; the other comes to the same place then.
 
@@ -619,6 +632,10 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
     if begin != number - 1 and set(last.values()) != {begin}:
         begin = first
     begins = begin_of(scene, begin)
+    if begin == max(last.values()):
+        closed = _leg_by_a_gap(scene, number, (body, other), begin, axis)
+        if closed is not None:
+            return begin, closed
     flight = time_since(scene, number, begin)
 
     def there(each: str) -> tuple[Expression, sp.Expr, Source, tuple[Ref, ...]]:

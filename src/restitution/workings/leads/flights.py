@@ -39,6 +39,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     one = naming.movers == 1
     if is_time(left) and is_zero(line.relation.options[0][-1].right):
         return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
+    if len(line.move.bodies) > 1:
+        return say("flight.closing")
     if (ways := _several_ways(derivation, naming, line, left)) is not None:
         return ways
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):

@@ -1,0 +1,72 @@
+"""When two bodies meet, by the gap between them and the speed at which it closes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Move
+from restitution.expression.tree import Binary, Name, Quantity
+from restitution.planning.formulas.whereabouts import standing, start, velocity
+from restitution.planning.journeys.flights import time_since
+from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.forms import difference, negative, swept, total, tree_of
+from restitution.planning.writing.place_trees import Axis
+from restitution.planning.writing.premises import background
+from restitution.planning.writing.scene import Scene
+
+
+def time_of_closing(
+    scene: Scene,
+    number: int,
+    pair: tuple[str, str],
+    begin: int,
+    axis: Axis,
+    places: Mapping[str, Source],
+) -> Source | None:
+    """The time from an event to the impact of a pair that moves along an axis.
+
+    ``places`` are the coordinates of both at that event. None where it does not follow: where they
+    move in two directions, or touch with their centres apart.
+    """
+    beside: Axis = "j" if axis == "i" else "i"
+    paces = {body: velocity(scene, body, begin, axis) for body in pair}
+    closing = tidy(paces[pair[0]].value - paces[pair[1]].value)
+    if scene.unknown(closing) or not scene.model.sign(closing):
+        return None
+    behind, ahead = pair if scene.model.sign(closing) > 0 else pair[::-1]
+    apart = _distance(scene, pair, begin)
+    if apart is None:
+        first, last = places[behind], places[ahead]
+        gap = tidy(last.value - first.value)
+        above = difference(tree_of(last.value), tree_of(first.value))
+        refs = together(first.refs, last.refs)
+    else:
+        gap, above, refs = apart.value, tree_of(apart.value), apart.refs
+    if scene.unknown(gap):
+        return None
+    below = total((tree_of(paces[behind].value), negative(tree_of(paces[ahead].value))))
+    flight = time_since(scene, number, begin)
+    value = tidy(gap / tidy(paces[behind].value - paces[ahead].value))
+    right = swept(Binary("/", above, below))
+    relation = chain(flight, (right, None), (tree_of(value), "rearrange"))
+    pool = together(
+        refs,
+        *(each.refs for each in paces.values()),
+        *(velocity(scene, body, begin, beside).refs for body in pair),
+        (f"contact {number}",),
+        start(scene)[1],
+        background(scene, {symbol.name for symbol in closing.free_symbols}),
+    )
+    line = scene.judge.write((Move("define", "straight-line", number, pair),), pool, relation)
+    return None if line is None else scene.desk.know(flight, value, (line,))
+
+
+def _distance(scene: Scene, pair: tuple[str, str], stage: int) -> Source | None:
+    """How far apart two bodies are at an event, where a line says it."""
+    names = tuple(map(Name, pair))
+    ways = (standing(scene, Quantity("distance", each, stage)) for each in (names, names[::-1]))
+    return next((own for own in ways if own is not None), None)
+
+
+__all__ = ["time_of_closing"]
