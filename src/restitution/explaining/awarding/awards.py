@@ -11,7 +11,9 @@ that fits a line says what it earns, in each style. Then, part by part:
   place of a formula that is quoted, the value above it has the A1.
 - One kind of point stands once on a line: M1 A1 and another A1 are M1 A1. Two roots that are both
   answers are A1 A1, where their equation is a method above.
-- An M that rests on an earlier method of the same part is dependent.
+- An M that rests on an earlier method of the same part is dependent: solving, a given fact in terms
+  of what was found, and what goes on from that; not a speed, an angle, a velocity, an energy, a time
+  or a place by its definition, nor a principle.
 - An A whose line puts in a value that an earlier part or item found follows through.
 - What an item's last line only says once more has its A1 there.
 - What rests on a coefficient that cannot be, in the same part, earns nothing.
@@ -35,7 +37,9 @@ from restitution.explaining.awarding.mark_conditions import (
     is_given,
     is_opposite,
     letters_of_line,
+    rests_on_facts,
     says_again,
+    works_out,
 )
 from restitution.explaining.awarding.mark_rules import PAIR, RULES_OF, Rule, marks_of_note
 from restitution.explaining.awarding.work import length, single_sides, subject_of
@@ -405,7 +409,8 @@ class _Awarding:
     def _rests_on(self, line: Line, methods: Sequence[int]) -> tuple[int, ...]:
         """The methods of the part without which a line has nothing to put in.
 
-        A principle is a method by itself, whatever is put into it.
+        A principle is a method by itself, whatever is put into it. So is a definition that works
+        out what is wanted, unless components of a velocity that was found are taken anew.
         """
         if line.move.id == "law" or not methods:
             return ()
@@ -425,7 +430,14 @@ class _Awarding:
                 numbers += [n for n in methods if unknown & letters_of_line(self.lines[n])]
             else:
                 open_ += [each.number for each in self.cited(self.lines[number])]
+        if works_out(self, line) and not any(map(self._resolves_what_was_found, numbers)):
+            return ()
         return tuple(sorted(set(numbers)))
+
+    def _resolves_what_was_found(self, number: int) -> bool:
+        """Whether a line takes components of a velocity that no datum tells."""
+        line = self.lines[number]
+        return line.move.record == "component" and not rests_on_facts(self, line)
 
     def _follows(self, line: Line, marks: Mapping[int, Marks]) -> bool:
         """Whether a value is put in that an earlier part or item has found, and earned by."""

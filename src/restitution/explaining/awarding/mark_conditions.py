@@ -134,7 +134,7 @@ def _place_of_facts(work: Work, line: Line) -> bool:
     """A coordinate by the way in the other direction, from the data alone."""
     match subject_of(line):
         case Quantity("along", (Quantity("position"), _)):
-            return _of_facts(work, line) and any("contact" in str(e) for e in line.premises)
+            return rests_on_facts(work, line) and any("contact" in str(e) for e in line.premises)
     return False
 
 
@@ -157,7 +157,7 @@ def _alike(work: Work, line: Line) -> list[Line]:
         if each.move.id != move.id or _GROUPS.get(each.move.record or "") != group:
             return False
         if group == "energy":
-            own = not _of_facts(work, each) and not _of_angles(work, each)
+            own = not rests_on_facts(work, each) and not _of_angles(work, each)
             return own and each.item == line.item
         if work.part(each) != work.part(line) or each.move.event != move.event:
             return False
@@ -189,7 +189,7 @@ def _read_off(work: Work, line: Line) -> bool:
 def _resolved_again(work: Work, line: Line) -> bool:
     """A component is two terms of a velocity that was found, at an impact that asks no other."""
     match line.relation:
-        case Relation(((Link(_, _, Binary("+" | "-")), *_),)) if not _of_facts(work, line):
+        case Relation(((Link(_, _, Binary("+" | "-")), *_),)) if not rests_on_facts(work, line):
             lines = {ref for ref in line.premises if isinstance(ref, int)}
             own = (each for each in work.derivation.lines if each.move.record == "component")
             others = [e for e in own if e.move.event == line.move.event and e != line]
@@ -283,7 +283,7 @@ def _sought(work: Work, line: Line) -> bool:
     )
 
 
-def _of_facts(work: Work, line: Line) -> bool:
+def rests_on_facts(work: Work, line: Line) -> bool:
     """It rests on the statement alone, and on what letters stand for.
 
     The energy of all may rest on that of each that the statement tells.
@@ -291,7 +291,7 @@ def _of_facts(work: Work, line: Line) -> bool:
     whole = line.move.record == "total"
     return all(
         isinstance(each.relation, Meaning)
-        or (whole and each.move.record == "energy" and _of_facts(work, each))
+        or (whole and each.move.record == "energy" and rests_on_facts(work, each))
         for each in work.cited(line)
     )
 
@@ -391,6 +391,21 @@ def _closes_a_given(work: Work, line: Line) -> bool:
         return False
     given = any(fact.kind == "given" for fact in work.facts(line))
     return given and not has_quantity(line.relation.options[0][0].left)
+
+
+def works_out(work: Work, line: Line) -> bool:
+    """Whether a line says what a quantity is, or the tangent of an angle, by its definition.
+
+    Not one that closes what is given into an equation.
+    """
+    if line.move.id != "define" or isinstance(line.relation, Meaning):
+        return False
+    if any(fact.kind == "given" for fact in work.facts(line)):
+        return False
+    left = line.relation.options[0][0].left
+    while isinstance(left, Binary | Apply):
+        left = left.left if isinstance(left, Binary) else left.argument
+    return isinstance(left, Letter | Quantity)
 
 
 def _of_a_number(work: Work, line: Line) -> bool:
@@ -620,7 +635,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "first-of-several": lambda work, line: _alike(work, line)[:1] == [line],
     "second-of-several": lambda work, line: _alike(work, line)[1:2] == [line],
     "by-its-letter": _by_its_letter,
-    "of-facts": _of_facts,
+    "of-facts": rests_on_facts,
     "at-sight": _at_sight,
     "of-one-component": _of_one_component,
     "inline": lambda work, line: line.shown == "inline",
