@@ -410,6 +410,24 @@ find along(velocity(Q), i)
 2 a | law unchanged 2 Q | velocity Q, 1 | along(velocity(Q, 2), i) = u sin(alpha)
 a: 2 along(velocity(Q, 2), i) = u sin(alpha)
 """,
+    "complement-afterwards": """
+wall W: along i
+sphere P: velocity 2 at alpha to W
+P hits W: e = 1
+let phi = angle(velocity(P), W)
+given phi = 90° - alpha
+find tan(alpha)
+---
+1 a | law unchanged 1 P | velocity P, wall W, axis 1 | along(velocity(P, 1), i) = 2cos(alpha)
+2 a | law restitution-wall 1 P | velocity P, wall W, e 1 | along(velocity(P, 1), j) = 2sin(alpha)
+3 a | define tan 1 P | let phi, axis 1, 2, 1 | tan(phi) = 2sin(alpha)/(2cos(alpha)) = tan(alpha)
+4 a | identity complement | given 1 | tan(phi) tan(alpha) = 1
+5 a | put | 4, 3 | tan(alpha) tan(alpha) = 1
+6 a | rearrange | 5 | tan^2(alpha) = 1
+7 a | roots | 6 | tan(alpha) = 1 or tan(alpha) = -1
+8 a | reject | 7, acute: alpha | tan(alpha) = 1
+a: 8 tan(alpha) = 1
+""",
     # Who rests after an impact is where it was.
     "rests": """
 wall W: along j, through (8, 0)
@@ -592,6 +610,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("equations-joined", "half-the-angle-out", 4, "M1", "DM1", "M1"),
     ("unknowns-of-equations", "together", 6, "DM1 A1", "DM1 A1", "DM1 A1"),
     ("complement-of-the-data", "complements", 1, "", "", ""),
+    ("complement-that-is-given", "complement-afterwards", 4, "M1", "M1", "M1"),
     ("identity", "half-the-angle-out", 5, "DM1", "DM1", "DM1"),
     ("square-root", "corner", 11, "", "", ""),
     ("roots", "rejected-root", 9, "DM1", "DM1", "DM1"),
@@ -673,7 +692,7 @@ def test_marks_agree_with_each_other(path, style: Style) -> None:  # type: ignor
     order = [each.number for each in derivation.lines]
     for line in derivation.lines:
         kinds = [mark.kind for mark in line.marks]
-        both = line.move.id == "roots" and kinds == ["A", "A"]
+        both = line.move.id == "roots" and kinds == ["M", "A", "A"]
         assert both or len(kinds) == len(set(kinds)), "one kind of point stands once on a line"
         assert all(mark.because for mark in line.marks)
         for mark in line.marks:
@@ -700,7 +719,7 @@ def test_marks_agree_with_each_other(path, style: Style) -> None:  # type: ignor
 
 
 def test_two_roots_that_are_both_answers_earn_one_each() -> None:
-    assert line_of(awarded(made_up("two-masses")), 8) == "A1 A1"
+    assert line_of(awarded(made_up("two-masses")), 8) == "DM1 A1 A1"
 
 
 def test_an_angle_that_is_read_off_the_data_is_independent() -> None:
@@ -914,3 +933,59 @@ def test_ids_are_documented() -> None:
     page = (Path(__file__).parents[1] / "docs" / "workings.md").read_text()
     told = page.partition("## As JSON")[2].partition("\n## ")[0]
     assert [each for each in (*MOVES, *RECORDS) if f"`{each}`" not in told] == []
+
+
+AFTER_A_CONDITION = """
+sphere A: mass 2m, velocity u(2i + j)
+sphere B: mass 3m, velocity lambda u(-i + j)
+A hits B: along i, e = 1/2
+given velocity(A) perpendicular to velocity(A, 0)
+find lambda
+"""
+GREATEST = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 3m, at rest
+A hits B: along i
+find maximum of impulse over e
+"""
+OPPOSITE_SENSE = """
+wall W: along 5i + 12j
+sphere P: mass 2, velocity 13i
+P hits W: e = 5/12
+find across(velocity(P), W)
+"""
+
+
+def test_the_unknown_of_a_condition_has_its_accuracy() -> None:
+    assert printed_marks(AFTER_A_CONDITION)[:3] == ["B1", "M1", "A1"]
+
+
+def test_a_greatest_value_and_where_it_is_reached_are_two_answers() -> None:
+    assert printed_marks(GREATEST)[-1] == "A1 A1"
+
+
+def test_a_component_in_the_opposite_sense_is_one_mark_with_its_law() -> None:
+    assert printed_marks(OPPOSITE_SENSE) == ["B1", "B1"]
+
+
+def test_a_speed_from_components_is_a_method_by_itself() -> None:
+    speed = """
+sphere A: mass m, velocity 3u i + u j
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+find speed(A), energy_lost
+"""
+    marks = printed_marks(speed)
+    assert "DM1" not in " ".join(marks[marks.index("DM1") + 1 :])
+
+
+def test_the_condition_of_two_angles_is_a_method_and_their_quadratic_another() -> None:
+    sums = """
+wall W
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+let beta = angle(velocity(P), W)
+given alpha - beta = arctan(1/2)
+find tan(alpha)
+"""
+    assert printed_marks(sums) == ["B1", "B1", "M1", "M1", "DM1 A1 A1"]

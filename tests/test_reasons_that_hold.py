@@ -104,7 +104,7 @@ def test_two_angles_in_numbers_are_compared() -> None:
         "show deflection(B) < deflection(A)"
     )
     assert "not written" not in shown
-    assert shown.endswith("From (3) and (4): φ < δ (as required) DM1 A1*")
+    assert shown.endswith("From (3) and (4): (ii) φ < δ (as required) DM1 A1*")
 
 
 @pytest.mark.parametrize(("bound", "reason"), [(">= 4/9", "sin²θ ≤ 1"), ("<= 1", "sin²θ ≥ 0")])

@@ -141,7 +141,7 @@ SAYS = [
     (TO_A_WALL, "cos β = (5/3 + 5)/((5√10/3)√(1² + 1²)) = 2√5/5"),
     # 2 × 3 = 2v + w and w − v = 3/2: w = 3
     (ACROSS, "B came in the direction of 𝐣"),
-    (ACROSS, "tan δ = 3u/u = 3 DM1 δ = arctan 3"),
+    (ACROSS, "tan δ = 3u/u = 3 M1 δ = arctan 3"),
     (SENT_BACK, "= 135° − arctan(4/3)"),
     (ONE_ANGLE, "δ = θ − α"),
     (ONE_ANGLE, "tan δ = (tan θ − tan α)/(1 + tan θ tan α)"),

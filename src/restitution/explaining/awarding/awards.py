@@ -10,10 +10,11 @@ that fits a line says what it earns, in each style. Then, part by part:
 - Of three or more methods one below the other every second one is A1, if its line has a value; in
   place of a formula that is quoted, the value above it has the A1.
 - One kind of point stands once on a line: M1 A1 and another A1 are M1 A1. Two roots that are both
-  answers are A1 A1, where their equation is a method above.
+  answers are A1 A1, where their equation is a method above; so are a greatest value and where it is
+  reached.
 - An M that rests on an earlier method of the same part is dependent: solving, a given fact in terms
-  of what was found, and what goes on from that; not a speed, an angle, a velocity, an energy, a time
-  or a place by its definition, nor a principle.
+  of what was found, and what goes on from that; no speed, angle, velocity, energy, time or place by
+  its definition, nor a principle.
 - An A whose line puts in a value that an earlier part or item found follows through.
 - What an item's last line only says once more has its A1 there.
 - What rests on a coefficient that cannot be, in the same part, earns nothing.
@@ -54,6 +55,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
 from restitution.expression.tree import (
+    Letter,
     has_quantity,
     letters,
 )
@@ -160,6 +162,9 @@ class _Awarding:
             for point in () if rule is None else rule.earned(self.style).split():
                 if point == "V":
                     points[self._value_of(line)].append("A")
+                elif point == "U":
+                    for number in self._unknown_of(line):
+                        points[number].append("A")
                 else:
                     points[line.number].append(point)
         earned: set[str | None] = set()
@@ -175,13 +180,19 @@ class _Awarding:
                 own = [e for e in points[line.number] if e != "B" or not one]
                 points[line.number] = own + (["M", "A"] if lone else ["A"])
                 if self._answers_twice(line):
-                    points[line.number] = ["A", "A"]
+                    own = [e for e in points[line.number] if e == "M"]
+                    points[line.number] = [*own, "A", "A"]
                 elif earned and is_given(self, line):
                     points[line.number] = []
                 if says_again(self, line):
                     for each in self._solutions(line):
                         # The value is asked: it stands there already, under another name.
                         points[each.number] = [e for e in points[each.number] if e != "A"]
+                if line.move.record == "component":
+                    for each in self.cited(line):
+                        # One fact, from which the component is read off, is one mark.
+                        if each.move.id == "law" and each.number not in self.ends:
+                            points[each.number] = []
             if points[line.number]:
                 earned.add(self.part(line))
         return self._settled(points)
@@ -235,7 +246,7 @@ class _Awarding:
         """Points as marks that agree with each other, part by part."""
         kept = self._cut(
             {
-                number: ("A", "A") if self._answers_twice(self.lines[number]) else _once(each)
+                number: tuple(each) if self._answers_twice(self.lines[number]) else _once(each)
                 for number, each in points.items()
             }
         )
@@ -264,7 +275,14 @@ class _Awarding:
         return out
 
     def _answers_twice(self, line: Line) -> bool:
-        """Whether a line has both roots as answers, of an equation that is a method above it."""
+        """Whether a line has two answers.
+
+        They are both roots of an equation that is a method above it, or a greatest or least value
+        and where it is reached.
+        """
+        if line.move.record in ("greatest", "least"):
+            end = self.ends.get(line.number)
+            return end is not None and not end.shown and any(map(_is_a_place, self.cited(line)))
         moves = ("roots", "rearrange")
         if line.number not in self.ends or line.move.id not in moves or is_opposite(self, line):
             return False
@@ -327,12 +345,14 @@ class _Awarding:
             for line in lines:
                 if method is not None and line is lines[-1] and has_its_own:
                     break
-                if method is not None and self._is_of_values(line):
-                    points[line.number], method = ("A",), None
-                elif method is not None and line.move.id == "identity":
+                if method is not None and line.move.id == "identity":
                     # A formula that is quoted comes after the value that goes into it.
-                    points[method.number], points[line.number] = ("M", "A"), ()
+                    closes = any(each.kind == "given" for each in self.facts(line))
+                    points[method.number] = ("M", "A")
+                    points[line.number] = ("M",) if closes else ()
                     method = None
+                elif method is not None and self._is_of_values(line):
+                    points[line.number], method = ("A",), None
                 else:
                     method = line
         return points
@@ -405,6 +425,27 @@ class _Awarding:
                 break
             last = each
         return last.number
+
+    def _unknown_of(self, line: Line) -> Iterator[int]:
+        """The line on the way that solves an equation for a letter of the working, if there is one.
+
+        Between them that equation is only rearranged.
+        """
+        last = line
+        for each in self.below(line):
+            if each.item != line.item or each.move.id not in ("rearrange", "cancel", "roots"):
+                return
+            if each.shown == "silent" or last not in list(self.cited(each)):
+                return
+            if each.number not in self.ends and self._is_settled(each):
+                yield each.number
+                return
+            last = each
+
+    def _is_settled(self, line: Line) -> bool:
+        """Whether a line says what a letter of the working is, by what the statement has."""
+        subject = subject_of(line)
+        return isinstance(subject, Letter) and subject.name in self.new and self._is_value(line)
 
     def _rests_on(self, line: Line, methods: Sequence[int]) -> tuple[int, ...]:
         """The methods of the part without which a line has nothing to put in.
@@ -503,6 +544,16 @@ class _Awarding:
 
 _LONG_RUN = 3
 """So many methods in a row no board gives without a mark for accuracy."""
+
+
+def _is_a_place(line: Line) -> bool:
+    """Whether a line says that a value is reached at one of a letter, without being printed."""
+    return (
+        line.shown == "silent"
+        and line.move.id == "put"
+        and isinstance(line.relation, Relation)
+        and len(line.relation.options) == 2
+    )
 
 
 def _once(points: Sequence[str]) -> tuple[str, ...]:

@@ -19,8 +19,9 @@ class Rule:
 
     ``moves`` and ``records`` are those of the line (none: any), ``when`` names the conditions of
     `CONDITIONS` that hold there. ``points`` are M, A and B, and V for an A that belongs to the
-    value: it stands on the line that simplifies this one, if there is such a line. ``others`` are
-    the points in styles that differ.
+    value: it stands on the line that simplifies this one, if there is such a line. U is an A for
+    the unknown of an equation, where a line below solves that for it. ``others`` are the points in
+    styles that differ.
     """
 
     name: str
@@ -111,6 +112,7 @@ RULES: tuple[Rule, ...] = (
     _rule("solved-again", ("combine",), "", when=("of-laws",)),
     _rule("unknowns-of-equations", ("solve",), "M A"),
     _rule("equations-joined", ("combine", "divide", "square-add"), "M"),
+    _rule("complement-that-is-given", ("identity",), "M", ("complement",), ("fact-of-motion",)),
     _rule("complement-of-the-data", ("identity",), "", ("complement",), ("of-facts",)),
     _rule("identity", ("identity",), "M", when=("on-the-way",)),
     _rule("square-root", ("roots",), "", when=("opposite",)),
@@ -155,7 +157,7 @@ RULES: tuple[Rule, ...] = (
     _rule("right-angle-by-a-product", ("define",), "", ("perpendicular",), ("product-above",)),
     _rule("direction-read-off", ("define",), "", ("parallel",), ("a-direction",)),
     _rule("angle-seen", ("define",), "", ("parallel", "perpendicular"), ("an-angle-to-a-line",)),
-    _rule("condition", ("define",), "M", _CLOSING, m4="M A"),
+    _rule("condition", ("define",), "M U", _CLOSING, m4="M A"),
     _rule(
         "difference-of-angles",
         ("define",),
