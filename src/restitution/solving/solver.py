@@ -13,6 +13,7 @@ from restitution.solving.asked_letters import in_asked_letters
 from restitution.solving.equations.part import Desk
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.obtuse import with_hints
+from restitution.solving.open_directions import with_open_directions
 from restitution.solving.out_of_order import events_out_of_order
 from restitution.solving.passed import walls_passed
 from restitution.solving.printed_terms import in_printed_terms, refused
@@ -34,12 +35,19 @@ def solve(problem: Problem, time_limit: float | None = None) -> Solution:
     check(problem)
     limit = None if time_limit is None else f"no answer within the time limit of {time_limit:g} s"
     with work.limited(time_limit, error=None if limit is None else TimeLimitError(limit)):
-        solution = _solved(with_unsaid(problem))
+        solution = _without_open_directions(problem) or _solved(with_unsaid(problem))
         other = in_printed_terms(solution)
         again = None if other is None else _solved(other)
         if again is not None and refused(again) < refused(solution):
             solution = again
         return with_note_of_signs(with_hints(solution, _solved), _solved)
+
+
+def _without_open_directions(problem: Problem) -> Solution | None:
+    """The solution without letters for directions that are found; None where it lacks an answer."""
+    open_ = with_open_directions(problem)
+    solution = None if open_ is None else _solved(with_unsaid(open_))
+    return solution if solution is not None and not refused(solution) else None
 
 
 def _solved(problem: Problem) -> Solution:

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Quantity,
+    letters,
     walk,
 )
 from restitution.planning.axes.offsets import frame_by_offset
@@ -242,7 +243,7 @@ def write_wall(scene: Scene, wall: str) -> int:
     """The direction of a wall that is found: perpendicular to the line of the impulse."""
     number = next((n for n, each in scene.model.frames.items() if each.wall == wall), None)
     if number is None or f"axis {number}" in scene.facts:
-        raise NotPlannedError("the direction of a wall of the data")
+        return _wall_of_the_data(scene, wall)
     if (sides := write_sides(scene, number)) is not None:
         return sides
     frame = scene.frame(number)
@@ -264,6 +265,29 @@ def write_wall(scene: Scene, wall: str) -> int:
         (line,),
         Relation(((Link(direction, "parallel to", vector(*map(tree_of, along))),),)),
     )
+
+
+def _wall_of_the_data(scene: Scene, wall: str) -> int:
+    """The direction of a wall that is given in letters, with those put in that are known.
+
+    Raises NotPlannedError where none of them is.
+    """
+    direction = Quantity("direction", (Name(wall),))
+    fact = scene.facts.get(f"wall {wall}")
+    known = None if fact is None else scene.value(fact.relation.only[0].right)
+    if fact is None or not isinstance(known, Vector):
+        raise NotPlannedError("the direction of a wall of the data")
+    put, refs = scene.put(known)
+    line: int | None = None
+    for tree in dict.fromkeys(tree_of(each) for each in (put, plain_direction(put))):
+        relation = Relation(((Link(direction, "parallel to", tree),),))
+        move = Move("put") if line is None else Move("rearrange")
+        sources = together((fact.id,), refs) if line is None else (line,)
+        sources = (*sources, *background(scene, letters(tree)))
+        line = scene.judge.write((move,), sources, relation) or line
+    if line is None or not refs:
+        raise NotPlannedError("the direction of a wall of the data")
+    return line
 
 
 def write_axis(scene: Scene, number: int) -> int:

@@ -40,6 +40,7 @@ from restitution.planning.formulas.scalar_products import (
     scalar_product,
 )
 from restitution.planning.formulas.settled import settled
+from restitution.planning.formulas.unknown_lines import law_by_vectors
 from restitution.planning.writing.circles import chord_from, from_centre
 from restitution.planning.writing.degrees import by_degrees, on_a_chord_by_degrees, share_by_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -565,6 +566,9 @@ def rebound(scene: Scene, body: str, frame: Frame) -> Source:
 
 def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
     """A law at a wall as an equation, where the component after it is known."""
+    by_vectors = law_by_vectors(scene, kind, body, frame)
+    if by_vectors is not None:
+        return by_vectors
     quantity = frame.component(kind, body, frame.number)
     known = scene.desk.known(quantity) or _given_after(scene, kind, body, frame)
     if known is None:

@@ -56,12 +56,12 @@ def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
 
 def unit_tree(direction: Vector) -> Expression:
     """A unit vector as a whole number of **i** and **j** over its length, or in letters over it."""
-    whole, length = _over_its_root(direction) or whole_direction(direction)
+    whole, length = over_its_root(direction) or whole_direction(direction)
     tree = vector(*map(tree_of, whole))
     return tree if length == 1 else Binary("/", tree, tree_of(length))
 
 
-def _over_its_root(direction: Vector) -> tuple[Vector, sp.Expr] | None:
+def over_its_root(direction: Vector) -> tuple[Vector, sp.Expr] | None:
     """A vector and the root of letters that both its parts have below; None without such a one."""
     roots = [
         {each for each in part.atoms(sp.Pow) if each.exp == -sp.S.Half and each.free_symbols}

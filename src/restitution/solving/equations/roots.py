@@ -223,6 +223,8 @@ def solve_equations(
                 letters_.phrases.get(s.name, s.name) for s in unknowns
             ) from error
         leftover = [each for one in assignments for each in one.leftover]
+        if assignments and all(_is_undefined(values, one) for one in assignments):
+            leftover = values  # of a direction in two letters only their ratio can be found
         if not leftover:
             return assignments
         present = frozenset(s.name for each in leftover for s in each.free_symbols)
@@ -233,6 +235,19 @@ def solve_equations(
             return kept
         chosen = chosen | {letter}
     raise UnsupportedError("the facts fix more letters than can be sorted out")
+
+
+def _is_undefined(equations: Sequence[sp.Expr], root: Root) -> bool:
+    """Whether equations have no value at a root, as it makes a vector of no length a direction."""
+    at = {
+        s: root.values[s.name] for e in equations for s in e.free_symbols if s.name in root.values
+    }
+    if list(at.values()).count(sp.Integer(0)) < _PARTS:
+        return False
+    return any(each.subs(at, simultaneous=True).has(sp.nan, sp.zoo) for each in equations)
+
+
+_PARTS = 2
 
 
 def _ranked(
