@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -77,16 +76,16 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_xdist_auto_num_workers() -> int:
-    """Two more than there are processors: the tests of pages wait most of their time."""
-    return (os.cpu_count() or 1) + PAGES
+    """One more than there are processors: the tests of pages wait most of their time."""
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(tryfirst=True)  # marks are looked at afterwards
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Which tests are quick, and which go to one process, sharing what takes long to make.
 
-    That is all tests of a statement, for it is solved once; all of pages, by halves, each of which
-    has a server and a browser; all of a module, but of those whose tests have nothing in common.
+    That is all tests of a statement, for it is solved once; all of pages, for their server and
+    their browser; all of a module, but of those whose tests have nothing in common.
     """
     few = frozenset(FILES[::40])
     groups = {item: _group(item) for item in items}
@@ -108,9 +107,6 @@ def pytest_collection_finish() -> None:
     gc.freeze()
 
 
-PAGES = 2
-"""So many groups have the tests of pages: one after the other they would take longest."""
-
 # Their tests take long, and share nothing.
 SPREAD = {"test_cli", "test_never_hangs", "test_properties"}
 
@@ -118,7 +114,7 @@ SPREAD = {"test_cli", "test_never_hangs", "test_properties"}
 def _group(item: pytest.Item) -> str:
     if isinstance(item, pytest.Function):
         if {"page", "served"} & set(item.fixturenames):
-            return f"pages {zlib.crc32(item.nodeid.encode()) % PAGES}"
+            return "pages"
         params = item.callspec.params if hasattr(item, "callspec") else {}
         path, name = params.get("path"), params.get("name")
         statement = path.stem if isinstance(path, Path) else name
@@ -132,7 +128,7 @@ def _turn(item: pytest.Item, group: str) -> int:
 
     Pages wait for their server and their browser: they begin first, while others calculate.
     """
-    if group.startswith("pages"):
+    if group == "pages":
         return 0
     return 2 if group in NAMES or group == item.nodeid else 1
 

@@ -11,7 +11,7 @@ import os
 import time
 import zlib
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -48,7 +48,7 @@ ONE_IN = {
     "test_practice_marking": 2,
     "test_practice_judging": 3,
     "test_practise": 3,
-    # Pictures, motions, processes, pages.
+    # Pictures, motions, processes.
     "test_cli": 2,
     "test_experiment_pictures": 3,
     "test_experiment_spheres": 2,
@@ -57,15 +57,16 @@ ONE_IN = {
     "test_gas": 3,
     "test_motion_few": 3,
     "test_never_hangs": 3,
-    "test_page_form": 3,
-    "test_page_gallery": 3,
-    "test_page_guides": 3,
-    "test_page_lab": 3,
-    "test_page_question": 3,
-    "test_page_solve": 3,
     "test_properties": 2,
 }
 """Of the cases of a test in these modules, one in so many stands in the normal run."""
+
+BROWSER_ONE_IN = 3
+"""Of the tests of a module that have a browser, one in so many stands in the normal run.
+
+Each takes about a second of a processor, most of it in processes of the browser and of the server,
+which no test waits for the end of: ``--long`` does not see them.
+"""
 
 LONG_TESTS = Path(__file__).parent / "long_tests.txt"
 """Tests that took more than a third of a second of a processor; ``--long FILE`` writes them."""
@@ -97,22 +98,31 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     if config.option.whole:
         return
     cases: dict[tuple[Path, str], list[pytest.Function]] = defaultdict(list)
+    in_browsers: dict[Path, list[pytest.Item]] = defaultdict(list)
     for item in items:
         if item.get_closest_marker("nightly") is not None:
             continue
         if item.nodeid in LONG:
             if item.nodeid not in KEPT:
                 item.add_marker(pytest.mark.nightly)
+        elif "page" in getattr(item, "fixturenames", ()):
+            in_browsers[item.path].append(item)
         elif hasattr(item, "callspec"):
             assert isinstance(item, pytest.Function)
             cases[item.path, item.originalname].append(item)
     for (path, _), own in cases.items():
-        if path.stem not in ONE_IN or len(own) < FEW:
-            continue
-        kept = some([each.callspec.id for each in own], ONE_IN[path.stem])
-        for each in own:
-            if each.callspec.id not in kept:
-                each.add_marker(pytest.mark.nightly)
+        if path.stem in ONE_IN and len(own) >= FEW:
+            _leave({each.callspec.id: each for each in own}, ONE_IN[path.stem])
+    for own_tests in in_browsers.values():
+        _leave({each.nodeid: each for each in own_tests}, BROWSER_ONE_IN)
+
+
+def _leave(tests: Mapping[str, pytest.Item], one_in: int) -> None:
+    """Leaves to the night all but one in so many of these tests, each under a name of its own."""
+    kept = some([*tests], one_in)
+    for name, each in tests.items():
+        if name not in kept:
+            each.add_marker(pytest.mark.nightly)
 
 
 def pytest_configure(config: pytest.Config) -> None:

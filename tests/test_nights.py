@@ -23,6 +23,16 @@ def test_the_night_leaves_some_of_those_that_take_long() -> None:
     assert len(nights.KEPT) == round(len(nights.LONG) / nights.LONG_ONE_IN)
 
 
+BY_DAY, BY_NIGHT = ("-m", "not nightly"), ("-m", "nightly")
+
+
+def _names(pytester: pytest.Pytester, *options: str) -> set[str]:
+    """The names of the tests that a run with these options would have."""
+    plugins = ("-p", "nights", "-p", "no:playwright", "-n", "0")
+    done = pytester.runpytest_inprocess(*plugins, "--collect-only", "-q", *options)
+    return {line for line in done.outlines if "::" in line}
+
+
 @pytest.mark.parametrize(("count", "one_in", "kept"), [(1, 3, 1), (5, 3, 2), (9, 3, 3), (40, 8, 5)])
 def test_some_are_kept_whatever_their_order(count: int, one_in: int, kept: int) -> None:
     names = [f"case {n}" for n in range(count)]
@@ -40,18 +50,26 @@ def test_the_night_has_what_the_normal_run_leaves(
     module = "import pytest\n@pytest.mark.parametrize('n', range(30))\ndef test_it(n): pass\n"
     pytester.makepyfile(test_with_many_cases=module, test_left_whole=module)
 
-    def names(*options: str) -> set[str]:
-        done = pytester.runpytest_inprocess(
-            "-p", "nights", "-n", "0", "--collect-only", "-q", *options
-        )
-        return {line for line in done.outlines if "::" in line}
-
-    normal, night, all_ = names("-m", "not nightly"), names("-m", "nightly"), names()
+    normal, night, all_ = (_names(pytester, *each) for each in (BY_DAY, BY_NIGHT, ()))
     assert (len(normal), len(night), len(all_)) == (30 + 10, 20, 60)
     assert normal | night == all_
-    assert len(names("-m", "not nightly", "-k", "many_cases")) == 30
-    assert len(names("-m", "not nightly", "test_with_many_cases.py")) == 30
-    assert len(names("-m", "not nightly", "--whole")) == 60
+    assert len(_names(pytester, *BY_DAY, "-k", "many_cases")) == 30
+    assert len(_names(pytester, *BY_DAY, "test_with_many_cases.py")) == 30
+    assert len(_names(pytester, *BY_DAY, "--whole")) == 60
+
+
+def test_of_tests_in_a_browser_each_module_keeps_some(pytester: pytest.Pytester) -> None:
+    pytester.syspathinsert(HERE)
+    pytester.makeini("[pytest]\nmarkers = nightly: at night\n")
+    browser = "import pytest\n@pytest.fixture\ndef page(): pass\n"
+    few = "@pytest.mark.parametrize('n', range(4))\ndef test_few(page, n): pass\n"
+    many = "".join(f"def test_{n}(page): pass\n" for n in range(14))
+    alone = "def test_one(page): pass\ndef test_without(): pass\n"
+    pytester.makepyfile(test_pages=browser + few + many, test_page=browser + alone)
+    normal, night, all_ = (_names(pytester, *each) for each in (BY_DAY, BY_NIGHT, ()))
+    assert (len(normal), len(night)) == (6 + 2, 12)
+    assert normal | night == all_
+    assert {"test_page.py::test_one", "test_page.py::test_without"} < normal
 
 
 def test_those_that_take_long_are_noted_and_left_to_the_night(
