@@ -73,7 +73,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     squares = write_by_squares(scene, asked, formula_of_squares)
     if squares is not None:
         return squares, scene.desk.last_link(squares).right
-    own = formula_of_squares(scene, asked)
+    own = _of_squares(scene, asked)
     if own is not None:
         return write_formula(scene, own), tree_of(own.value)
     values: dict[Expression, Expression] = {}
@@ -133,8 +133,11 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
 
 def formula_of_squares(scene: Scene, asked: Expression) -> Formula | None:
     """What an energy, its change, a fraction of it or the square of a speed is by definition."""
-    if isinstance(asked, Quantity):
-        return formula(scene, asked)
+    return formula(scene, asked) if isinstance(asked, Quantity) else _of_squares(scene, asked)
+
+
+def _of_squares(scene: Scene, asked: Expression) -> Formula | None:
+    """The change of an energy, a fraction of it or the square of a speed; None of another tree."""
     own = energy_change(scene, asked) or fraction_lost(scene, asked)
     return own or squared_speed(scene, asked)
 
