@@ -152,7 +152,7 @@ SAYS = {
     ),
     "both ends of a speed by its square": (
         WALL.format(e="") + "given speed(P) = v\nfind range of v in terms of u, alpha",
-        ["v² ≥ u² cos²α", "u cos α ≤ v ≤ u"],
+        ["u² cos²α ≤ v² ≤ u²", "u cos α ≤ v ≤ u"],
     ),
     "a range with a condition": (
         REST.format(k="", e="") + "given speed(B) > speed(A)\nfind range of alpha in terms of e",

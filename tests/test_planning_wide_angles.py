@@ -154,3 +154,66 @@ def test_a_deflection_that_may_be_obtuse_or_not_is_found_by_its_cotangent() -> N
     text = to_text(explain(solve(parse(statement))), 80)
     assert "= (2k − 1 + 3 sin²α)/(3 sin α cos α), as sin²α + cos²α = 1" in text
     assert "δ = 90° − arctan((2k − 1 + 3 sin²α)/(3 sin α cos α))" in text
+
+
+TURNED = (
+    "sphere A: mass m, velocity u at {angle}\nsphere B: mass {mass}, at rest\n"
+    "A hits B: along i{e}\ngiven {given}\nshow {shown}"
+)
+
+
+EITHER_SIDE = (
+    "sphere A: mass m, velocity u at 45°\nsphere B: mass 3m, at rest\nA hits B: along i\n"
+    "part a\ngiven e <= 1/3\nshow deflection(A) <= 45°\n"
+    "part b\ngiven e > 1/3\nshow deflection(A) > 45°"
+)
+
+
+def relations(derivation: Derivation) -> list[str]:
+    """What the lines say, without the letters that they introduce."""
+    lines = (line.relation for line in derivation.lines)
+    return [write_relation(each) for each in lines if isinstance(each, Relation)]
+
+
+def test_a_deflection_beside_a_right_angle_is_told_by_the_sense() -> None:
+    told = relations(working(EITHER_SIDE))
+    assert {"v >= 0", "beta <= 90°", "v < 0", "beta > 90°"} <= set(told)
+    assert not any("tan(" in each for each in told)
+    words = to_text(explain(solve(parse(EITHER_SIDE))))
+    assert "𝐯_A has no negative component in the direction of 𝐢:" in words
+
+
+def test_a_deflection_within_what_the_angle_to_a_line_may_be_needs_no_tangent() -> None:
+    derivation = working(
+        TURNED.format(
+            angle="60°", mass="k m", e=", e = 1/2", given="k <= 2", shown="deflection(A) <= 30°"
+        )
+    )
+    assert "tan-from-axis" not in [line.move.record for line in derivation.lines]
+    last = derivation.line(derivation.items[0].line)
+    assert last is not None
+    assert "0° <= beta <= 90°" in last.premises
+
+
+@pytest.mark.parametrize("wrong", ["beta < 90°", "beta >= 90°", "beta <= 60°"])
+def test_a_component_that_may_be_zero_bounds_an_angle_by_a_right_angle_alone(wrong: str) -> None:
+    derivation = working(EITHER_SIDE)
+    (line,) = [
+        each
+        for each in derivation.lines
+        if isinstance(each.relation, Relation) and write_relation(each.relation) == "beta <= 90°"
+    ]
+    changed = replace(line, relation=read_relation(wrong, {"A": "sphere", "B": "sphere"}))
+    lines = tuple(changed if each is line else each for each in derivation.lines)
+    known = roles(parse(EITHER_SIDE))
+    complaints = follow(replace(derivation, lines=lines), Oracle(known))
+    assert any(each.line == line.number for each in complaints)
+
+
+def test_the_range_of_a_letter_is_by_its_square_that_grows_with_another() -> None:
+    derivation = working(
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\ngiven speed(P) = v\n"
+        "find range of v in terms of u, alpha"
+    )
+    told = relations(derivation)
+    assert told[-2:] == ["u^2 cos^2(alpha) <= v^2 <= u^2", "u cos(alpha) <= v <= u"]

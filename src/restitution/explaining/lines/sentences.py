@@ -1129,6 +1129,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned.signs": "{velocity} has {components:and}:",
     "turned.negative": "a negative component in the direction of {axis}",
     "turned.positive": "a positive component in the direction of {axis}",
+    "turned.not-positive": "no positive component in the direction of {axis}",
+    "turned.not-negative": "no negative component in the direction of {axis}",
+    "turned.not-acute": "The scalar product is not positive, so the angle is not acute:",
+    "turned.not-obtuse": "The scalar product is not negative, so the angle is not obtuse:",
     "turned.obtuse": "The scalar product is negative, so the angle is obtuse:",
     "turned.acute": "The scalar product is positive, so the angle is acute:",
     "turned.products": (

@@ -234,30 +234,42 @@ def _quadrant(step: Step, angle: Quantity) -> _Window | None:
             (1, -1): _Window(-RIGHT, sp.Integer(0)),
             (1, 0): _Window(-RIGHT, RIGHT),
         }.get((x, y))
-    product = {1: (sp.Integer(0), RIGHT), -1: (RIGHT, sp.pi)}.get(_sign_of_product(step, angle))
+    product = _product_of(step, angle)
     if product is None:
         return None
-    low, high = product
-    return _Window(low, high, from_low=low == 0, closed=low == RIGHT)
+    windows = {1: (sp.Integer(0), RIGHT), -1: (RIGHT, sp.pi)}
+    if (window := windows.get(_proved_sign(step, product))) is not None:
+        low, high = window
+        return _Window(low, high, from_low=low == 0, closed=low == RIGHT)
+    # Where it may be zero the angle may be a right angle.
+    window = windows.get(_proved_sign(step, product, _WEAK))
+    return None if window is None else _Window(*window, from_low=True, closed=True)
 
 
-def _sign_of_product(step: Step, angle: Quantity) -> int:
-    """The cited sign of the scalar product of what an angle is between; 0 where that is open."""
+def _product_of(step: Step, angle: Quantity) -> Quantity | None:
+    """The scalar product of what an angle is between, or the component of which it has the sign."""
     match angle:
         case Quantity("deflection", (body,), int(event)):
             pair = tuple(Quantity("velocity", (body,), each) for each in (event - 1, event))
         case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
-            return _proved_sign(step, Quantity("along", (velocity, axis)))
+            return Quantity("along", (velocity, axis))
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity")) as pair):
             pass
         case _:
-            return 0
-    return _proved_sign(step, settled(Quantity("dot", pair), step.setting.events))
+            return None
+    own = settled(Quantity("dot", pair), step.setting.events)
+    assert isinstance(own, Quantity)
+    return own
 
 
-def _proved_sign(step: Step, scalar: Expression) -> int:
+_STRICT: tuple[tuple[int, Sign], ...] = ((1, ">"), (-1, "<"))
+_WEAK: tuple[tuple[int, Sign], ...] = ((1, ">="), (-1, "<="))
+
+
+def _proved_sign(
+    step: Step, scalar: Expression, orders: tuple[tuple[int, Sign], ...] = _STRICT
+) -> int:
     """1 or −1 where what is cited proves that a scalar has this sign; 0 where it does not."""
-    orders: tuple[tuple[int, Sign], ...] = ((1, ">"), (-1, "<"))
     for sign, order in orders:
         try:
             claim = step.formula(Relation(((Link(scalar, order, ZERO),),)))

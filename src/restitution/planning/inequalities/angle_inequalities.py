@@ -6,12 +6,31 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import FLIPPED, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+)
 from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity
+from restitution.expression.tree import (
+    RIGHT_ANGLE,
+    Apply,
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+)
+from restitution.planning.formulas.velocity_formulas import in_the_plane
 from restitution.planning.inequalities.angle_pairs import extents, made_of_two
 from restitution.planning.inequalities.comparing import Comparing
-from restitution.planning.writing.desk import NotPlannedError
+from restitution.planning.writing.desk import NotPlannedError, Source
 from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.polynomials import expanded
 
@@ -81,6 +100,77 @@ def _by_its_tangent(
     names = {each.name for each in (left, right) if isinstance(each, Letter)}
     pool = [compared, *extent, *claims.judge.known(names), *extents(claims.scene, names)]
     return claims.judge.write(_COMPARE, pool, relation)
+
+
+def write_by_a_right_angle(claims: Comparing, relation: Relation) -> int | None:
+    """A deflection beside that of who moves on at right angles to **i** or **j**.
+
+    ``δ = β − 45°`` is at most 45° where β is at most 90°, which the sense of a component tells.
+    None of another inequality.
+    """
+    match relation.options:
+        case ((Link(Quantity("deflection", (Name(),), int()), _, Degrees()) as link,),):
+            pass
+        case _:
+            return None
+    mark = claims.worths.mark()
+    try:
+        line = _by_a_right_angle(claims, link)
+    except NotPlannedError:
+        line = None
+    if line is None:
+        claims.worths.back(mark)
+    return line
+
+
+def _by_a_right_angle(claims: Comparing, link: Link) -> int | None:
+    scene, asked, sign = claims.scene, link.left, link.sign
+    assert isinstance(asked, Quantity)
+    (name,), stage = asked.arguments, asked.stage
+    assert isinstance(name, Name)
+    assert isinstance(stage, int)
+    claims.worths.determine_angle(asked)
+    parts = made_of_two(scene, asked)
+    if parts is None or sign not in FLIPPED:
+        return None
+    whole, _ = parts
+    turn, own = scene.desk.last_link(whole).right, Relation(((link,),))
+    known = extents(scene, {let.letter for let in _lets(claims)})
+    if (at_once := claims.judge.write(_COMPARE, [whole, *known], own)) is not None:
+        return at_once
+    named = {Letter(let.letter): let.quantity for let in _lets(claims)}
+    match turn:
+        case Binary("-", Letter() as angle, Degrees() as early) if angle in named:
+            between = named[angle]
+        case _:
+            return None
+    match between:
+        case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
+            pass
+        case _:
+            return None
+    if scene.scalar(link.right) + scene.scalar(early) != sp.pi / 2:
+        return None
+    x, y = in_the_plane(scene, name.name, stage)
+    component = x if axis == Unit("i") else y
+    signed = _signed(claims, component, FLIPPED[sign])
+    if signed is None:
+        return None
+    right = Relation(((Link(angle, sign, RIGHT_ANGLE),),))
+    line = claims.judge.write(_COMPARE, [signed, *component.whole, *known], right)
+    return None if line is None else claims.judge.write(_COMPARE, [whole, line, *known], own)
+
+
+def _signed(claims: Comparing, component: Source, sign: Sign) -> int | None:
+    """The line that compares a component with zero, from the one that gives it."""
+    for ref in component.whole:
+        own = claims.scene.desk.line(ref).relation if isinstance(ref, int) else None
+        if isinstance(own, Relation) and own.only[0].sign == "=" and isinstance(ref, int):
+            subject = own.only[0].left
+            line = claims.compared([ref], Relation(((Link(subject, sign, ZERO),),)))
+            if line is not None:
+                return line
+    return None
 
 
 def _by_the_other(

@@ -12,7 +12,11 @@ from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity, letters
 from restitution.oracle.roles import ACUTE
-from restitution.planning.inequalities.angle_inequalities import write_of_angles
+from restitution.planning.inequalities.angle_inequalities import (
+    write_by_a_right_angle,
+    write_of_angles,
+)
+from restitution.planning.inequalities.bounds_by_ties import write_by_its_square
 from restitution.planning.inequalities.claims_eliminated import Eliminated
 from restitution.planning.inequalities.degrees_by_ratios import bound_that_stands
 from restitution.planning.inequalities.directions_bounded import (
@@ -45,6 +49,8 @@ class Claims(Eliminated):
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
         standing = self._of_letter(relation) or bound_that_stands(self, relation)
+        standing = standing or write_by_its_square(self, relation)
+        standing = standing or write_by_a_right_angle(self, relation)
         if standing is not None:
             return standing
         trees = [side for link in relation.only for side in (link.left, link.right)]

@@ -108,6 +108,20 @@ def _has_threefold(each: Line | Fact) -> bool:
     return any(isinstance(x, Binary) and three in (x.left, x.right) for x in arguments)
 
 
+_OF_A_PRODUCT = {
+    "<": "turned.obtuse",
+    ">": "turned.acute",
+    "<=": "turned.not-acute",
+    ">=": "turned.not-obtuse",
+}
+_OF_A_COMPONENT = {
+    "<": "turned.negative",
+    ">": "turned.positive",
+    "<=": "turned.not-positive",
+    ">=": "turned.not-negative",
+}
+
+
 class TurnLeads(LinesAround):
     """The words before angles of deflection, angles that are the same, and identities."""
 
@@ -118,10 +132,10 @@ class TurnLeads(LinesAround):
             return None
         (first, order), *_ = signs
         if first.kind == "dot":
-            return say("turned.obtuse" if order == "<" else "turned.acute")
+            return say(_OF_A_PRODUCT[order])
         components = tuple(
             say(
-                "turned.negative" if sign == "<" else "turned.positive",
+                _OF_A_COMPONENT[sign],
                 axis=self._naming.layout(component.arguments[1]),
             )
             for component, sign in sorted(signs, key=lambda own: repr(own[0].arguments[1]))

@@ -16,8 +16,9 @@ from restitution.expression.tree import (
     is_zero,
 )
 
-Order = Literal["<", ">"]
-_AGAINST: dict[Order, Order] = {"<": ">", ">": "<"}
+Order = Literal["<", ">", "<=", ">="]
+_WEAK: dict[Order, Order] = {"<": "<=", ">": ">=", "<=": "<=", ">=": ">="}
+_AGAINST: dict[Order, Order] = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
 def signs_behind(derivation: Derivation, line: Line) -> tuple[tuple[Quantity, Order], ...]:
@@ -30,6 +31,7 @@ def signs_behind(derivation: Derivation, line: Line) -> tuple[tuple[Quantity, Or
     angles = [side for side in trees_of(line.relation) if has_quantity(side)]
     if not all(isinstance(each, Quantity) and each.kind in ANGLES for each in angles):
         return ()
+    weak = all(link.sign in ("<=", ">=") for link in line.relation.options[0])
     signs: list[tuple[Quantity, Order]] = []
     for ref in line.premises:
         own = derivation.line(ref) if isinstance(ref, int) else None
@@ -38,15 +40,20 @@ def signs_behind(derivation: Derivation, line: Line) -> tuple[tuple[Quantity, Or
         sign = _sign(derivation, own.relation)
         if sign is None:
             return ()
-        signs.append(sign)
+        signs.append((sign[0], _WEAK[sign[1]]) if weak and _is_a_value(own.relation) else sign)
     return tuple(signs)
+
+
+def _is_a_value(relation: Relation) -> bool:
+    """Whether a line gives a value, which may be zero at an end."""
+    return relation.options[0][0].sign == "="
 
 
 def _sign(derivation: Derivation, relation: Relation) -> tuple[Quantity, Order] | None:
     """The sign that a line gives a component or a product: it compares it, or shows its value."""
     order: Order
     match relation.options:
-        case ((Link(subject, ("<" | ">") as order, right),),) if is_zero(right):
+        case ((Link(subject, ("<" | ">" | "<=" | ">=") as order, right),),) if is_zero(right):
             pass
         case ((Link(subject, "="), *_) as links,):
             order = "<" if isinstance(links[-1].right, Negate) else ">"
