@@ -220,3 +220,20 @@ find velocity(P), velocity(P, before), impulse(P)
     # Below the line itself it is not said again.
     twice = "wall W: along i\nsphere P: mass 1, velocity 4i - 4j\nP hits W: e = 1/2\n"
     assert "From above" not in printed(twice + "find speed(P), speed(P)")
+
+
+def test_what_a_later_part_asks_is_not_found_in_an_earlier_one() -> None:
+    """The mass needs no line of centres, though the impulse gives that."""
+    text = """
+sphere A: mass 2, velocity 5i + 2j
+sphere B: mass m, velocity -2i + j
+A hits B
+given velocity(A) = i - j, velocity(B) = 2/3 i + 3j
+part a
+find m
+part b
+find line_of_centres
+"""
+    words = printed(text)
+    assert words.index("m = 3") < words.index("(b)") < words.index("the line of centres is")
+    assert "From part (a)" not in words

@@ -344,8 +344,8 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     bodies = tuple(scene.spheres(event))
     known = (
         _lost_by_energies(scene, quantity, (event - 1, event), bodies)
-        or _lost_by_energies_after(scene, quantity, event, bodies)
         or _lost_by_changes(scene, quantity, event)
+        or _lost_by_energies_after(scene, quantity, event, bodies)
     )
     if known is not None:
         return known

@@ -93,18 +93,19 @@ def _where_needed(derivation: Derivation) -> Derivation:
     """
     parts = derivation.asked
     items = {each: n for n, each in enumerate(parts)}
-    used: dict[int, str] = {}
+    used = _first_ends(derivation)
     lines: list[Line] = []
-    held = derivation.held
+    held, fixed = derivation.held, _fixed_lines(derivation)
     for line in reversed(derivation.lines):
         item = used.get(line.number, line.item)
+        elsewhere = {item, line.item} <= items.keys() and parts[item or ""] != parts[
+            line.item or ""
+        ]
         moves = (
-            line.number not in held
+            line.number not in (fixed if elsewhere else held)
             and {item, line.item} <= items.keys()
             and (
-                parts[item or ""] != parts[line.item or ""]
-                or line.move.id in ("triangle", "sign")
-                or line.move.record == "component"
+                elsewhere or line.move.id in ("triangle", "sign") or line.move.record == "component"
             )
             and items[item or ""] > items[line.item or ""]
         )
@@ -123,6 +124,28 @@ def _where_needed(derivation: Derivation) -> Derivation:
     last = len(items)
     lines.sort(key=lambda each: items.get(each.item or "", last))
     return numbered_anew(derivation, lines)
+
+
+def _first_ends(derivation: Derivation) -> dict[int, str]:
+    """The first item that ends at a line, by the numbers of such lines."""
+    items = {each: n for n, each in enumerate(derivation.asked)}
+    first: dict[int, str] = {}
+    for end in derivation.items:
+        known = first.get(end.line)
+        if end.item in items and (known is None or items[known] > items[end.item]):
+            first[end.line] = end.item
+    return first
+
+
+def _fixed_lines(derivation: Derivation) -> frozenset[int]:
+    """The lines of cases, of notes and of ends in a case, none of which goes to another part."""
+    return frozenset(
+        (
+            *(end.line for end in derivation.items if end.case is not None),
+            *(number for case in derivation.cases for number in (case.line, *case.lines)),
+            *(number for note in derivation.notes for number in note.lines),
+        )
+    )
 
 
 def _cited_in(
