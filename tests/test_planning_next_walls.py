@@ -144,3 +144,19 @@ def test_another_angle_or_sense_does_not_follow(name: str, right: str, wrong: st
     wrong_working = replace(derivation, lines=lines)
     reasons = {each.reason for each in follow(wrong_working, Oracle(roles(problem)))}
     assert "does-not-follow" in reasons
+
+
+def test_who_came_along_a_line_of_centres_has_its_angle_to_the_next_one() -> None:
+    problem = parse("""
+sphere A: mass m, velocity u at 30°
+sphere B: mass 2m, at rest
+sphere C: mass m, at rest
+A hits B: along i, e = 1/2
+B hits C: along 60°, e = 1/2
+find deflection(B)
+""")
+    derivation = plan(solve(problem))
+    said = [write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)]
+    assert "angle(velocity(B, 1), line_of_centres(2)) = 60°" in said
+    assert not any(each.endswith("sqrt(3)") and each.startswith("tan(theta)") for each in said)
+    assert not follow(derivation, Oracle(roles(problem)))

@@ -1242,6 +1242,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "of the components along one line, added to the product of those across it. Neither "
         "angles nor sizes are needed."
     ),
+    "derived.along-earlier-centres": "{body} moves along the line of centres of {event}:",
     "derived.along-centres": "{body} moves along the line of centres:",
     "derived.each-along": "{bodies:and} each move along the line of centres of their impact:",
     "derived.each-from-rest": (

@@ -31,7 +31,7 @@ def is_angle_of_lines(step: Step, line: Link) -> bool:
     """Whether an angle is the difference of two directions that are told by their angles.
 
     A velocity has the direction of its line of centres where it is seen to point along that. A wall
-    points both ways, and makes an acute angle.
+    points both ways, as the next line of centres does, and makes an acute angle.
     """
     match line:
         case Link(Quantity("angle", (one, other)), "=", right):
@@ -62,6 +62,12 @@ def _turns(step: Step, tree: Expression) -> Iterator[tuple[Expression, bool]]:
         case Name():
             for link in step.links:
                 if link.left == Quantity("direction", (tree,)):
+                    for turn in _angles(link.right):
+                        yield turn, True
+                        yield Binary("+", turn, STRAIGHT_ANGLE), True
+        case Quantity("line_of_centres"):
+            for link in step.links:
+                if link.left == tree:
                     for turn in _angles(link.right):
                         yield turn, True
                         yield Binary("+", turn, STRAIGHT_ANGLE), True

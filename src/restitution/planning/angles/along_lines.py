@@ -42,7 +42,7 @@ class _Turn:
 def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     """The line of an angle that a sphere which moves along a line of centres makes with a line.
 
-    That is **i** or **j**, a wall, a velocity at the start along **i** or **j**, or the velocity of
+    That is **i** or **j**, a wall, another line of centres, a velocity at the start along **i** or **j**, or the velocity of
     another such sphere: the angle is the difference of their directions. None of another angle.
     """
     match asked:
@@ -51,8 +51,7 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
         case _:
             return None
     mark = scene.desk.mark()
-    walls = [each for each in (one, other) if isinstance(each, Name)]
-    slants = any(isinstance(_along(scene, each), Degrees) for each in walls)
+    slants = any(isinstance(_along(scene, each), Degrees) for each in (one, other))
     turns = [_turn(scene, each, slants=slants) for each in (one, other)] if moving else []
     known = [each for each in turns if each is not None]
     angle = _between(scene, *known) if len(known) == len(turns) > 0 else None
@@ -81,10 +80,20 @@ def _is_velocity(tree: Expression) -> bool:
     return isinstance(tree, Quantity) and tree.kind == "velocity"
 
 
-def _along(scene: Scene, wall: Name) -> Expression | None:
-    """The direction of a wall as it is given."""
-    fact = scene.facts.get(f"wall {wall.name}")
-    return None if fact is None else fact.relation.only[0].right
+def _along(scene: Scene, line: Expression) -> Expression | None:
+    """The direction of a wall, or of a line of centres, as it is given; None of another tree."""
+    ref = _fact_of(line)
+    return None if ref not in scene.facts else scene.facts[ref].relation.only[0].right
+
+
+def _fact_of(line: Expression) -> str:
+    """The fact that gives the direction of a wall, or of a line of centres."""
+    match line:
+        case Name(wall):
+            return f"wall {wall}"
+        case Quantity("line_of_centres", (), int(number)):
+            return f"axis {number}"
+    return ""
 
 
 def _turn(scene: Scene, tree: Expression, *, slants: bool) -> _Turn | None:
@@ -95,15 +104,15 @@ def _turn(scene: Scene, tree: Expression, *, slants: bool) -> _Turn | None:
     match tree:
         case Unit(axis):
             return _Turn(RIGHT if axis == "j" else Degrees(Fraction(0)))
-        case Name(wall) if (right := _along(scene, tree)) is not None:
-            along = _turn_of_a_wall(right)
-            return None if along is None else _Turn(along, (f"wall {wall}",), both_ways=True)
+        case Name() | Quantity("line_of_centres") if (right := _along(scene, tree)) is not None:
+            along = _turn_of_a_line(right)
+            return None if along is None else _Turn(along, (_fact_of(tree),), both_ways=True)
         case Quantity("velocity"):
             return _turn_of_a_velocity(scene, tree, slants=slants)
     return None
 
 
-def _turn_of_a_wall(right: Expression) -> Expression | None:
+def _turn_of_a_line(right: Expression) -> Expression | None:
     match right:
         case Unit(axis):
             return RIGHT if axis == "j" else Degrees(Fraction(0))

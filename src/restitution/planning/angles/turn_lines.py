@@ -261,7 +261,9 @@ def _in_numbers(
     if ratio.free_symbols and not letters_too:
         return None
     line = angle_of_an_offset(scene, side.named) or angle_line(scene, side.named)
-    return scene.desk.last_link(line).right, (line, letter_of(scene, side.named)[1])
+    own_ = scene.desk.last_link(line)
+    named = () if own_.left == side.named else (letter_of(scene, side.named)[1],)
+    return own_.right, (line, *named)
 
 
 def inverse_of_data(scene: Scene, name: str) -> int:

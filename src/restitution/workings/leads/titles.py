@@ -309,6 +309,13 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _along_its_line(self, line: Line) -> Sentence | None:
         """That spheres move along lines of centres, where an angle is read off these."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres", (), n))) if (
+                n != line.move.event
+            ):
+                event = self._naming.called(self._naming.events[line.move.event or 0])
+                return say("derived.along-earlier-centres", body=line.move.bodies[0], event=event)
         moving = read_off_lines(line)
         if len(moving) == 1:
             ((body, stage),) = moving
