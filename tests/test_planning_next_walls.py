@@ -156,7 +156,25 @@ B hits C: along 60°, e = 1/2
 find deflection(B)
 """)
     derivation = plan(solve(problem))
-    said = [write_relation(e.relation) for e in derivation.lines if isinstance(e.relation, Relation)]
+    relations = (each.relation for each in derivation.lines)
+    said = [write_relation(each) for each in relations if isinstance(each, Relation)]
     assert "angle(velocity(B, 1), line_of_centres(2)) = 60°" in said
     assert not any(each.endswith("sqrt(3)") and each.startswith("tan(theta)") for each in said)
+    assert not follow(derivation, Oracle(roles(problem)))
+
+
+def test_a_given_direction_is_the_letter_of_the_line_of_centres() -> None:
+    """No tangent has to say that tan θ is tan 60°."""
+    problem = parse("""
+sphere A: mass 3m, velocity u i
+sphere B: mass m, at rest
+A hits B: along theta
+given direction(B) = 60°
+find theta, speed(B) in terms of e, u
+""")
+    derivation = plan(solve(problem))
+    relations = (each.relation for each in derivation.lines)
+    said = [write_relation(each) for each in relations if isinstance(each, Relation)]
+    assert "theta = 60°" in said
+    assert not any("tan(" in each for each in said)
     assert not follow(derivation, Oracle(roles(problem)))

@@ -42,8 +42,9 @@ class _Turn:
 def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     """The line of an angle that a sphere which moves along a line of centres makes with a line.
 
-    That is **i** or **j**, a wall, another line of centres, a velocity at the start along **i** or **j**, or the velocity of
-    another such sphere: the angle is the difference of their directions. None of another angle.
+    That is **i** or **j**, a wall, another line of centres, a velocity at the start along **i** or
+    **j**, or that of another such sphere: the angle is the difference of their directions. None of
+    another angle.
     """
     match asked:
         case Quantity("angle", (one, other)):

@@ -29,6 +29,7 @@ from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
 from restitution.planning.angles.angle_sums import is_sum, stated, write_sum, write_sum_with
 from restitution.planning.angles.deflections import cosine_of_deflection, write_deflection
+from restitution.planning.angles.directions import along_the_centres
 from restitution.planning.angles.equal_angles import write_equal_angles
 from restitution.planning.angles.expressions import outermost, size_of
 from restitution.planning.angles.given_turns import given_turn
@@ -151,6 +152,10 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return write_deflection(scene, each)
         if own.left.kind == "angle" and not has_quantity(own.right):
             line = given_turn(scene, each)
+            if line is not None:
+                return line
+        if own.left.kind == "direction":
+            line = _angle_of_the_centres(scene, own.left, each)
             if line is not None:
                 return line
         if own.left.kind == "velocity":
@@ -293,6 +298,24 @@ def _of_named_angle(scene: Scene, each: GivenEquation, line: int) -> int | None:
     known = background(scene, letters(right))
     refs = scene.judge.enough(Move("put"), (tangent, line), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _angle_of_the_centres(scene: Scene, direction: Quantity, each: GivenEquation) -> int | None:
+    """What a direction in degrees says of the letter for the line of centres of who goes along it."""
+    if not isinstance(each.link.right, Degrees):
+        return None
+    mark = scene.desk.mark()
+    try:
+        line = along_the_centres(scene, direction)
+    except NotPlannedError:
+        line = None
+    angle = None if line is None else scene.desk.last_link(line).right
+    if line is not None and isinstance(angle, Letter):
+        relation = chain(angle, (each.link.right, None))
+        if (put := scene.judge.write((Move("put"),), (line, *each.refs), relation)) is not None:
+            return put
+    scene.desk.back(mark)
+    return None
 
 
 def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
