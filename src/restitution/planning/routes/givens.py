@@ -301,7 +301,7 @@ def _of_named_angle(scene: Scene, each: GivenEquation, line: int) -> int | None:
 
 
 def _angle_of_the_centres(scene: Scene, direction: Quantity, each: GivenEquation) -> int | None:
-    """What a direction in degrees says of the letter for the line of centres of who goes along it."""
+    """The letter for a line of centres by a direction in degrees of who goes along it."""
     if not isinstance(each.link.right, Degrees):
         return None
     mark = scene.desk.mark()
