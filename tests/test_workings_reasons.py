@@ -139,7 +139,7 @@ sphere P: mass m, velocity u at alpha to W
 P hits W
 show speed(P)/u <= 1
 """,
-        ["Let V be the speed of P after the impact.", "V = √((eu sin α)² + (u cos α)²)", "V/u ≤ 1"],
+        ["Speed of P, from its components:\n      V = √((eu sin α)² + (u cos α)²)", "V/u ≤ 1"],
     ),
     # A direction of −60° is not one of 120°.
     "a direction by a tangent has its quadrant": (
@@ -301,7 +301,7 @@ show angle(velocity(P), W) <= alpha
             "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
             "show impulse = m speed(P, 0) - m speed(P)"
         ),
-        ["Let V₁ be the speed of P before the impact.\n    V₁ = u\n"],
+        ["    V₁ = u\n"],
     ),
     # cot 0° and cot 180° have no value.
     "a cotangent has a value between its ends alone": (

@@ -288,6 +288,8 @@ class _Writer:
             line.move.id == "roots"
             and after.move.id == "reject"
             and line.number in after.premises
+            # Of two places both are written.
+            and not any(str(ref).startswith("towards ") for ref in after.premises)
             and line.number not in self.sources.numbers
             and isinstance(line.relation, Relation)
             and root_but_for_sign(line.relation.options) is not None

@@ -713,6 +713,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "circle.centre-at": (
         "The centre of {body} is then at a distance {radius} from the centre of {wall}:"
     ),
+    "circle.first": "{body} reaches that point first",
+    "circle.ahead": "{body} is moving in the direction of {axis}",
     "circle.towards": "{body} is moving towards {wall} then",
     "touch.towards": "{one} and {other} are approaching then",
     "touch.wall": (
@@ -1223,6 +1225,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "component across the line divided by the component along it."
     ),
     "derived-speed.title": "Speed, from its components",
+    "derived-speed.title-of": "Speed of {body}, from its components",
     "derived-speed.why": (
         "The components are the two shorter sides of a right-angled triangle, of which the "
         "velocity is the longest. So the square of the speed is the sum of the squares of the "

@@ -41,7 +41,7 @@ _PHRASES: frozenset[SentenceId] = _PUTTING | {
     "so",
 }
 _BY_COMPONENTS: frozenset[SentenceId] = frozenset(
-    {"derived-speed.title", "derived-assembled.title"}
+    {"derived-speed.title", "derived-speed.title-of", "derived-assembled.title"}
 )
 
 

@@ -241,6 +241,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return say("restitution.products")
         if record.id in ("restitution", "restitution-wall") and is_zero(last.right):
             return say("restitution.none")
+        if name == "derived-speed.title" and self._naming.has_letter_of_the_question(first.left):
+            name = "derived-speed.title-of"
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{each: slots[each][0] for each in slots_of(name)})
 

@@ -202,9 +202,20 @@ class Naming(Moments):
             case Quantity("dot", _, _):
                 return None
         if tree in self._of_the_question:
-            name, _, subscript = self._of_the_question[tree].partition("_")
-            return self._lettered(tree, name, subscript, self._speed_in_full(tree))
+            name = self._of_the_question[tree]
+            if name in self._used:
+                return operand(self.quantity(tree))
+            # The question says what it stands for.
+            self._used.add(name)
+            self._own[tree] = lay.letter(name)
+            return self._own[tree]
         return operand(self.quantity(tree))
+
+    def has_letter_of_the_question(self, tree: Expression) -> bool:
+        """Whether a speed is called by the letter that the question has for it."""
+        if not isinstance(tree, Quantity) or tree not in self._of_the_question:
+            return False
+        return isinstance(self.name(tree), lay.Letter)
 
     def _early(self, tree: Quantity) -> lay.Layout:
         """The letter that a later line has for an angle of which a sine or the like stands here."""
@@ -216,28 +227,12 @@ class Naming(Moments):
         self._pending.append(say("derived.let", meanings=(meaning,)))
         return symbol
 
-    def _speed_in_full(self, tree: Quantity) -> Sentence | None:
-        """The speed of a body in words, with its time."""
-        match tree:
-            case Quantity("speed", (Name(body),), int(stage)):
-                speed = say("derived.speed", of=(body,))
-            case _:
-                return None
-        own = (n for n, event in self.events.items() if n <= stage and body in event.bodies)
-        late = max(own, default=0)
-        return say("derived.when", quantity=speed, when=self._plain_when(late))
-
-    def _lettered(
-        self, tree: Quantity, letter: str, subscript: str = "", words: Sentence | None = None
-    ) -> lay.Layout:
-        """A letter for a quantity without a short name; words where the letter is taken.
-
-        It is introduced by the words that are given, or by its own.
-        """
+    def _lettered(self, tree: Quantity, letter: str, subscript: str = "") -> lay.Layout:
+        """A letter for a quantity without a short name; words where the letter is taken."""
         name = f"{letter}_{subscript}" if subscript else letter
         if name in self._used:
             return operand(self.quantity(tree))
-        words = words or self.quantity(tree)
+        words = self.quantity(tree)
         self._used.add(name)
         symbol = lay.letter(name)
         self._own[tree] = symbol

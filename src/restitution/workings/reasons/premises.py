@@ -57,7 +57,7 @@ from restitution.workings.reasons.plain_signs import are_squares, positive_lette
 from restitution.workings.reasons.pushed import pushed_away
 from restitution.workings.reasons.pythagoras import pythagoras
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
-from restitution.workings.reasons.rejected_roots import made_by_a_root
+from restitution.workings.reasons.rejected_roots import made_by_a_root, root_on_a_rim
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
@@ -488,7 +488,7 @@ class Reasons:
                 body, wall = self._naming.events[int(number)].bodies
                 if self._naming.bodies.get(wall) == "sphere":
                     return say("touch.towards", one=body, other=wall)
-                return say("circle.towards", body=body, wall=wall)
+                return root_on_a_rim(self._derivation, self._naming, line, int(number))
             if line.move.id == "reject" and kind == "velocity":
                 return pushed_away(self._derivation, self._naming, line, fact)
             if line.move.id == "reject" and fact.kind == "given" and signs == {"="}:

@@ -1,4 +1,4 @@
-"""What a root that is rejected would make of another letter: *w = −3u and e = −1*."""
+"""Why roots are rejected: by what they make of another letter, *w = −3u and e = −1*, or where."""
 
 from __future__ import annotations
 
@@ -9,9 +9,12 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
+from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Expression, Letter
+from restitution.expression.tree import Expression, Letter, Negate, Unit
 from restitution.planning.writing.forms import UnwrittenError, tree_of
+from restitution.workings.naming.measured import vector_worth
+from restitution.workings.naming.quantities import Naming
 
 _BEYOND = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 
@@ -77,4 +80,37 @@ def _equations(derivation: Derivation, line: Line) -> Iterator[tuple[Expression,
                 yield links[0].left, links[-1].right
 
 
-__all__ = ["made_by_a_root"]
+def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: int) -> Sentence:
+    """Why a body that moves parallel to an axis strikes a circular wall at one of two points.
+
+    From inside it comes to the one that is in front of it, from outside to the nearer one. For a
+    path that slants, only that it moves towards the wall there.
+    """
+    body, wall = naming.events[number].bodies
+    otherwise = say("circle.towards", body=body, wall=wall)
+    above = derivation.line(line.premises[0]) if isinstance(line.premises[0], int) else None
+    fact = derivation.fact(f"velocity {body}")
+    if above is None or fact is None or f"velocity {body}" not in line.premises:
+        return otherwise
+    if not isinstance(above.relation, Relation) or not isinstance(line.relation, Relation):
+        return otherwise
+    velocity = vector_worth(fact.relation.only[-1].right)
+    kept = line.relation.options[0]
+    (*_, dropped) = [each for each in above.relation.options if each != kept] or [kept]
+    try:
+        ahead = in_letters(kept[-1].right, positive=True)
+        ahead -= in_letters(dropped[-1].right, positive=True)
+    except (RestitutionError, TypeError):
+        return otherwise
+    speeds = [] if velocity is None else [each for each in velocity if each != 0]
+    sense = sp.sign(speeds[0] * tidy(ahead)) if len(speeds) == 1 else None
+    if sense not in (-1, 1):
+        return otherwise
+    if sense < 0:
+        return say("circle.first", body=body)
+    unit = Unit("i" if velocity is not None and velocity[0] != 0 else "j")
+    axis = naming.layout(unit if speeds[0].is_positive else Negate(unit))
+    return say("circle.ahead", body=body, axis=axis)
+
+
+__all__ = ["made_by_a_root", "root_on_a_rim"]
