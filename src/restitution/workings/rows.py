@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, operand, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -28,6 +31,7 @@ from restitution.planning.writing.forms import coordinates, negative
 from restitution.problem import Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
+from restitution.solving.story.letters import roles
 from restitution.workings.leads.extremes import EXTREMA, extreme, value_reached
 from restitution.workings.leads.senses import direction_by_its_sense
 from restitution.workings.naming.bold_letters import unit_vector
@@ -51,6 +55,7 @@ from restitution.workings.naming.measured import (
     to_figures,
     to_three_figures,
     with_unit,
+    worth,
 )
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.row_sides import (
@@ -170,8 +175,25 @@ class Rows:
             if self._is_gain(line):
                 yield say("derived.gained")
             if are_values(line.relation) and not conditioned:
-                both = len(line.relation.options) == 2
-                yield say("derived.both-possible" if both else "derived.all-possible")
+                yield say(self._possible(line.relation))
+
+    def _possible(self, relation: Relation) -> SentenceId:
+        """Why both of two values hold, where that is seen; that all do, where there are more."""
+        if len(relation.options) != 2:
+            return "derived.all-possible"
+        left = relation.options[0][0].left
+        values = [worth(links[-1].right) for links in relation.options]
+        if not all(each.is_positive for each in values):
+            return "derived.both-possible"
+        roles_ = roles(self._naming.problem)
+        match left:
+            case Letter(name) if name in roles_ and roles_[name].kind == "restitution":
+                return "derived.both-coefficients"
+            case Letter(name) if name in roles_ and roles_[name].kind == "positive":
+                return "derived.both-positive"
+            case Apply("tan", Letter(name)) if name in roles_ and roles_[name].high == sp.pi / 2:
+                return "derived.both-positive"
+        return "derived.both-possible"
 
     def _is_gain(self, line: Line) -> bool:
         """Whether a loss of kinetic energy that was asked is a negative number."""

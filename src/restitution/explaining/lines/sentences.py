@@ -1036,6 +1036,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.by-from": "From {equations:and}, {how}:",
     "derived.gained": "kinetic energy is gained",
     "derived.both-possible": "both are possible",
+    "derived.both-positive": "both are possible, as both are positive",
+    "derived.both-coefficients": "both are possible, as both are between 0 and 1",
     "derived.all-possible": "all are possible",
     "derived.pythagoras": "as sin² + cos² = 1",
     "derived.double-angle": "by the formulae for the double angle",

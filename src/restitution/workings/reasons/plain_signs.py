@@ -7,11 +7,12 @@ from collections.abc import Iterator, Mapping
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Link, Relation
+from restitution.explaining.lines.derivation import Line, Link, Relation
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import factors_above
+from restitution.planning.writing.inequalities import turned
 
 
 def is_never_negative(tree: Expression, roles: Mapping[str, Role]) -> bool:
@@ -56,6 +57,15 @@ def _is_square_of(square: Expression, tree: Expression) -> bool:
     if not isinstance(whole, sp.Expr) or not isinstance(root, sp.Expr):
         return False
     return bool(sp.cancel(whole - root**2) == 0)
+
+
+def bounds_said(line: Line) -> Iterator[Relation]:
+    """The bounds of a range that a line says itself: they are no reasons of it."""
+    match line.relation:
+        case Relation((links,)) if line.move.id == "compare" and len(links) > 1:
+            for link in links:
+                yield Relation(((link,),))
+                yield Relation(((turned(link),),))
 
 
 def positive_letters(value: Expression, roles: Mapping[str, Role]) -> Iterator[Letter]:
