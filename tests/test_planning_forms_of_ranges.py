@@ -49,7 +49,7 @@ CASES = {
     ),
     "the faster": (
         SPHERES.format(angle=" i", more="given speed(A) < speed(B)", asked="e"),
-        ["0 < e < 2/(k − 1), as k ≥ 3", "This holds for k ≥ 3.", "0 < e ≤ 1, for k < 3"],
+        ["0 < e < 2/(k − 1)", "This holds for k ≥ 3.", "0 < e ≤ 1, for k < 3"],
     ),
     "of an angle": (
         SPHERES.format(angle=" at alpha", more="given deflection(A) < 90°", asked="k"),
@@ -65,7 +65,11 @@ CASES = {
     ),
     "the lesser of two": (
         WALL.format(given="deflection(P) <= 90°", asked="e"),
-        ["so the scalar product is not negative", "0 ≤ e ≤ 1/tan²α", "0 ≤ e ≤ 1, for α ≤ 45°"],
+        [
+            "so the scalar product of the velocities before and after is not negative",
+            "0 ≤ e ≤ 1/tan²α",
+            "0 ≤ e ≤ 1, for α ≤ 45°",
+        ],
     ),
 }
 

@@ -99,7 +99,7 @@ A hits B: along i
 given direction(A) = 180°
 find range of e
 """,
-        ("v₂ < 0", "½ < e ≤ 1, as e ≤ 1"),
+        ("v₂ < 0", "½ < e ≤ 1"),
     ),
 }
 

@@ -58,7 +58,7 @@ P hits Q: offset h, e = 1/3
 find range of h
 find maximum of deflection(P) over h
 """,
-        ("P does not pass by Q:\n    h < 2b", "0 < h < 2b, as h > 0", "tan δ > 0"),
+        ("P does not pass by Q:\n    h < 2b", "0 < h < 2b", "tan δ > 0"),
     ),
     "an angle and a coefficient by a deflection and a loss": (
         """
@@ -119,7 +119,7 @@ P hits Q: offset h, e = 1
 given deflection(P) >= 30°
 find range of h
 """,
-        ("√(4b² − h²)/h ≥ √3/3", "(4b² − h²)/h² ≥ ⅓", "0 < h ≤ √3 b, as h > 0"),
+        ("√(4b² − h²)/h ≥ √3/3", "(4b² − h²)/h² ≥ ⅓", "0 < h ≤ √3 b"),
     ),
     "an angle of 0° between velocities": (
         """

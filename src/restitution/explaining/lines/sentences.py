@@ -574,14 +574,16 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}, so {velocity} has no positive component along {axis}:"
     ),
     "given.so-signed": "Since {fact}, {sign}:",
-    "given.positive-product": "It is given that {fact}, so the scalar product is positive:",
-    "given.negative-product": "It is given that {fact}, so the scalar product is negative:",
-    "given.no-negative-product": "It is given that {fact}, so the scalar product is not negative:",
-    "given.no-positive-product": "It is given that {fact}, so the scalar product is not positive:",
+    "product.plain": "the scalar product",
+    "product.of-a-turn": "the scalar product of the velocities before and after",
+    "given.positive-product": "It is given that {fact}, so {product} is positive:",
+    "given.negative-product": "It is given that {fact}, so {product} is negative:",
+    "given.no-negative-product": "It is given that {fact}, so {product} is not negative:",
+    "given.no-positive-product": "It is given that {fact}, so {product} is not positive:",
     "given.none-in": "So {velocity} has no component in the direction of {axis}:",
     "given.none-as-given": "As {fact}, {velocity} has no component in the direction of {axis}:",
     "given.none-along": "So {velocity} has no component along {line}:",
-    "given.product": "It is given that {fact}, so the scalar product is zero:",
+    "given.product": "It is given that {fact}, so {product} is zero:",
     "given.product-by-wall": (
         "It is given that {fact}. {wall} is parallel to {vector}, so the scalar product is zero:"
     ),

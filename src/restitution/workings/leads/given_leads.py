@@ -123,7 +123,7 @@ class GivenLeads(Leads):
                 velocity, axis = map(self._naming.layout, past[:2])
                 signed = say(part, velocity=velocity, axis=axis)
                 return (say("given.so-signed", fact=sentence, sign=signed),)
-            return (say(_PRODUCTS[past[2]], fact=sentence),)
+            return (say(_PRODUCTS[past[2]], fact=sentence, product=self._product_of(facts[0])),)
         if named and not isinstance(sentence, Sentence):
             if self.title(line) is not None:
                 own = facts[0].relation.options[0][0].left
@@ -161,7 +161,7 @@ class GivenLeads(Leads):
                 return (say("given.fact-from-rest", fact=sentence, body=off),)
             return (say("given.fact", fact=sentence),)
         if line.move.record == "perpendicular" and past is not None:
-            return (say(_PRODUCTS[past[2]], fact=sentence),)
+            return (say(_PRODUCTS[past[2]], fact=sentence, product=self._product_of(facts[0])),)
         if line.move.record == "perpendicular" and nothing:
             match line.relation.options[0][0].left:
                 case Quantity("along" | "across"):
@@ -172,7 +172,7 @@ class GivenLeads(Leads):
                         return (say("given.product-from-rest", fact=sentence, body=mover),)
                     return (say("given.product-along", fact=sentence, body=mover),)
                 case _:
-                    return (self._product_is_zero(line, sentence),)
+                    return (self._product_is_zero(line, facts[0]),)
         direction = facts[0].relation.options[0][0].right
         other = _across(self._of_a_wall(direction))
         if no_component and other is not None:
@@ -234,8 +234,14 @@ class GivenLeads(Leads):
                 return None if isinstance(own.shape, Circle) else own.name
         return None
 
-    def _product_is_zero(self, line: Line, fact: Sentence | lay.Layout) -> Sentence:
+    def _product_of(self, fact: Fact) -> Sentence:
+        """Which scalar product the sign of an angle tells: of a deflection, that of two times."""
+        turn = getattr(self._opened(fact.relation.options[0][0]).left, "kind", None)
+        return say("product.of-a-turn" if turn == "deflection" else "product.plain")
+
+    def _product_is_zero(self, line: Line, given: Fact) -> Sentence:
         """That a scalar product is zero; of a wall that an angle gives, the vector along it too."""
+        fact = fact_in_words(self._naming, given)
         for ref in line.premises:
             wall = self._derivation.fact(ref) if isinstance(ref, str) else None
             match None if wall is None else wall.relation.options[0][0]:
@@ -247,7 +253,7 @@ class GivenLeads(Leads):
                 whole = along.left if isinstance(along, Binary) and along.op == "/" else along
                 vector = self._naming.layout(whole)
                 return say("given.product-by-wall", fact=fact, wall=name, vector=vector)
-        return say("given.product", fact=fact)
+        return say("given.product", fact=fact, product=self._product_of(given))
 
     def _cosine_told(self, line: Line, fact: Fact) -> tuple[Sentence, ...]:
         """What is said before the cosine of a given angle between two velocities; else nothing."""
