@@ -12,11 +12,13 @@ import pytest
 
 import restitution
 from restitution.practice.judgement import Judgement
+from restitution.practice.judging import doubts, judging
 from restitution.practice.judging.bench import bench_of
 from restitution.practice.judging.judging import judge
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.declaring import letters_from_mapping
 from restitution.practice.reading.working import read_working
+from restitution.practice.worlds.effort import ExhaustedError
 from restitution.solving.equations.solution import Solution
 
 _FOLDER = Path(__file__).parent / "judged"
@@ -144,3 +146,44 @@ def test_letters_in_doubt_are_tried_without_the_laws_of_their_lines() -> None:
     judge_ = Judge(question.worlds, {}, question.names, question.question, names=False)
     assert judge_.judged(script, lambda lines: len(lines) == 1) == ()
     assert all(not line.uses for line in judge_.judged(script))
+
+
+FACING = """sphere A: mass 2, velocity 3i + 2j
+sphere B: mass 4, velocity -i + j
+A hits B: along i, e = 1/2
+find velocity(A), velocity(B)"""
+
+
+def test_of_a_long_text_the_first_lines_are_judged(monkeypatch: pytest.MonkeyPatch) -> None:
+    working = ["2*3 + (-4) = 2v + 4w", "w - v = 2", "w = 1", "v = -1", *["v + 2w = 7"] * 20]
+    long = restitution.mark(solved(FACING), working).json()["lines"]
+    assert [line["verdict"] for line in long[:5]] == ["true"] * 4 + ["false"]
+    monkeypatch.setattr(judging, "_EFFORT", 3_000)
+    marking = restitution.mark(solved(FACING), working, hints=1)
+    judged = [line.verdict for line in marking.lines if line.remark != judging.NOT_JUDGED]
+    assert 0 < len(judged) < len(working)
+    assert judged[:4] == ["true"] * min(4, len(judged))
+    assert {line.verdict for line in marking.lines[len(judged) :]} == {"unread"}
+    assert judging.NOT_JUDGED in {message.text for message in marking.messages}
+    assert all(point.state != "lost" or point.line for point in marking.marks.points)
+    monkeypatch.setattr(judging, "_EFFORT", 0)
+    lines = restitution.mark(solved(FACING), working).lines
+    assert {line.verdict for line in lines} == {"unread"}
+
+
+def test_a_letter_of_too_many_meanings_to_be_tried_is_asked(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    working = ["6 - 4 = 2p + 4q", "q - p = 4"]
+    statement = FACING.replace("e = 1/2", "e = 1/4")
+    assert [line.verdict for line in restitution.mark(solved(statement), working).lines] == [
+        "true",
+        "false",
+    ]
+
+    def exhausted(*_: object) -> None:
+        raise ExhaustedError
+
+    monkeypatch.setattr(doubts.Doubts, "_asked_by_rivals", exhausted)
+    lines = restitution.mark(solved(statement), working).lines
+    assert "false" not in {line.verdict for line in lines}

@@ -915,3 +915,75 @@ def test_what_follows_from_sine_for_cosine_in_both_laws_keeps_their_methods() ->
     letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
     lines = "along loc: A 5usinα = 4u\n4m(4u) - m(12u) = 4mv + mw\nw - v = ¼(4u + 12u)"
     assert states(IN_NUMBERS, lines, letters)[1:5] == ["earned", "lost", "earned", "lost"]
+
+
+STOPPED = """sphere A: mass m, velocity 4u i
+sphere B: mass k m, velocity -u i
+A hits B: along i
+given velocity(A) = 0
+part a
+show k = 4/(1 + 5e)
+part b
+find range of k"""
+
+
+@pytest.mark.parametrize(
+    ("last", "states"),
+    [
+        ("2/3 <= k <= 4", ["earned", "earned"]),
+        ("k >= 0.667 and k ≤ 4", ["earned", "earned"]),
+        ("2/3 <= k <= 5", ["earned", "lost"]),  # true, and not the range
+        ("k > 1/2, k <= 4", ["earned", "lost"]),
+    ],
+)
+def test_a_range_has_its_own_ends(last: str, states: list[str]) -> None:
+    marking = restitution.mark(restitution.solve(restitution.parse(STOPPED)), last, part="b")
+    assert [point.state for point in marking.marks.points] == states
+
+
+LINE_OF_THREE = """sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B: along i
+show velocity(B) = (1 + e) u/2 i"""
+
+
+def test_each_relation_of_a_line_may_state_a_law() -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    line = "CoM: v+w=u, NEL: w-v=eu, add them up: 2w=u(1+e), so w=½(1+e)u"
+    assert set(states(LINE_OF_THREE, line, letters)) == {"earned"}
+
+
+STRUCK = """sphere A: mass 0.17, velocity 3.2 at 28°
+sphere B: mass 0.17, at rest
+A hits B: along i, e = 0.92
+find speed(A), speed(B)"""
+
+
+def test_a_root_behind_the_name_of_a_sphere_is_its_speed() -> None:
+    working = """x + y = 2.825
+    y - x = 0.92×2.825
+    y = 2.712, x = 0.113
+    A: √(0.113²+1.502²) = 1.51 m/s
+    B: 2.71 m/s"""
+    letters = {"x": "along(velocity(A), i)", "y": "along(velocity(B), i)"}
+    assert set(states(STRUCK, working, letters)) == {"earned"}
+    wrong = working.replace("0.113²+1.502²) = 1.51", "0.113²+2.825²) = 2.83")
+    solution = restitution.solve(restitution.parse(STRUCK))
+    verdicts = [line.verdict for line in restitution.mark(solution, wrong, letters=letters).lines]
+    assert verdicts == ["true", "true", "true", "false", "true"]
+
+
+WALL_OF_TIMES = """wall W: along i, through (0, 0)
+sphere P: mass 1/2, velocity 4i - 3j, at (0, 3)
+P hits W: e = 2/3
+find time(1), energy_lost"""
+
+
+def test_a_number_is_told_by_its_unit() -> None:
+    kinds = states(
+        WALL_OF_TIMES, "3/3 = 1 sec\nbefore ½×½×25 = 6.25, after ½×½×20 = 5, so 1.25J lost"
+    )
+    assert set(kinds) == {"earned"}
+    solution = restitution.solve(restitution.parse(WALL_OF_TIMES))
+    lines = restitution.mark(solution, "3/4 = 0.75 s\n5/4 = 1.6 s\nso 1.5J lost").lines
+    assert [line.verdict for line in lines] == ["remark", "false", "false"]

@@ -68,7 +68,8 @@ class Mistake:
 class JudgedLine:
     """A line with its verdict.
 
-    ``uses`` are the laws that it states or cannot be had without; ``link`` is the place (from 0) of
+    ``uses`` are the laws that it states or cannot be had without, ``stated`` those of its several
+    relations; ``link`` is the place (from 0) of
     the link that fails; ``sources`` are the numbers of the lines above from which it follows;
     ``read_as`` the reading that decided, in symbols; ``meant`` what letters and phrases mean in
     this line where it is not what they mean in the script. ``grounded`` tells that a true line does
@@ -81,6 +82,7 @@ class JudgedLine:
     verdict: Verdict
     accuracy: Accuracy | None = None
     uses: tuple[Use, ...] = ()
+    stated: tuple[Use, ...] = ()
     read_as: str | None = None
     link: int | None = None
     sources: tuple[int, ...] = ()

@@ -33,9 +33,12 @@ from restitution.practice.letters.interpretation import Interpretation, Interpre
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
+from restitution.practice.worlds.effort import ExhaustedError, effort
 from restitution.practice.worlds.world import World
 
 _RIVALS = 8
+_EFFORT = 80_000
+"""So many evaluations are spent on other meanings of the letters, at most."""
 ANGLES = frozenset({"angle", "direction", "deflection"})
 _SURE = 3
 """What an angle is taken for is certain with so many true lines that it stands in."""
@@ -79,8 +82,32 @@ class Doubts:
 
         A meaning under which more lines are false explains the script less well, and where one
         altered law explains several of them, so does one under which any is. A mistake with a name
-        stands where the other meaning makes another line false.
+        stands where the other meaning makes another line false. Where the meanings are too many to
+        be tried, a line is a question about every letter in it that may be doubtful.
         """
+        try:
+            with effort(_EFFORT):
+                return self._asked_by_rivals(lines, asks)
+        except ExhaustedError:
+            return tuple(self._open_to_doubt(line, asks) for line in lines)
+
+    def _open_to_doubt(self, line: JudgedLine, asks: set[str]) -> JudgedLine:
+        """A false line as a question, if its letters have meanings that nobody declared."""
+        meanings = self.meanings.best.at(line.line.number)
+        open_ = {
+            name
+            for name in _names_in_doubt(line)
+            if name in meanings and meanings[name].by == "inferred"
+        }
+        if line.verdict != "false" or not open_:
+            return line
+        asks.update(open_)
+        return replace(line, verdict="asks", mistake=None, link=None)
+
+    def _asked_by_rivals(
+        self, lines: tuple[JudgedLine, ...], asks: set[str]
+    ) -> tuple[JudgedLine, ...]:
+        """The lines of which another meaning is tried with the whole script."""
         tries = iter(range(_RIVALS))
         most = 0 if are_of_one_mistake(lines) else sum(line.verdict == "false" for line in lines)
         for rival in self.meanings.rivals:

@@ -8,6 +8,7 @@ not a mistake.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import nullcontext, suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain, islice
@@ -46,10 +47,17 @@ from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.letters.letters import meanings_of
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Link, Script, ScriptLine
+from restitution.practice.worlds.effort import ExhaustedError, effort
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.problem import Problem
 from restitution.solving.equations.solution import Solution
 
+NOT_JUDGED = "This was not judged: there is too much above it. Hand in fewer lines at a time."
+_EFFORT = 200_000
+"""So many evaluations are spent on the lines of a script, at most."""
+_EFFORT_OF_MISREADINGS = 40_000
+_SHORTER = 3
+"""Of a script that takes more, this fraction is judged."""
 _MISREADINGS = 8
 _PLACES = 3
 """A datum stands in so many places, at most, that are tried."""
@@ -90,11 +98,31 @@ def _judged(
     part: str | None,
     letters: Mapping[str, Expression | Sequence[Expression]] | None,
 ) -> Judgement:
-    meanings = meanings_of(
-        script, bench.problem, bench.solution, part, dict(letters or {}), bench.worlds
-    )
     with np.errstate(all="ignore"):
-        return _Sitting(bench, script, meanings).judgement()
+        return _judged_first(bench, script, len(script.lines), part, letters)
+
+
+def _judged_first(
+    bench: Bench,
+    script: Script,
+    most: int,
+    part: str | None,
+    letters: Mapping[str, Expression | Sequence[Expression]] | None,
+) -> Judgement:
+    """The first lines of a script judged, as many of ``most`` as the effort suffices for."""
+    own = Script(script.lines[:most])
+    later = [JudgedLine(each, "unread", remark=NOT_JUDGED) for each in script.lines[most:]]
+    try:
+        with effort(_EFFORT) if most else nullcontext():
+            meanings = meanings_of(
+                own, bench.problem, bench.solution, part, dict(letters or {}), bench.worlds
+            )
+            sitting = _Sitting(bench, own, meanings)
+            judge_, lines = sitting.first_lines()
+    except ExhaustedError:
+        return _judged_first(bench, script, most // _SHORTER, part, letters)
+    judgement = sitting.judgement(judge_, lines)
+    return replace(judgement, lines=(*judgement.lines, *later))
 
 
 def _defined_otherwise(
@@ -117,14 +145,21 @@ def _defined_otherwise(
 class _Sitting(Doubts):
     """One script before the bench."""
 
-    def judgement(self) -> Judgement:
+    def first_lines(self) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        """The lines under the likeliest meanings of the letters."""
         judge_, lines = self._judged(self.script, self.meanings.best)
-        judge_, lines = self._with_letters_kept(judge_, lines)
-        judge_, lines = self._with_own_letters(judge_, lines)
-        lines = self._with_crossed_out(lines)
+        return self._with_letters_kept(judge_, lines)
+
+    def judgement(self, judge_: Judge, lines: tuple[JudgedLine, ...]) -> Judgement:
+        """The lines with all that is looked into once they stand."""
+        with suppress(ExhaustedError), effort(_EFFORT):
+            judge_, lines = self._with_own_letters(judge_, lines)
+        with suppress(ExhaustedError), effort(_EFFORT):
+            lines = self._with_crossed_out(lines)
         asks = set(judge_.unknown)
         if any(line.verdict == "false" for line in lines):
-            lines = self._misread(lines)
+            with suppress(ExhaustedError), effort(_EFFORT_OF_MISREADINGS):
+                lines = self._misread(lines)
             lines = self.asked(lines, asks)
             sure = are_of_one_mistake(lines)
             lines = (

@@ -14,7 +14,7 @@ from itertools import chain
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, VariantAt
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     STRAIGHT_ANGLE,
@@ -62,6 +62,7 @@ from restitution.practice.judging.supposing import (
     speaks_of_an_extreme,
     supposed_in,
 )
+from restitution.practice.judging.uses import of_mistake, uses_of_variants
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import read_as
 from restitution.practice.reading.phrases import is_phrase, names_time, tells_after
@@ -81,14 +82,6 @@ _BACK = re.compile(
     r"|the other way|reversed)\b",
     re.IGNORECASE,
 )
-# What a result is, as the principle of a line.
-_PRINCIPLES = {
-    "impulse": "impulse",
-    "energy_lost": "energy",
-    "energy": "energy",
-    "speed": "speed",
-    "deflection": "deflection",
-}
 
 
 class Judge(Following):
@@ -149,9 +142,11 @@ class Judge(Following):
         idle = all(use.principle == "arithmetic" for use in line.uses)
         uses = (explained.near or line.uses) if idle else line.uses
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
-            uses = tuple(dict.fromkeys((*_uses_of_variants(explained.variants, mistake), *uses)))
+            uses = tuple(dict.fromkeys((*uses_of_variants(explained.variants, mistake), *uses)))
         if mistake.kind == "misconception" and not mistake.variants:
-            uses = tuple(each if each.altered is None else _of(mistake, each) for each in uses)
+            uses = tuple(
+                each if each.altered is None else of_mistake(mistake, each) for each in uses
+            )
         mended = explained.mended if mistake.kind == "slip" else None
         return replace(line, mistake=mistake, uses=uses, mended=mended)
 
@@ -249,7 +244,7 @@ class Judge(Following):
         for name in worst.letters:
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]
-        uses = self._uses(line, links) if self._names else ()
+        uses, stated = self._uses(line, links) if self._names else ((), ())
         if verdict == "true" and not all(self._is_known(link.claim) for link in links):
             # A value rests on laws, and states none; nor does what is data alone.
             self._stated |= {
@@ -266,6 +261,7 @@ class Judge(Following):
             if verdict in ("true", "follows")
             else None,
             uses=uses,
+            stated=stated,
             read_as=read_as(tuple(link.claim for link in links)),
             link=place if verdict == "false" else None,
             sources=tuple(
@@ -639,17 +635,24 @@ class Judge(Following):
 
     # --- laws -------------------------------------------------------------------------------------
 
-    def _uses(self, line: ScriptLine, links: Sequence[JudgedLink]) -> tuple[Use, ...]:
+    def _uses(
+        self, line: ScriptLine, links: Sequence[JudgedLink]
+    ) -> tuple[tuple[Use, ...], tuple[Use, ...]]:
+        """The laws that a line uses, and those that its relations state, one each at most."""
         uses: dict[Use, None] = {}
+        stated: dict[Use, None] = {}
         for link, judged in zip(line.links, links, strict=True):
             if judged.verdict in ("true", "follows", "false", "unsupported"):
                 entry = self._entry(line, link, judged)
                 if judged.right is not None:  # of a law, with wrong numbers in it
                     entry = replace(entry, claim=judged.right, right=True)
-                uses.update(dict.fromkeys(self.uses_of_entry(entry)))
+                own = self.uses_of_entry(entry)
+                uses.update(dict.fromkeys(own))
+                if all(each.principle != "value" for each in own):
+                    stated.update(dict.fromkeys(own[:1]))
         if len(uses) > 1:
             uses.pop(Use("arithmetic"), None)
-        return tuple(uses)
+        return tuple(uses), tuple(stated)
 
 
 def _lines_of(script: Script) -> dict[str, set[int]]:
@@ -663,11 +666,6 @@ def _lines_of(script: Script) -> dict[str, set[int]]:
     return lines
 
 
-def _of(mistake: Mistake, use: Use) -> Use:
-    """An altered law as one of a mistake that has no variant in the line."""
-    return replace(use, altered=f"{mistake.id}/1")
-
-
 def _is_monomial(tree: Expression) -> bool:
     """Whether a tree adds and subtracts nothing."""
     return not any(isinstance(each, Binary) and each.op in "+-" for each in walk(tree))
@@ -676,18 +674,6 @@ def _is_monomial(tree: Expression) -> bool:
 def _is_a_time(label: Letter) -> bool:
     """Whether a label names a time."""
     return is_phrase(label.name) and names_time(label.name)
-
-
-def _uses_of_variants(variants: Sequence[VariantAt], mistake: Mistake) -> Iterator[Use]:
-    """The altered laws and results of a named mistake in a line with numbers put in."""
-    for variant in variants:
-        if variant.id in mistake.variants:
-            for law in variant.laws:
-                yield Use(law.law, variant.event.number, law.bodies, variant.id)
-            for result in variant.results:
-                kind = _PRINCIPLES.get(str(kind_of(result.quantity)))
-                if kind is not None:
-                    yield Use(kind, variant.event.number, (), variant.id)
 
 
 def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from restitution import work
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
@@ -25,6 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.script import Claim, Decimal, column_of
+from restitution.practice.worlds import effort
 from restitution.practice.worlds.agreement import looseness
 from restitution.practice.worlds.arrays import FIELD, Array, angle, is_bare
 from restitution.practice.worlds.telling import NO_MEANINGS, Meanings, Telling
@@ -97,7 +97,7 @@ class Tester:
         numbers: Mapping[int, Array] | None = None,
     ) -> Value | None:
         """The value of a tree, None where it makes no sense."""
-        work.spend()
+        effort.evaluate()
         trial = Trial(self.world, put, frame.meanings)
         stage = len(self.world.events) if frame.now is None else frame.now
         with np.errstate(all="ignore"):

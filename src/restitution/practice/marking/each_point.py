@@ -327,6 +327,9 @@ class EachPoint:
             if line.verdict == "false" and self.values.is_bound(point, line):
                 last = PointMark(point, "lost", line.line.number, "another range in its place")
                 continue
+            if self.values.is_other_range(point, line):
+                last = PointMark(point, "lost", line.line.number, "not the whole range")
+                continue
             if match is None:
                 continue
             if line.verdict == "true" and match == "true":
@@ -577,7 +580,8 @@ class EachPoint:
         for place, use in enumerate(fitting_uses(line)):
             if use.principle not in names:
                 continue
-            if place and use.altered is None and use.principle in LAWS and not implied:
+            bare = place and use not in line.stated
+            if bare and use.altered is None and use.principle in LAWS and not implied:
                 continue  # a bare value states no law
             if place and line.uses[0].principle == "fact" and not self.values.has_coefficient(line):
                 continue  # a fact of the question needs no law

@@ -164,6 +164,8 @@ def _of_line(
         case "follows":
             return _following(sorted(roots[line.line.number]))
         case "unread":
+            if line.remark:
+                return line.remark
             where = "" if line.line.column is None else f", column {line.line.column}"
             return f"This could not be read{where}: {line.line.fault or 'a relation is expected'}."
         case "unsupported":

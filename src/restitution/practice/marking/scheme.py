@@ -12,7 +12,14 @@ from dataclasses import dataclass
 
 from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.awarding.mark_rules import UNWRITTEN
-from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Derivation,
+    ItemEnd,
+    Line,
+    Link,
+    Relation,
+)
 from restitution.explaining.lines.marks import Mark, Style
 from restitution.explaining.lines.saying import say
 from restitution.explaining.lines.titles import title_of
@@ -113,7 +120,8 @@ class MarkPoint:
     which law earns it. ``link`` is what its line says, in quantities of the statement language.
     ``depends`` are the points without which it is not given: the method beside it, or those on
     which a dependent method rests; ``above`` all on which its line rests. ``item`` is the place of
-    the item that it answers, ``shown`` tells that the statement prints that.
+    the item that it answers, ``shown`` tells that the statement prints that. ``bounds`` are the
+    ends of a range that it is for.
     """
 
     id: str
@@ -128,6 +136,7 @@ class MarkPoint:
     item: int | None = None
     shown: bool = False
     equation: bool = False
+    bounds: tuple[Link, ...] = ()
 
     @property
     def letter(self) -> str:
@@ -326,6 +335,7 @@ def _point(
         item if answers else None,
         answers and end is not None and end.shown,
         equation,
+        _bounds(line, derivation) if answers else (),
     )
 
 
@@ -362,6 +372,18 @@ def _link(line: Line, derivation: Derivation) -> Link | None:
     links = relation.options[0]
     first, last = links[0], links[-1]
     return Link(_settled(first.left, derivation), first.sign, _settled(last.right, derivation))
+
+
+def _bounds(line: Line, derivation: Derivation) -> tuple[Link, ...]:
+    """The ends of the range that a line says, each as a relation: ``2/3 <= k``, ``k <= 4``."""
+    relation = line.relation
+    if not isinstance(relation, Relation) or len(relation.options) != 1:
+        return ()
+    links = tuple(
+        Link(_settled(each.left, derivation), each.sign, _settled(each.right, derivation))
+        for each in relation.options[0]
+    )
+    return links if all(each.sign in FLIPPED for each in links) else ()
 
 
 def _settled(tree: Expression, derivation: Derivation) -> Expression:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Literal
@@ -52,6 +52,8 @@ _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
 }
 # So near, relative to it, a decimal may be meant for a value that stands above.
 _CONVERTED = 0.05
+# So near is the end of a range, as a decimal too.
+_END, _ZERO = 0.006, 1e-9
 # Of a decimal that is an answer.
 _FIGURES = 3
 # What is said of a line that rests on several laws.
@@ -63,6 +65,24 @@ _KINDS_OF_FACTS: Mapping[str, frozenset[str]] = {
     "deflection": frozenset({"deflection", "angle", "direction"}),
     "angle": frozenset({"deflection", "angle", "direction", "line_of_centres"}),
 }
+
+
+def _bounds_of(point: MarkPoint) -> Iterator[tuple[str, Expression, Expression]]:
+    """The ends of the range that a point is for: the sign, what is bounded, and the end."""
+    single = (point.link,) if point.link is not None and point.link.sign in FLIPPED else ()
+    bounds = point.bounds or single
+    if point.item is None or point.shown:
+        return
+    between = {each.left for each in bounds} & {each.right for each in bounds}
+    named = {
+        x for each in bounds for x in (each.left, each.right) if isinstance(x, Letter | Quantity)
+    }
+    ranged = between or {x for x in named if not is_bare(x)}
+    for each in bounds if len(ranged) == 1 else ():
+        if each.left in ranged:
+            yield each.sign, each.left, each.right
+        elif each.right in ranged:
+            yield FLIPPED[each.sign], each.right, each.left
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,18 +132,41 @@ class Values(Sides):
 
     def is_bound(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line bounds the letter, or the quantity, of whose range a point is."""
-        link = point.link
-        if link is None or point.item is None or point.shown or link.sign not in FLIPPED:
-            return False
-        meanings = self._meanings(line)
-        ranged = [each for each in (link.left, link.right) if not is_bare(each)]
-        return any(
-            claim.sign in ("<", "<=", ">", ">=") and self._names(side, each, meanings, line)
-            for chain in chains(line)
-            for claim in chain
-            for side in (claim.left, claim.right)
-            for each in ranged
+        return any(self._bounds_in(point, line))
+
+    def is_other_range(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a true line bounds what a range is of, and not by the ends of that range.
+
+        An end that it leaves out is none of its own.
+        """
+        true = {sign[0]: end for sign, _, end in _bounds_of(point)}
+        own: dict[str, list[Expression]] = {}
+        for sign, end in self._bounds_in(point, line):
+            own.setdefault(sign[0], []).append(end)
+        return line.verdict == "true" and any(
+            sign in true and not any(self._is_end(each, true[sign], line) for each in ends)
+            for sign, ends in own.items()
         )
+
+    def _is_end(self, own: Expression, true: Expression, line: JudgedLine) -> bool:
+        try:
+            value = self._base.scalar(own, self._meanings(line), scope=line.line.scope)
+            end = self._base.scalar(true)
+        except RestitutionError:
+            return True  # nobody knows its value
+        return bool(np.all(np.abs(value - end) <= _END * np.abs(end) + _ZERO))
+
+    def _bounds_in(self, point: MarkPoint, line: JudgedLine) -> Iterator[tuple[str, Expression]]:
+        """The bounds that a line gives for what a point has the range of, by sign and end."""
+        ranged = {quantity for _, quantity, _ in _bounds_of(point)}
+        meanings = self._meanings(line)
+        for claim in (each for chain in chains(line) for each in chain if each.sign in FLIPPED):
+            for sign, side, end in (
+                (claim.sign, claim.left, claim.right),
+                (FLIPPED[claim.sign], claim.right, claim.left),
+            ):
+                if any(self._names(side, each, meanings, line) for each in ranged):
+                    yield sign, end
 
     def replaces(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line gives what is asked another value, and no decimal of the true one.

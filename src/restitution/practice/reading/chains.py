@@ -140,6 +140,16 @@ def _is_sum_of_numbers(tree: Expression) -> bool:
     return (root or isinstance(tree, Binary)) and not letters(tree)
 
 
+def _is_root(tree: Expression) -> bool:
+    """Whether a side is the root of a sum, as a speed is, perhaps times a letter or divided."""
+    if isinstance(tree, Binary) and tree.op in ("*", "/"):
+        return _is_root(tree.left) or _is_root(tree.right)
+    match tree:
+        case Apply("sqrt", Binary("+")):
+            return True
+    return False
+
+
 def _is_lettered_sum(tree: Expression) -> bool:
     """Whether a side is a sum with letters: between two of them stands an equation."""
     return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(letters(tree))
@@ -505,6 +515,9 @@ class Chains:
             product = isinstance(first, Binary) and first.op == "*"  # as mass × velocity is
             if evaluates and not product and self._is_moving(first) and self.body_of(label):
                 self.link(_vectors_of(label.name, self.problem), "=", read[0], sides[0], label)
+            elif evaluates and _is_root(first) and self.body_of(label):
+                speed = Side(self.label_tree(label, read[0], sides[0]))
+                self.link((speed,), "=", read[0], sides[0], label)
             return
         evaluates = evaluates and not (
             _is_way(label)

@@ -54,7 +54,9 @@ _UNIT = re.compile(
     r"(?:kg\s?)?m\s*/\s*s(?![A-Za-z(])|(?:kg\s?)?m\s?s\s*(?:\^\s*\(?\s*-\s?1\s*\)?|-1)(?!\d|\.\d)"
     r"|N\s?s(?![A-Za-z(])|N\s?/\s?s|kg(?![A-Za-z])|[Jj]oules?\b|metres?\b|newtons?\s+seconds?\b"
     r"|kgms(?:\^\s*\(?\s*-\s?1\s*\)?|-1)|J(?![A-Za-z_'\d])|m(?![A-Za-z_'\d(])|s(?![A-Za-z_'\d(])"
+    r"|secs?(?![A-Za-z_'\d(])"
 )
+_SECONDS = ("sec", "secs")
 _DEGREES = re.compile(r"°|deg(?:rees?|s)?\b|degress?\b")
 _RADIANS = re.compile(r"rads?\b|radians?\b|\^c\b")
 _PERCENT = re.compile(r"%|per\s?cent\b")
@@ -267,6 +269,7 @@ class _Scanner:
         if not _ends_a_side(text, match.end()):
             return False
         name = re.sub(r"\s", "", match[0])
+        name = "s" if name in _SECONDS else name
         other = any(token.name == "J" for token in self.token_list)
         letter = name == "J" and self.usage.joules
         value = Fraction(2 if letter and not other else 1 if letter else 0)
@@ -282,6 +285,8 @@ class _Scanner:
                 and self.token_list[-1].kind == "number"
                 and plain not in (known | self.usage.alone)
             )
+        if plain in _SECONDS:
+            return self.token_list[-1].kind == "number"
         if plain in ("Ns", "N/s"):
             return "N" not in known
         if plain == "J":

@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    walk,
 )
 from restitution.practice.reading.angles import without_marks
 from restitution.practice.reading.chains import Chains, Past, Statements, places_of, worths_of
@@ -44,6 +45,7 @@ _NAMES_OF_LAWS = frozenset(
 )
 _CONCLUDING = _ENDING | {"%", "percentage", "ans", "answer", "which", "giving"}
 # What may stand behind a percentage alone: ``60% of the KE is lost``.
+_LOST_BEHIND = re.compile(r"\s*(?:(?:is|was|are|of KE|of energy)\s+)*lost\b", re.IGNORECASE)
 _OF_A_SHARE = re.compile(
     r"\s*(?:(?:of\s+(?:the\s+)?)?(?:K\.?E\.?|(?:kinetic\s+)?energy)\s*)?(?:is\s+|was\s+)?(lost|loss)?[\s.!]*",
     re.IGNORECASE,
@@ -51,6 +53,7 @@ _OF_A_SHARE = re.compile(
 _STAGED = re.compile(rf"\s*({'|'.join(sorted(STAGES))})\b\s*(?:,|;|and\b)", re.IGNORECASE)
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
+_OF_NUMBERS = frozenset(("number", "+", "-", "*", "/", "dot", "^", "(", ")"))
 
 
 def _ends_in_a_way(label: Token) -> bool:
@@ -91,6 +94,16 @@ def read_statements(
                 reader.statements.column = error.column
     reader.finish()
     return reader.statements
+
+
+def _asks_time(problem: Problem) -> bool:
+    """Whether a question asks for a time."""
+    return any(
+        isinstance(item, Value)
+        and any(isinstance(x, Quantity) and x.kind == "time" for x in walk(item.expression))
+        for _, step in problem.steps()
+        for item in (step.items if isinstance(step, Find) else ())
+    )
 
 
 def _is_share(tree: Expression) -> bool:
@@ -198,6 +211,8 @@ class _Reader(Chains):
             return
         if is_identity(segment.tokens):
             return
+        if self._is_of_a_time(segment):
+            self.label = replace(segment.tokens[0], kind="phrase", name="the time", text="")
         self.relabel(segment)
         self.carry(segment)
         parts = list(split_at_spaces(segment, self.usage.vectors))
@@ -341,7 +356,7 @@ class _Reader(Chains):
         if waiting:
             self.link(waiting, sign, sides, tokens)
             return
-        if (share := self._share(segment)) is not None:
+        if (share := self._share(segment) or self._amount(segment)) is not None:
             self.link((Side(share),), "=", self.sides(tokens[:2]), tokens[:2])
             return
         tree = sides[0].tree
@@ -402,6 +417,21 @@ class _Reader(Chains):
         if not asked or rest is None:
             return None
         return Letter("percentage lost" if rest[1] else "the percentage")
+
+    def _amount(self, segment: Segment) -> Letter | None:
+        """What an energy is, behind which *lost* stands: ``so 15J lost``."""
+        kinds = [each.kind for each in segment.tokens]
+        if kinds != ["number", "measure"] or segment.tokens[1].name[0] not in "Jj":
+            return None
+        lost = _LOST_BEHIND.match(self.line.text, segment.tokens[1].end)
+        return None if lost is None else Letter("KE lost")
+
+    def _is_of_a_time(self, segment: Segment) -> bool:
+        """Whether a chain works out a number of seconds, and nothing says what it is."""
+        first, *_ = sides_of(segment.tokens)[0]
+        numeric = bool(first) and all(each.kind in _OF_NUMBERS for each in first)
+        seconds = segment.tokens[-1].kind == "measure" and segment.tokens[-1].name == "s"
+        return numeric and seconds and self.label is None and _asks_time(self.problem)
 
     def _names_its_way(self, segment: Segment) -> bool:
         """Whether a vector alone says which way a label goes: ``A along n: (20 + 30)/5``."""

@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from restitution import work
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import Expression, Name
 from restitution.practice.script import ANYWHERE, Scope
+from restitution.practice.worlds import effort
 from restitution.practice.worlds.arrays import Array, UnvaluedError
 from restitution.practice.worlds.motion import Motion, Plot, Stage, Stop
 from restitution.practice.worlds.telling import (
@@ -94,7 +94,7 @@ class World(Motion):
         not real is nan. Raises UnvaluedError for a letter that has no meaning, and for what makes
         no sense.
         """
-        work.spend()
+        effort.evaluate()
         telling = Telling(self, meanings, degrees, values, noted)
         with np.errstate(all="ignore"):
             try:
