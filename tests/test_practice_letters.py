@@ -587,3 +587,45 @@ find velocity(A, 0), velocity(B, before)"""
     lines = f"{first}\n2 - -1 = 1/2(a - b)\na - b = 6"
     found = r.mark(r.parse(statement), lines).json()
     assert all("0)" in each["meaning"] for each in found["letters"]), found["letters"]
+
+
+STRIP = """wall W: along i, through (0, 0)
+wall X: along i, through (0, 2)
+sphere P: velocity 3i - 4j, at (0, 1)
+P hits W: e = 3/4
+P hits X: e = 1/2
+find speed(P)"""
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict", "mistake"),
+    [
+        ("vy = ½(3) = 1.5, vx = 3", "true", None),
+        ("v_x = 3, v_y = -1.5", "true", None),
+        ("vx = ½(3) = 1.5, vy = 3", "false", "restitution-parallel"),
+    ],
+)
+def test_an_x_below_is_along_i_where_the_question_has_vectors(
+    line: str, verdict: str, mistake: str | None
+) -> None:
+    (judged,) = r.mark(r.solve(r.parse(STRIP)), line).lines
+    assert judged.verdict == verdict
+    assert (judged.mistake.id if judged.mistake else None) == mistake
+
+
+BENT = """wall AB: along i
+wall BC: along 70°
+sphere P: velocity 6 at 40° to AB
+part a
+P hits AB: e = 1/2
+find angle(velocity(P), AB)
+part b
+P hits BC: e = 3/4
+find speed(P)"""
+
+
+def test_the_angle_at_a_wall_is_to_that_wall() -> None:
+    solution = r.solve(r.parse(BENT))
+    for typed, verdict in (("47.2", "true"), ("22.8", "false")):
+        (judged,) = r.mark(solution, f"at BC the angle is {typed}°", part="b").lines
+        assert judged.verdict == verdict

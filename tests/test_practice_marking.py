@@ -987,3 +987,21 @@ def test_a_number_is_told_by_its_unit() -> None:
     solution = restitution.solve(restitution.parse(WALL_OF_TIMES))
     lines = restitution.mark(solution, "3/4 = 0.75 s\n5/4 = 1.6 s\nso 1.5J lost").lines
     assert [line.verdict for line in lines] == ["remark", "false", "false"]
+
+
+def test_the_same_mistake_again_is_not_said_to_be_right() -> None:
+    statement = """sphere A: mass m, velocity u at theta
+    sphere B: mass 2m, at rest
+    A hits B: along i, e = 1/5
+    given tan(theta) = 3/4
+    find speed(B)"""
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    solution = restitution.solve(restitution.parse(statement))
+    working = "0.6u = v + 2w\nw - v = 0.2×0.6u\nw = 0.24u"
+    marking = restitution.mark(solution, working, letters=letters, hints=1)
+    assert [line.verdict for line in marking.lines] == ["false", "follows", "follows"]
+    told = [message.text for message in marking.messages if message.line != 1]
+    assert told == [
+        "This has the mistake of line 1 once more.",
+        "Right, with your values. The mistake is in line 1.",
+    ]

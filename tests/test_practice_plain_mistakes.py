@@ -290,3 +290,56 @@ find speed(P)
 """
     lines = "perp after = ½ × 2 = 1\nspeed after = ½ × 4 = 2"
     assert restitution.mark(restitution.parse(wall), lines).mistakes == ("restitution-whole-speed",)
+
+
+HEAD_ON = """sphere A: mass 4, velocity 5i
+sphere B: mass 6, velocity -2i
+A hits B: along i, e = 3/7
+find energy_lost"""
+
+
+@pytest.mark.parametrize(
+    ("working", "verdicts", "mistake"),
+    [
+        (
+            "½(4)(5+1)² + ½(6)(2+2)²\n= 72 + 48 = 120 J",
+            ["false", "follows"],
+            "energy-of-difference",
+        ),
+        ("½(4)(5-1)² = 32", ["false"], "energy-of-difference"),
+        ("½×4×25 + ½×6×4 = 62", ["true"], None),  # on the way
+        ("½(4)(25-1) = 48", ["true"], None),
+        ("4×5 - 6×2 = 8", ["true"], None),  # nobody knows what of
+    ],
+)
+def test_numbers_without_a_name_are_the_answer_if_their_mistake_has_one(
+    working: str, verdicts: list[str], mistake: str | None
+) -> None:
+    solution = restitution.solve(restitution.parse(HEAD_ON))
+    lines = restitution.mark(solution, working).lines
+    assert [line.verdict for line in lines] == verdicts
+    first = lines[0].mistake
+    assert (None if first is None else first.id) == mistake
+
+
+ELASTIC = """sphere A: mass 1, velocity 4i
+sphere B: mass 1, velocity -2i
+A hits B: along i, e = 1
+find velocity(A)"""
+
+
+@pytest.mark.parametrize(
+    ("line", "mistake"),
+    [
+        ("CLM 4 + 2 = v + w", "momentum-sign"),
+        ("NEL w + v = 4 + 2", "restitution-sign"),
+        ("4 + 2 = v + w", None),
+    ],
+)
+def test_the_law_that_a_line_names_decides_of_which_its_mistake_is(
+    line: str, mistake: str | None
+) -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    solution = restitution.solve(restitution.parse(ELASTIC))
+    (judged,) = restitution.mark(solution, line, letters=letters).lines
+    assert judged.mistake is not None and judged.mistake.id == mistake

@@ -40,6 +40,7 @@ from restitution.practice.judging.holding import OWN_ROUNDING
 from restitution.practice.judging.judged_link import (
     COARSE,
     OTHER_ROOT,
+    REPEATED,
     JudgedLink,
     Question,
 )
@@ -345,7 +346,8 @@ class Following(OwnValues):
                 repeated = self._repeated(mistake, uses)
                 if repeated:
                     self._confirmed.setdefault(number, set()).update(repeated)
-                    return JudgedLink("follows", link.readings[0], "exact", (number,))
+                    first = link.readings[0]
+                    return JudgedLink("follows", first, "exact", (number,), REPEATED)
                 continue
             for variant in mistake.variants[:ALTERED]:
                 world = self.altered(variant)

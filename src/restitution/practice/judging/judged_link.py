@@ -15,6 +15,8 @@ from restitution.practice.worlds.world import World
 
 COARSE = "coarse"
 OTHER_ROOT = "other-root"
+REPEATED = "repeated"
+"""The remark on a line that has the mistake of an earlier one once more."""
 GRADES: tuple[Accuracy, ...] = ("coarse", "rounded", "exact")
 
 

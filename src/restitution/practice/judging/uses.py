@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from restitution.explaining.mistakes.misconceptions import VariantAt
@@ -17,6 +18,24 @@ _PRINCIPLES = {
     "speed": "speed",
     "deflection": "deflection",
 }
+
+
+# The name of a law before its equation.
+_NAMES: Mapping[str, re.Pattern[str]] = {
+    "momentum": re.compile(r"\b(p?\.?c\.?l\.?m|co[ml]|mtm|mom|momentum)\b", re.IGNORECASE),
+    "restitution": re.compile(
+        r"\b(n\.?e\.?l|n\.?l\.?r|n\.?l\.?i|restitution|newton'?s?)\b", re.IGNORECASE
+    ),
+}
+
+
+def as_labelled(variants: Sequence[VariantAt], text: str) -> tuple[VariantAt, ...]:
+    """The altered laws of a line, those of the law that it names if there are some: ``CLM: …``."""
+    named = [law for law, pattern in _NAMES.items() if pattern.search(text)]
+    own = tuple(
+        each for each in variants if len(named) == 1 and any(x.law == named[0] for x in each.laws)
+    )
+    return own or tuple(variants)
 
 
 def of_mistake(mistake: Mistake, use: Use) -> Use:

@@ -36,7 +36,7 @@ from restitution.practice.judging.entries import (
     is_numeric,
 )
 from restitution.practice.judging.extremes import speaks_of_any_value
-from restitution.practice.judging.following import COEFFICIENT, NAMED, Following
+from restitution.practice.judging.following import COEFFICIENT, NAMED
 from restitution.practice.judging.judged_link import (
     COARSE,
     GRADES,
@@ -62,7 +62,8 @@ from restitution.practice.judging.supposing import (
     speaks_of_an_extreme,
     supposed_in,
 )
-from restitution.practice.judging.uses import of_mistake, uses_of_variants
+from restitution.practice.judging.unlabelled import Unlabelled, followed
+from restitution.practice.judging.uses import as_labelled, of_mistake, uses_of_variants
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import read_as
 from restitution.practice.reading.phrases import is_phrase, names_time, tells_after
@@ -84,7 +85,7 @@ _BACK = re.compile(
 )
 
 
-class Judge(Following):
+class Judge(Unlabelled):
     """Judges a script under one meaning of its letters."""
 
     def __init__(
@@ -120,7 +121,22 @@ class Judge(Following):
             self._event_above = line.scope.event
             if idle is not None and idle(lines):
                 return ()
-        return tuple(self._named(line) for line in lines)
+        named = tuple(self._named(line) for line in lines)
+        return self._with_end_in_numbers(named) if self._names else named
+
+    def _with_end_in_numbers(self, lines: tuple[JudgedLine, ...]) -> tuple[JudgedLine, ...]:
+        """The lines, of which the numbers at the end are false if their mistake has a name."""
+        found = self._end_in_numbers(lines)
+        if found is None:
+            return lines
+        line, link, last = found
+        judged = JudgedLink("false", link.readings[0])
+        self._explain(line.number, self.naming.explained(self._entry(line, link, judged), self))
+        claimed = replace(line, kind="relations", links=(link,), values=())
+        false = self._named(JudgedLine(claimed, "false", link=0))
+        mistake = false.mistake
+        named = mistake is not None and mistake.id is not None and mistake.kind == "misconception"
+        return followed(lines, false, last) if named else lines
 
     def _named(self, line: JudgedLine) -> JudgedLine:
         """A false line with the name of its mistake, in the light of all lines."""
@@ -240,7 +256,9 @@ class Judge(Following):
         if verdict in ("asks", "false") and is_of_impulse(line):
             return JudgedLine(line, "remark")
         if verdict == "false" and self._names and len(self._explained) < NAMED:
-            self._explain(line.number, self._explained_in(line, links, place))
+            explained = self._explained_in(line, links, place)
+            variants = as_labelled(explained.variants, line.text)
+            self._explain(line.number, replace(explained, variants=variants))
         for name in worst.letters:
             self.unknown.add(name)
         accuracies = [link.accuracy for link in links if link.accuracy is not None]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
@@ -30,6 +31,7 @@ from restitution.problem import Event, Impact, Kick, Part, Problem
 
 _OF_VELOCITIES = frozenset("uvwUVW")
 # Of another kind than the look of a letter tells: only where numbers cannot agree by chance.
+_AXES: Mapping[str, Literal["i", "j"]] = {"x": "i", "y": "j"}
 _ODD, _RARE, _STRANGE = 0.15, 0.5, 0.6
 # Of another kind, but what the part asks for: people give that any letter.
 _WANTED = 0.3
@@ -135,10 +137,9 @@ def _by_scope(scope: Scope, candidate: Candidate) -> float:
 
 def _by_axis(letter: str, candidate: Candidate) -> float:
     """As components, x and y are components along i and j before anything else."""
-    axes = {"x": "i", "y": "j"}
-    if letter not in axes or candidate.kind != "component":
+    if letter not in _AXES or candidate.kind != "component":
         return 0.0
-    return 0.0 if candidate.axis == Unit(axes[letter]) else 0.1  # type: ignore[arg-type]
+    return 0.0 if candidate.axis == Unit(_AXES[letter]) else 0.1
 
 
 def _by_suffix(letter: str, candidate: Candidate, problem: Problem) -> float | None:
@@ -157,15 +158,45 @@ def _by_suffix(letter: str, candidate: Candidate, problem: Problem) -> float | N
                 return None  # v_B is no velocity of A relative to B
             break
     if below[:1] in ("x", "y", "i", "j"):
-        return cost + _axis_cost(below[0], candidate)
+        extra = _axis_cost(below[0], candidate, problem)
+        return None if extra is None else cost + extra
     if below.isdigit():
         return cost + _number_cost(int(below), candidate, spheres)
     return cost
 
 
-def _axis_cost(axis: str, candidate: Candidate) -> float:
+def _axis_cost(axis: str, candidate: Candidate, problem: Problem) -> float | None:
+    """What an x or a y below adds; None where it contradicts the vectors of the question."""
     wanted = Unit("i" if axis in "xi" else "j")
-    return 0.0 if candidate.axis == wanted else _RARE
+    if candidate.axis == wanted:
+        return 0.0
+    own = _unit_of(candidate, problem)
+    if own in (None, wanted):
+        return _RARE
+    contradicts = candidate.kind == "component" and _has_vectors(problem)
+    return None if contradicts else _RARE
+
+
+def _has_vectors(problem: Problem) -> bool:
+    """Whether the question gives a velocity by its components along i and j."""
+    return any(
+        isinstance(each, Unit)
+        for sphere in problem.spheres
+        if sphere.velocity is not None
+        for each in walk(sphere.velocity)
+    )
+
+
+def _unit_of(candidate: Candidate, problem: Problem) -> Unit | None:
+    """The unit vector along which a component is, where it is one by i or j or by a wall."""
+    if isinstance(candidate.axis, Unit):
+        return candidate.axis
+    walls = {wall.name: wall.along for wall in problem.walls}
+    along = walls.get(candidate.axis.name) if isinstance(candidate.axis, Name) else None
+    if not isinstance(along, Unit):
+        return None
+    across = getattr(candidate.quantity, "kind", "") == "across"
+    return Unit("j" if (along.axis == "i") == across else "i")
 
 
 def _number_cost(number: int, candidate: Candidate, spheres: Sequence[str]) -> float:
@@ -199,9 +230,20 @@ def usual(
             return _mass(candidates, below, problem)
         case "v" | "u" | "V" | "U" if any(sphere.name == below for sphere in problem.spheres):
             return _usual_velocity(candidates, base in "uU", below, usage.scope)
+        case "v" | "V" if below in _AXES and _has_vectors(problem) and len(problem.spheres) == 1:
+            return _usual_component(candidates, _AXES[below], usage.scope)
         case _ if usage.in_angle:
             return _usual_angle(candidates, events)
     return None
+
+
+def _usual_component(
+    candidates: Iterable[Candidate], axis: Literal["i", "j"], scope: Scope
+) -> Candidate | None:
+    """The component along i or j after the latest event, or after that of the heading."""
+    own = [each for each in candidates if each.kind == "component" and each.axis == Unit(axis)]
+    later = [each for each in own if each.event and scope.event in (None, each.event)]
+    return max(later, key=lambda each: each.event or 0, default=None)
 
 
 def _first(

@@ -13,6 +13,7 @@ from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
 from restitution.expression.tree import Expression, Letter, Quantity, walk
 from restitution.practice.judgement import JudgedLine, Use, false_roots
+from restitution.practice.judging.judged_link import REPEATED
 from restitution.practice.letters.wordings import words_of
 from restitution.practice.marking import next_steps
 from restitution.practice.marking.marks import PointMark
@@ -162,7 +163,7 @@ def _of_line(
         case "true":
             return _of_true(line)
         case "follows":
-            return _following(sorted(roots[line.line.number]))
+            return _following(sorted(roots[line.line.number]), line.remark)
         case "unread":
             if line.remark:
                 return line.remark
@@ -181,12 +182,15 @@ def _of_true(line: JudgedLine) -> str | None:
     return line.remark if line.remark and " " in line.remark else None
 
 
-def _following(mistakes: Sequence[int]) -> str:
+def _following(mistakes: Sequence[int], remark: str | None) -> str:
     if not mistakes:
         return "Right, with your values."
     where = " and ".join(str(number) for number in mistakes)
+    if remark == REPEATED:
+        return f"This has the mistake of line {where} once more."
     is_in = "mistakes are in lines" if len(mistakes) > 1 else "mistake is in line"
-    return f"Right, with your values. The {is_in} {where}."
+    impossible = f" {remark}" if remark and " " in remark else ""
+    return f"Right, with your values.{impossible} The {is_in} {where}."
 
 
 def _of_mistake(line: JudgedLine, points: Sequence[PointMark], letters: _Words, level: int) -> str:

@@ -215,7 +215,8 @@ class _Reader(Moments):
             elif "angle" in heads:
                 yield from self.angle(event)
                 walls = set(self.features.names) & set(self.walls)
-                yield from (each for each in self.asked("angle") if walls <= _names_in(each))
+                asked = (each for each in self.asked("angle") if walls <= _names_in(each))
+                yield from (each for each in asked if not self._is_of_another_wall(each, event))
                 yield from self.asked("direction")
             elif heads & {"energy", "loss", "gain"}:
                 yield from self.energy(event)
@@ -334,6 +335,12 @@ class _Reader(Moments):
                 yield value
                 if not self.features.sense:
                     yield value.operand if isinstance(value, Negate) else Negate(value)
+
+    def _is_of_another_wall(self, angle: Expression, event: int) -> bool:
+        """Whether an angle is to another wall than that of which a heading speaks: ``at BC:``."""
+        struck = self.met(event) & set(self.walls)
+        own = _names_in(angle) & set(self.walls)
+        return self.features.event is not None and bool(struck and own) and not struck & own
 
     def of_the_axis(self, event: int) -> Iterator[Expression]:
         """What else a line about a direction may work out: a momentum, or an impulse."""

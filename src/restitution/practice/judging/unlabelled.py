@@ -1,0 +1,143 @@
+"""An answer in numbers of which the working does not say what it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import reduce
+from itertools import product
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Quantity, walk
+from restitution.practice.judgement import JudgedLine
+from restitution.practice.judging.entries import is_numeric
+from restitution.practice.judging.following import Following
+from restitution.practice.script import Claim, Link, ScriptLine
+from restitution.practice.worlds.agreement import agrees
+
+_CONSTANT = 1e-9
+_SAME = 1e-6
+_TWO = Number(Fraction(2))
+
+
+class Unlabelled(Following):
+    """What the last numbers of a working are, where it ends without a name for them."""
+
+    def _end_in_numbers(self, lines: Sequence[JudgedLine]) -> tuple[ScriptLine, Link, int] | None:
+        """The line whose numbers are an answer that is not true, as a relation, and its last line.
+
+        None where another line answers, where a line is not true, and where the number is that of
+        anything in the story. That it has a mistake with a name is still to be seen.
+        """
+        asked = self.question.wanted.asked
+        sound = all(line.verdict in ("true", "remark") for line in lines)
+        if len(asked) != 1 or not lines or not sound or self.question.extreme:
+            return None
+        if any(self._support.is_asked(entry) for entry in self.entries):
+            return None
+        last = lines[-1].line
+        value = _value_of(last)
+        tree, now = asked[0]
+        if value is None or now != self._base.now(last.scope):
+            return None
+        decimals = last.links[-1].decimals if last.links else ()
+        link = Link((Claim(tree, "=", value),), 1, 1, decimals)
+        if not self._is_fixed_number(tree) or self._holds(link, last, self.worlds) is not None:
+            return None
+        if any(self._is_worth(each, value, link) for each in self._known_of_kind(tree)):
+            return None
+        first = next(line.line for line in lines if self._works_out(line.line, value))
+        return first, link, last.number
+
+    def _known_of_kind(self, tree: Expression) -> Iterator[Expression]:
+        """What numbers on the way to an answer may be: of an energy, energies and parts of them."""
+        known = [each.quantity for each in self.naming.candidates(self._base)]
+        if not _is_of_energy(tree):
+            yield from known
+            return
+        yield from filter(_is_of_energy, known)
+        bodies = tuple(self._base.start)
+        for number, kind in product(self._base.lines, ("along", "across")):
+            axis = Quantity("line_of_centres", (), number)
+            for names in {*((name,) for name in bodies), bodies}:
+                before, after = (
+                    _energy(names, kind, axis, stage) for stage in (number - 1, number)
+                )
+                yield from (before, after, Binary("-", before, after))
+
+    def _is_fixed_number(self, tree: Expression) -> bool:
+        try:
+            return bool(np.ptp(self._base.scalar(tree)) < _CONSTANT)
+        except RestitutionError:
+            return False
+
+    def _is_worth(self, quantity: Expression, value: Expression, link: Link) -> bool:
+        """Whether a number is the size of a quantity, as exactly as it is typed."""
+        claims = (Claim(quantity, "=", each) for each in (value, Negate(value)))
+        try:
+            return any(agrees(each, self._base, {}, link.decimals) for each in claims)
+        except RestitutionError:
+            return False
+
+    def _works_out(self, line: ScriptLine, value: Expression) -> bool:
+        """Whether numbers of a line have a value."""
+        try:
+            worth = float(self._base.scalar(value).flat[0])
+            return any(
+                abs(float(self._base.scalar(each).flat[0]) - worth) <= _SAME * abs(worth)
+                for each in _numbers_of(line)
+            )
+        except RestitutionError:
+            return False
+
+
+def _energy(names: Sequence[str], kind: str, axis: Expression, stage: int) -> Expression:
+    """The energy of spheres by their components along an axis, or across it."""
+
+    def of_one(name: str) -> Expression:
+        part = Quantity(kind, (Quantity("velocity", (Name(name),), stage), axis))
+        twice = Binary("*", Quantity("mass", (Name(name),)), Binary("^", part, _TWO))
+        return Binary("/", twice, _TWO)
+
+    return reduce(lambda one, other: Binary("+", one, other), map(of_one, names))
+
+
+def _is_of_energy(tree: Expression) -> bool:
+    """Whether a quantity is an energy, or is worked out from one."""
+    return any(isinstance(each, Quantity) and "energy" in each.kind for each in walk(tree))
+
+
+def followed(lines: Sequence[JudgedLine], false: JudgedLine, last: int) -> tuple[JudgedLine, ...]:
+    """The lines with one of them false, and those down to the last that go on from it."""
+    number = false.line.number
+    goes_on = [number < each.line.number <= last and bool(each.line.links) for each in lines]
+    return tuple(
+        false
+        if each.line.number == number
+        else replace(each, verdict="follows", sources=(number,))
+        if follows
+        else each
+        for each, follows in zip(lines, goes_on, strict=True)
+    )
+
+
+def _numbers_of(line: ScriptLine) -> Iterator[Expression]:
+    """The sides of a line, and its values, that are of numbers alone."""
+    sides = (s for link in line.links for s in (link.readings[0].left, link.readings[0].right))
+    yield from (each for each in (*sides, *line.values) if is_numeric(each))
+
+
+def _value_of(line: ScriptLine) -> Expression | None:
+    """What a line of numbers alone works out, as it stands."""
+    sides = [s for link in line.links for s in (link.readings[0].left, link.readings[0].right)]
+    if line.kind not in ("relations", "remark") or len(line.values) + bool(sides) != 1:
+        return None
+    if not all(map(is_numeric, (*sides, *line.values))):
+        return None
+    if any(link.readings[0].sign != "=" for link in line.links):
+        return None
+    worked = (each for each in (*sides, *line.values) if isinstance(each, Binary))
+    return next(worked, None)
