@@ -252,3 +252,12 @@ def test_no_gap_is_closed_along_one_axis_by_two_that_move_in_two_directions() ->
     )
     lines = [line for line in derivation.lines if line.move.record == "straight-line"]
     assert all(len(line.move.bodies) == 1 for line in lines)
+
+
+def test_the_bounds_of_a_square_are_put_into_the_speed_that_shows_it() -> None:
+    _, derivation = planned(
+        "sphere A: mass m, velocity u at 60°\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+        "find minimum of speed(A) over e, maximum of speed(A) over e"
+    )
+    assert shown(derivation, "0 <= (1 - 2e)^2 <= 1")
+    assert not shown(derivation, "speed(A, 1)^2")

@@ -6,11 +6,13 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Quantity
+from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.tree import Apply, Binary, Expression, Quantity, letters, walk
 from restitution.oracle.roles import Role
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.inequalities.comparing import Comparing
+from restitution.planning.inequalities.letter_ties import is_square
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import ZERO, difference, product, square, swept, tree_of
 from restitution.planning.writing.polynomials import factored
@@ -30,13 +32,13 @@ def write_completed(claims: Comparing, line: int, relation: Relation) -> int | N
     if not more and (first.left != speed or first.sign[0] != "<"):
         return None  # that a square is not negative is seen at once
     mark = claims.worths.mark()
-    written = _written(claims, speed, relation)
+    written = _written(claims, speed, line, relation)
     if written is None:
         claims.worths.back(mark)
     return written
 
 
-def _written(claims: Comparing, speed: Quantity, relation: Relation) -> int | None:
+def _written(claims: Comparing, speed: Quantity, line: int, relation: Relation) -> int | None:
     claims.worths.determine(speed)
     own = formula(claims.scene, speed)
     parts = _completed(claims, tidy(own.value**2))
@@ -47,10 +49,17 @@ def _written(claims: Comparing, speed: Quantity, relation: Relation) -> int | No
     base = square(difference(tree_of(least * below), tree_of(below * symbol)))
     rest = tree_of(factored(lead * more))
     whole = Binary("+", product(tree_of(factored(lead / below**2)), base), rest)
-    completed = _square_of(claims, speed, own, whole)
     most = max(least**2, (1 - least) ** 2)
     ends = Link(ZERO, "<=", base), Link(base, "<=", tree_of(most * below**2))
     known = claims.judge.known([symbol.name])
+    mark = claims.worths.mark()
+    between = claims.judge.write((Move("sign"),), known, Relation((ends,)))
+    if between is not None and _shows(claims, line, symbol):
+        at_once = claims.judge.write((Move("compare"),), [line, between], relation)
+        if at_once is not None:
+            return at_once
+    claims.worths.back(mark)
+    completed = _square_of(claims, speed, own, whole)
     between = claims.judge.write((Move("sign"),), known, Relation((ends,)))
     if completed is None or between is None:
         return None
@@ -59,6 +68,14 @@ def _written(claims: Comparing, speed: Quantity, relation: Relation) -> int | No
     wanted = both[2 - len(relation.only) :]
     last = claims.compared([completed, between], Relation((wanted,)))
     return None if last is None else claims.compared([last], relation)
+
+
+def _shows(claims: Comparing, line: int, symbol: sp.Symbol) -> bool:
+    """Whether a coefficient stands in one square of a line alone, which is not multiplied out."""
+    right = claims.scene.desk.last_link(line).right
+    squares = [node for node in walk(right) if is_square(node) and symbol.name in letters(node)]
+    outside = rebuilt(right, lambda each: ZERO if each in squares else each)
+    return len(squares) == 1 and symbol.name not in letters(outside)
 
 
 def _square_of(claims: Comparing, speed: Quantity, own: Formula, whole: Expression) -> int | None:
