@@ -341,7 +341,11 @@ class ByFacts(Course):
         unknown = self.scene.unknown(self.scene.coefficient(number).value)
         laws = (each for each in left if each.id == f"momentum {number}")
         put = (self.scene.with_values(x)[0] for each in laws for x in each.residuals)
-        return any(unknown & each.free_symbols for each in put)
+        symbols = {symbol for each in put for symbol in each.free_symbols}
+        # A component after an earlier impact has the coefficient of that in it.
+        early = {self._letters[each][0] for each in symbols if each in self._letters}
+        behind = (self.scene.coefficient(each).value for each in early if each < number)
+        return bool(unknown & symbols) or any(unknown & self.scene.unknown(x) for x in behind)
 
     def _is_value(self, given: GivenEquation) -> bool:
         return isinstance(given.link.left, Letter)
