@@ -177,6 +177,12 @@ class Forms:
                 own = self._rational(left, right) or node
                 # Of two components with roots the quotient stands, and then what it is worth.
                 return node if _roots(left) & _roots(right) and not _roots(own) else own
+            case Binary("*", Apply("sqrt", Binary("+" | "-")) as root, Letter() as letter):
+                return Binary("*", letter, root)  # u√(…), as √(…)u may be read as a longer root
+            case Binary("*", Binary("*", first, Apply("tan") as one), Apply("tan") as other) if (
+                one == other
+            ):
+                return Binary("*", first, Binary("^", one, Number(Ratio(2))))
             case Binary("/", Binary("*", first, Number() as a), Number() as b) if not _whole(first):
                 return Binary("*", first, Binary("/", a, b))
         return self._known(node)

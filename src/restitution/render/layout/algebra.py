@@ -297,10 +297,11 @@ def cost_key(term: Expr) -> tuple[float, str]:
     return exact.cost(term), str(term)
 
 
-def _alphabet(symbol: Symbol) -> tuple[str, bool, str]:
+def _alphabet(symbol: Symbol) -> tuple[bool, str, bool, str]:
+    """The place of a letter among others: a time comes behind a speed, as in ut."""
     name = exact.canonical_name(symbol.name)
     head, _, tail = name.partition("_")
-    return head.lower(), head.isupper(), tail
+    return head == "t", head.lower(), head.isupper(), tail
 
 
 def _alphabet_of(value: Expr) -> str:
