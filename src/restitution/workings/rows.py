@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -468,6 +469,8 @@ class Rows:
             plain = not self._measures.decimals and _is_fraction_of_letters(right)
             added = () if plain or place or links[-1].sign != "=" else as_answer(right)
             for side, sign in added:
+                if sign == "≈" and _is_vector_of_short_decimals(sides[-1]):
+                    continue  # one component alone would be rounded
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
@@ -617,6 +620,16 @@ def _without_subject(relation: lay.Relation) -> lay.Layout:
     """The right sides of an equation."""
     sides, signs = relation.operands[1:], relation.signs[1:]
     return sides[0] if len(sides) == 1 else lay.Relation(sides, signs)
+
+
+def _is_vector_of_short_decimals(value: lay.Layout) -> bool:
+    """Whether a vector has two components of numbers with at most two decimals, one or more."""
+    if not isinstance(value, lay.Sum) or len(value.terms) != 2 or not is_plain(value):
+        return False
+    text = to_text(value)
+    numbers = re.findall(r"[\d.]+", text)
+    plain = not re.search(r"[^\d.𝐢𝐣 +−-]", text)
+    return plain and "." in text and all(len(e.partition(".")[2]) <= 2 for e in numbers)
 
 
 def _has_decimals(side: lay.Layout) -> bool:
