@@ -509,7 +509,7 @@ find speed(P)
     [
         ("velocity(P, 0)", "𝐮_P"),
         ("speed(P, 0)", "speed of P at the start"),
-        ("speed(P, 1)", "speed of P after the impulse given to P"),
+        ("speed(P, 1)", "speed of P after the impulse"),
         ("speed(P, 2)", "speed of P"),
         ("position(P, 2)", "position of P at the impact"),
         ("position(P, 3)", "position of P when P reaches N"),

@@ -123,14 +123,12 @@ find speed(P), energy_lost(2), total_energy_lost
 
 def test_impulses_from_outside_are_counted_and_change_the_energy() -> None:
     text = text_of(TWO_KICKS)
-    assert "Let 𝐯₁ be the velocity of P after the first impulse given to P." in text
-    assert "Let 𝐯₂ be the velocity of P after the second impulse given to P." in text
-    assert (
-        "kinetic energy lost due to the second impulse given to P = ½ × 2(5² + 2²) − ½ × 2" in text
-    )
+    assert "Let 𝐯₁ be the velocity of P after the first impulse." in text
+    assert "Let 𝐯₂ be the velocity of P after the second impulse." in text
+    assert "kinetic energy lost due to the second impulse = ½ × 2(5² + 2²) − ½ × 2" in text
     assert "not written out" not in text
     alone = text_of(TWO_KICKS.partition("P receives -5j")[0].replace("velocity(P)", "energy_lost"))
-    assert "after the impulse given to P" in alone
+    assert "after the impulse" in alone
     assert "Kinetic energy: kinetic energy lost = ½ × 2(3² + 1²) − ½ × 2(5² + 2²) = −19 J" in alone
 
 

@@ -44,6 +44,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "event.only": "the impact",
     "event.impact": "the {order} impact",
     "event.impact-number": "impact {number}",
+    "event.struck": "the impulse",
+    "event.struck-order": "the {order} impulse",
     "event.kick": "the impulse given to {body}",
     "event.kick-order": "the {order} impulse given to {body}",
     "event.kick-number": "impulse {number} given to {body}",

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from restitution.explaining.lines.derivation import Derivation, Event, Meaning
-from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SENTENCES, SentenceId
 from restitution.explaining.lines.trees import settled
 from restitution.expression.tree import AtTime, Binary, Expression, Number, Quantity, Stage, walk
@@ -51,6 +51,8 @@ class Moments:
     def _event(self, event: Event) -> Sentence:
         """What an event is called within a sentence: *the impact*, *the second impact*."""
         if event.kind == "kick":
+            if self._is_struck_alone(event):
+                return self._kick(event, "event.struck", "event.struck-order", "event.kick-number")
             return self._kick(event, "event.kick", "event.kick-order", "event.kick-number")
         if len(self.impacts_with(event)) < 2:
             return say("event.only")
@@ -66,11 +68,17 @@ class Moments:
         (body,) = event.bodies
         kicks = [e.number for e in self.events.values() if e.kind == "kick" and body in e.bodies]
         number = 1 + kicks.index(event.number)
+        slots = dict.fromkeys(slots_of(only), body)
         if len(kicks) < 2:
-            return say(only, body=body)
+            return say(only, **slots)
         if f"ordinal.{number}" in SENTENCES:
-            return say(ordered, order=say(f"ordinal.{number}"), body=body)
+            return say(ordered, order=say(f"ordinal.{number}"), **slots)
         return say(numbered, number=number, body=body)
+
+    def _is_struck_alone(self, event: Event) -> bool:
+        """Whether no other body receives an impulse from outside."""
+        kicks = (each for each in self.events.values() if each.kind == "kick")
+        return all(each.bodies == event.bodies for each in kicks)
 
     def _order(self, event: Event) -> int:
         """Which of the impacts an event is, counted from 1."""
