@@ -172,3 +172,42 @@ def test_a_fraction_of_letters_has_no_decimal_behind_it() -> None:
         "A hits B: along i, e = 1/2\nfind velocity(B)"
     )
     assert "𝐯_B = (12u/5)𝐢 A1" in shown.replace("ft", "")
+
+
+def test_factors_stand_in_the_order_in_which_they_are_read() -> None:
+    """A time behind a speed, a letter before a root of a sum, a tangent by itself as a square."""
+    apart = working(
+        "sphere A: mass 3m, velocity 2u i + u j\nsphere B: mass m, velocity -2u i + u j\n"
+        "A hits B: along i, e = 1/2\nfind distance(A, B, at t), position(A, at t)"
+    )
+    assert "= 2ut" in apart
+    assert "(ut/2)𝐢 + ut𝐣" in apart
+    assert "the components in the direction of 𝐣 stay u for each." in apart
+    cosine = working(
+        "sphere A: mass 2m, velocity u i + 2u j\nsphere B: mass 3m, velocity -2u i - u j\n"
+        "A hits B: along i, e = 2/3\nfind cos(angle(velocity(A), velocity(B)))"
+    )
+    assert "/(u√((2u)² + (2u)²))" in cosine
+    squared = working(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+        "A hits B: along i, e = 1/3\nlet phi = angle(velocity(A), i)\ngiven phi = 90° - alpha\n"
+        "find tan(alpha)"
+    )
+    assert "3 tan²α = 1" in squared
+
+
+def test_a_vector_of_short_decimals_is_not_rounded_in_one_component() -> None:
+    shown = working(
+        "wall W: along i + 2j\nsphere P: mass 0.25, velocity 8i\nP receives -i + 3j\n"
+        "P hits W: e = 0.4\nfind velocity(P)"
+    )
+    assert "= (6.24𝐢 + 10.88𝐣) m s⁻¹" in shown
+    assert "after the impulse." in shown
+
+
+def test_the_fraction_lost_has_its_name() -> None:
+    shown = working(
+        "sphere A: mass m, velocity u at 30°\nsphere B: mass m, at rest\nA hits B: along i, e = e\n"
+        "find range of energy_lost/energy(0)"
+    )
+    assert "0 ≤ fraction lost ≤ ⅜" in shown

@@ -209,7 +209,7 @@ find energy_lost/energy(0) in terms of alpha
 
 # What a working says, with the white space as it is printed where there is a line break in it.
 SAYS = [
-    (SHARE, "(kinetic energy lost)/(kinetic energy before the impact) = 16.875/50"),
+    (SHARE, "fraction lost = 16.875/50"),
     (SHARE, "½ × 0.25 × 20² = 50 J"),
     (SHARE_BOUNDED, "⅜m_P u² sin²α/(½m_P u²) ≥ 3/10"),
     (TURNED, "β = α + δ"),

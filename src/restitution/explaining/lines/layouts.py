@@ -40,8 +40,11 @@ _SIGNS = {
 }
 
 
-Names = Callable[[Quantity], lay.Layout | None]
-"""How a working calls a quantity of the motion; None where it is written as in a statement."""
+Names = Callable[[Quantity | Binary], lay.Layout | None]
+"""How a working calls a quantity of the motion; None where it is written as in a statement.
+
+It is asked too of what is lost over an energy, as that is a fraction lost.
+"""
 
 
 def of_tree(
@@ -57,7 +60,7 @@ def of_tree(
         return _laid_out(printed(tree), frozenset(vectors), ())
 
     def change(node: Expression) -> Expression | None:
-        name = names(node) if isinstance(node, Quantity) else None
+        name = names(node) if isinstance(node, Quantity) or _is_a_share(node) else None
         if name is None:
             return None
         called[f"q_{len(called)}"] = name
@@ -65,6 +68,14 @@ def of_tree(
 
     plain = printed(_renamed(tree, change))
     return _laid_out(plain, frozenset(vectors), tuple(called.items()))
+
+
+def _is_a_share(node: Expression) -> TypeGuard[Binary]:
+    """Whether a tree is a loss of energy over an energy."""
+    match node:
+        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+            return True
+    return False
 
 
 @lru_cache(maxsize=4096)

@@ -84,6 +84,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "unchanged.components": "the components stay {components:and}.",
     "unchanged.components-in": ("the components in the direction of {axis} stay {components:and}."),
     "unchanged.component": "{value} for {body}",
+    "unchanged.each": "{value} for each",
     "unchanged.why": (
         "The spheres are smooth, so each pushes the other only along the line of centres. No "
         "impulse acts across it, and so each sphere keeps its own component in that direction. "
@@ -971,6 +972,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.deflection": "angle of deflection of {of:and}",
     "derived.impulse": "impulse on {of:and}",
     "derived.kick-size": "magnitude of {event}",
+    "derived.fraction-lost": "fraction lost",
     "derived.impulse-given": "impulse given to {of:and}",
     "derived.impulse-size": "magnitude of the impulse",
     "derived.time": "time {event}",

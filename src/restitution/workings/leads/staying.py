@@ -161,6 +161,8 @@ class Staying:
                 return say("derived.stays", of=body, value=value)
             return say("derived.stays-in", of=body, value=value, axis=axis)
         components = [say("unchanged.component", value=v, body=b) for b, v in values]
+        if all(own == value for _, own in others):
+            components = [say("unchanged.each", value=value)]
         if axis is None:
             return say("unchanged.components", components=components)
         return say("unchanged.components-in", components=components, axis=axis)

@@ -102,7 +102,19 @@ class Naming(Moments):
             match node:
                 case Binary("-", Quantity("time", (), int()), Quantity("time", (), int()) as early):
                     self.name(early)  # it is introduced before the later one
-        return self._displacement(tree) or of_tree(tree, self.vectors, self.name, self.terms.forms)
+        named = self._displacement(tree)
+        return named or of_tree(tree, self.vectors, self._in_a_row, self.terms.forms)
+
+    def _in_a_row(self, tree: Quantity | Binary) -> lay.Layout | None:
+        """What a quantity is called, and the share of the energy that the one impact takes."""
+        match tree:
+            case Binary("/", _, Quantity("energy", bodies, 0)) if (
+                not self.several and len(self.impacts) == 1
+            ):
+                (impact,) = self.impacts
+                if not bodies or (impact.wall and bodies == (Name(impact.bodies[0]),)):
+                    return operand(say("derived.fraction-lost"))
+        return self.name(tree)
 
     def _displacement(self, tree: Expression) -> lay.Layout | None:
         """How far a body comes along **i** or **j** from one event to another, in words."""
@@ -176,8 +188,10 @@ class Naming(Moments):
             for each in axes:
                 self._own[replace(tree, arguments=(vector, each))] = lay.letter(letter)
 
-    def name(self, tree: Quantity) -> lay.Layout | None:
-        """What a quantity is called among letters."""
+    def name(self, tree: Quantity | Binary) -> lay.Layout | None:
+        """What a quantity is called among letters; a quotient has no name."""
+        if isinstance(tree, Binary):
+            return None
         if tree in self._own:
             return self._own[tree]
         terms = self.terms
