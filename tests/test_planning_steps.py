@@ -222,7 +222,7 @@ def test_a_sum_of_roots_is_divided_by_in_the_open() -> None:
         "A hits B: along i\ngiven deflection(B) = 60°\nfind e"
     )
     (links,) = derivation.lines[-1].relation.options  # type: ignore[union-attr]
-    assert [each.by for each in links] == [None, "rearrange"]
+    assert [each.by for each in links] == [None, "rearrange", "rearrange"]
 
 
 def test_an_angle_in_many_terms_is_collected() -> None:
