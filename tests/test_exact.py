@@ -210,6 +210,19 @@ def test_value_is_unchanged(seed: int) -> None:
             assert at(found, point) == pytest.approx(before, rel=1e-6, abs=1e-6), (given, found)
 
 
+def test_a_factor_below_a_root_and_below_the_line_is_cancelled() -> None:
+    """√(a b)/√a is √b, also where it comes out of a longer form."""
+    m, u = sympy.symbols("m u", positive=True)
+    e = sympy.Symbol("e", nonnegative=True)
+    above = 8 * e**5 - 4 * e**4 - 10 * e**3 + 5 * e**2 + 2 * e - 1
+    below = 4 * e**4 - 4 * e**3 - 3 * e**2 + 4 * e - 1
+    sine = sqrt(3) * sqrt(1 - 2 * e) / (2 * (1 - 2 * e)) / sqrt(above / below)
+    long = m * u * (1 + e) * sine / sqrt((e**2 - 1) / (4 * e**2 - 1))
+    form = tidy(long)
+    assert not form.has(1 - 2 * e)
+    assert sympy.simplify((form - long).subs(e, sympy.Rational(1, 3))) == 0
+
+
 def test_roots_of_negative_factors_keep_their_sign() -> None:
     given = sqrt((e - Z) * (x + u - Z / 2) / (Z + sin(beta)))
     point = {e: 0.75, alpha: 1.2, u: 0.5, x: -2.9, beta: 1.0}

@@ -86,7 +86,18 @@ def _tidy(expression: Expr) -> Expr:
     forms = [_tidy_letters(start) for start in starts]
     if isinstance(expression, Mul) and expression.has(sympy.Abs):
         forms.append(_with_bars(expression))
-    return _compounded(_oriented(min(forms, key=cost)))
+    return _with_roots_joined(_compounded(_oriented(min(forms, key=cost))))
+
+
+def _with_roots_joined(value: Expr) -> Expr:
+    """A product in which √(a b)/√a has been left, with √b."""
+    if not isinstance(value, Mul):
+        return value
+    joined = Mul(*joined_roots(list(value.args)))
+    if joined == value:
+        return value
+    other = _tidy_letters(joined)
+    return other if cost(other) < cost(value) else value
 
 
 def _compounded(value: Expr) -> Expr:
