@@ -343,3 +343,16 @@ def test_the_law_that_a_line_names_decides_of_which_its_mistake_is(
     solution = restitution.solve(restitution.parse(ELASTIC))
     (judged,) = restitution.mark(solution, line, letters=letters).lines
     assert judged.mistake is not None and judged.mistake.id == mistake
+
+
+PARTED = """sphere A: mass 2, velocity 2i + j
+sphere B: mass 3/2, velocity -2i + 3j
+A hits B: along i
+given velocity(A) = -i + j
+find e"""
+
+
+@pytest.mark.parametrize("line", ["sep speed 3 and approach speed 4\ne = 4/3", "e = 4/3"])
+def test_a_coefficient_upside_down_is_no_slip_and_no_datum(line: str) -> None:
+    *_, last = restitution.mark(restitution.solve(restitution.parse(PARTED)), line).lines
+    assert last.mistake is not None and last.mistake.id == "restitution-inverted"

@@ -439,3 +439,9 @@ find line_of_centres"""
 def test_an_answer_for_which_no_method_is_marked_is_marked_alone() -> None:
     marking = restitution.mark(solution_of(FOUND), "l.o.c. is (i + j)/√2", part="b")
     assert (marking.marks.earned, marking.marks.of) == (1, 1)
+
+
+def test_a_value_may_stand_before_what_it_is_of() -> None:
+    statement = FACING.replace("find speed(B)", "find angle(velocity(A), velocity(B))")
+    assert verdicts(statement, "so 36.8° between") == ["true"]
+    assert verdicts(statement, "so 63.3° between") == ["false"]

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.tree import Expression, Letter, Name, Quantity, letters, walk
+from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, letters, walk
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 
 Meanings = Mapping[str, Expression]
@@ -45,6 +45,11 @@ def is_numeric(tree: Expression) -> bool:
         isinstance(each, Letter | Name) or (isinstance(each, Quantity) and each.kind != "dot")
         for each in walk(tree)
     )
+
+
+def is_monomial(tree: Expression) -> bool:
+    """Whether a tree adds and subtracts nothing."""
+    return not any(isinstance(each, Binary) and each.op in "+-" for each in walk(tree))
 
 
 def names_of(claim: Claim) -> frozenset[str]:

@@ -7,7 +7,7 @@ not a mistake.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import nullcontext, suppress
 from dataclasses import replace
 from fractions import Fraction
@@ -318,7 +318,8 @@ class _Sitting(Doubts):
                     yield value, datum
                     continue
                 twice = (line for line in untrue if _is_true_reread(line, value, datum, judge_))
-                least = 1 if _is_quoted(untrue[0], value) else 2
+                quoted = _is_quoted(untrue[0], value, self.bench.question.unknown)
+                least = 1 if quoted else 2
                 if len(list(islice(twice, least))) == least:
                     yield value, datum
 
@@ -354,8 +355,11 @@ def _numbers_in(line: ScriptLine) -> Iterator[Fraction]:
         yield from (x for x in numbers((claim.left, claim.right)) if x not in (0, 1))
 
 
-def _is_quoted(line: ScriptLine, value: Fraction) -> bool:
-    """Whether a line quotes a number, or a fraction with it, as a datum: ``e = 1/2``."""
+def _is_quoted(line: ScriptLine, value: Fraction, unknown: Collection[str]) -> bool:
+    """Whether a line quotes a number, or a fraction with it, as a datum: ``e = 1/2``.
+
+    What is ``unknown`` is worked out, and no datum.
+    """
 
     def is_it(tree: Expression) -> bool:
         match tree:
@@ -364,7 +368,10 @@ def _is_quoted(line: ScriptLine, value: Fraction) -> bool:
         return tree == Number(value)
 
     return any(
-        claim.sign == "=" and isinstance(claim.left, Letter) and is_it(claim.right)
+        claim.sign == "="
+        and isinstance(claim.left, Letter)
+        and claim.left.name not in unknown
+        and is_it(claim.right)
         for link in line.links
         for claim in link.readings[:1]
     )

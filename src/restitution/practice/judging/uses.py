@@ -7,8 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from restitution.explaining.mistakes.misconceptions import VariantAt
+from restitution.expression.tree import Number
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.other_forms import kind_of
+from restitution.practice.script import Claim
 
 # What a result is, as the principle of a line.
 _PRINCIPLES = {
@@ -36,6 +38,11 @@ def as_labelled(variants: Sequence[VariantAt], text: str) -> tuple[VariantAt, ..
         each for each in variants if len(named) == 1 and any(x.law == named[0] for x in each.laws)
     )
     return own or tuple(variants)
+
+
+def is_bare_value(claim: Claim, uses: Sequence[Use]) -> bool:
+    """Whether a claim gives one number as a value, and no law with it: ``separation 3``."""
+    return isinstance(claim.right, Number) and any(use.principle == "value" for use in uses)
 
 
 def of_mistake(mistake: Mistake, use: Use) -> Use:

@@ -26,13 +26,13 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     letters,
-    walk,
 )
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in
 from restitution.practice.judging.entries import (
     Entry,
     Meanings,
+    is_monomial,
     is_numeric,
 )
 from restitution.practice.judging.extremes import speaks_of_any_value
@@ -63,7 +63,12 @@ from restitution.practice.judging.supposing import (
     supposed_in,
 )
 from restitution.practice.judging.unlabelled import Unlabelled, followed
-from restitution.practice.judging.uses import as_labelled, of_mistake, uses_of_variants
+from restitution.practice.judging.uses import (
+    as_labelled,
+    is_bare_value,
+    of_mistake,
+    uses_of_variants,
+)
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import read_as
 from restitution.practice.reading.phrases import is_phrase, names_time, tells_after
@@ -268,7 +273,7 @@ class Judge(Unlabelled):
             self._stated |= {
                 (use.principle, use.event, use.bodies)
                 for use in uses[:1]
-                if not use.altered
+                if not (use.altered or is_bare_value(links[0].claim, uses))
                 and (use.principle != "unchanged" or self._speaks_of_after(line, links))
             }
         self._remember(line, links)
@@ -386,7 +391,7 @@ class Judge(Unlabelled):
         own = letters(left) | letters(right)
         if letters(left) != letters(right) or own & self.question.unknown or not own:
             return False
-        if not own <= self._base.letters.keys() or not _is_monomial(right):
+        if not own <= self._base.letters.keys() or not is_monomial(right):
             return False
         try:
             ratio = self._base.scalar(left) / self._base.scalar(right)
@@ -625,7 +630,11 @@ class Judge(Unlabelled):
             else:
                 if unnamed := unnamed_in(claim):
                     missing.update(unnamed)
-                elif isinstance(claim.left, Letter) and _is_a_time(claim.left):
+                elif (
+                    isinstance(claim.left, Letter)
+                    and is_phrase(claim.left.name)
+                    and names_time(claim.left.name)
+                ):
                     missing.add(claim.left.name)  # since when it counts, nobody knows
                 elif not missing:
                     return JudgedLink("false", self._at_heading(claim, line))
@@ -682,16 +691,6 @@ def _lines_of(script: Script) -> dict[str, set[int]]:
                 for name in letters(side):
                     lines.setdefault(name, set()).add(line.number)
     return lines
-
-
-def _is_monomial(tree: Expression) -> bool:
-    """Whether a tree adds and subtracts nothing."""
-    return not any(isinstance(each, Binary) and each.op in "+-" for each in walk(tree))
-
-
-def _is_a_time(label: Letter) -> bool:
-    """Whether a label names a time."""
-    return is_phrase(label.name) and names_time(label.name)
 
 
 def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:

@@ -46,6 +46,7 @@ _NAMES_OF_LAWS = frozenset(
 _CONCLUDING = _ENDING | {"%", "percentage", "ans", "answer", "which", "giving"}
 # What may stand behind a percentage alone: ``60% of the KE is lost``.
 _LOST_BEHIND = re.compile(r"\s*(?:(?:is|was|are|of KE|of energy)\s+)*lost\b", re.IGNORECASE)
+_BETWEEN_BEHIND = re.compile(r"\s*between(\s+(them|paths|A and B))?\s*\.?$", re.IGNORECASE)
 _OF_A_SHARE = re.compile(
     r"\s*(?:(?:of\s+(?:the\s+)?)?(?:K\.?E\.?|(?:kinetic\s+)?energy)\s*)?(?:is\s+|was\s+)?(lost|loss)?[\s.!]*",
     re.IGNORECASE,
@@ -419,8 +420,11 @@ class _Reader(Chains):
         return Letter("percentage lost" if rest[1] else "the percentage")
 
     def _amount(self, segment: Segment) -> Letter | None:
-        """What an energy is, behind which *lost* stands: ``so 15J lost``."""
+        """What words behind it make of a value: ``so 15J lost``, ``so 85.7° between``."""
         kinds = [each.kind for each in segment.tokens]
+        if kinds == ["number", "degrees"]:
+            between = _BETWEEN_BEHIND.match(self.line.text, segment.tokens[1].end)
+            return None if between is None else Letter("angle between")
         if kinds != ["number", "measure"] or segment.tokens[1].name[0] not in "Jj":
             return None
         lost = _LOST_BEHIND.match(self.line.text, segment.tokens[1].end)
