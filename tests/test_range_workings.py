@@ -112,7 +112,22 @@ from restitution.workings import explain
             P hits Y: e = 2e
             find range of e
             """,
-            ["A coefficient of restitution is at most 1: 2e ≤ 1 e ≤ ½", "0 ≤ e ≤ ½, as e ≥ 0"],
+            ["A coefficient of restitution is at most 1: 2e ≤ 1 e ≤ ½ 0 ≤ e ≤ ½"],
+        ),
+        (
+            """
+            wall W: along j
+            sphere A: mass m, velocity u i
+            sphere B: mass 2m, at rest
+            A hits B: along i, e = e
+            B hits W: e = 1/2
+            A hits B: along i, e = e
+            find range of e
+            """,
+            [
+                "A and B approach each other before the third impact: (1 − 2e)u/3 > −(1 + e)u/6",
+                "e < 1",
+            ],
         ),
         (
             """

@@ -203,20 +203,25 @@ class FactsOf(Arrangement):
             if letters(step.e) and self.sign(Binary("-", one, step.e)) is None:
                 most = Relation(((Link(step.e, "<=", one),),))
                 yield Fact(f"most {number}", "geometry", most, None, step.place)
-        if number > 1 or step.second in self.walls:
+        if step.second in self.walls:
             return
-        if isinstance(step.offset, Expression) and self.radius is not None:
+        offset = step.offset if number == 1 else None
+        if isinstance(offset, Expression) and self.radius is not None:
             both = self._doubled(self.radius)
-            if letters(step.offset) and self.sign(step.offset) == 1:
-                near = Relation(((Link(step.offset, "<", both),),))
+            if letters(offset) and self.sign(offset) == 1:
+                near = Relation(((Link(offset, "<", both),),))
                 yield Fact(f"offset {number}", "geometry", near, None, step.place)
         if step.along is None:
             return
         speeds = [self.sphere(each).velocity for each in (step.first, step.second)]
-        if all(isinstance(speed, Expression) for speed in speeds) and any(map(letters, speeds)):
+        if number > 1 or (
+            all(isinstance(speed, Expression) for speed in speeds) and any(map(letters, speeds))
+        ):
             axis = step.along
             a, b = (
-                Quantity("along", (Quantity("velocity", (Name(each),), 0), axis))
+                self.settled(
+                    Quantity("along", (Quantity("velocity", (Name(each),), None), axis)), number - 1
+                )
                 for each in (step.first, step.second)
             )
             nearer = Relation(((Link(a, ">", b),),))

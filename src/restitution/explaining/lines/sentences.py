@@ -630,7 +630,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}, so {body} has no component perpendicular to the line of centres:"
     ),
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
-    "given.approach": "{one} and {other} approach each other before the impact:",
+    "given.approach": "{one} and {other} approach each other before {event}:",
     "given.offset": "{one} does not pass by {other}:",
     "given.most": "A coefficient of restitution is at most 1:",
     "given.between": "{body} hits {wall} between its ends:",

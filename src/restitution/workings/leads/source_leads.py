@@ -58,12 +58,13 @@ class SourceLeads(LinesAround):
                 return say("given.most")
             if kind not in ("within", "approach", "offset"):
                 continue
-            one, other = self._naming.events[int(number)].bodies
+            event = self._naming.events[int(number)]
+            one, other = event.bodies
             if kind == "offset":
                 return say("given.offset", one=one, other=other)
             if kind == "within":
                 return say("given.between", body=one, wall=other)
-            return say("given.approach", one=one, other=other)
+            return say("given.approach", one=one, other=other, event=self._naming.called(event))
         return None
 
     def _component_equations(self, line: Line) -> list[lay.Layout]:
