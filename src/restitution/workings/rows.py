@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -626,10 +625,16 @@ def _is_vector_of_short_decimals(value: lay.Layout) -> bool:
     """Whether a vector has two components of numbers with at most two decimals, one or more."""
     if not isinstance(value, lay.Sum) or len(value.terms) != 2 or not is_plain(value):
         return False
-    text = to_text(value)
-    numbers = re.findall(r"[\d.]+", text)
-    plain = not re.search(r"[^\d.𝐢𝐣 +−-]", text)
-    return plain and "." in text and all(len(e.partition(".")[2]) <= 2 for e in numbers)
+    digits: list[str] = []
+    for _, term in value.terms:
+        match term:
+            case lay.Product((lay.Number(size), lay.Bold())):
+                digits.append(size)
+            case lay.Bold():
+                pass
+            case _:
+                return False
+    return any("." in e for e in digits) and all(len(e.partition(".")[2]) <= 2 for e in digits)
 
 
 def _has_decimals(side: lay.Layout) -> bool:
