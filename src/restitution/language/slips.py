@@ -11,7 +11,7 @@ from restitution.errors import StatementError
 from restitution.expression.source import Source
 from restitution.expression.words import LINE_WORDS
 from restitution.language.outside import outside
-from restitution.language.slip_table import NAME, SLIPS, Cure
+from restitution.language.slip_tables import NAME, SLIPS, Cure
 from restitution.mending import Fix
 
 
