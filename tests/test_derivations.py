@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import random
 from functools import cache
 from pathlib import Path
@@ -365,3 +366,14 @@ def test_the_normal_of_a_wall_points_into_it(walls: str, axis: str) -> None:
     number = 2 if first else 1
     (fact,) = (each for each in facts_of(problem) if each.id == f"axis {number}")
     assert write_expression(fact.relation.only[0].right) == axis
+
+
+def test_the_hash_of_a_relation_stays_in_its_process() -> None:
+    relation = read_relation("v = 2u/3", {})
+    own = hash(relation)
+    other = pickle.loads(pickle.dumps(relation))
+    assert "_hash" in vars(relation), "it is worked out once"
+    assert "_hash" not in vars(other), "strings have another hash elsewhere"
+    assert "_hash" not in vars(other.only[0])
+    assert other == relation
+    assert hash(other) == own

@@ -33,8 +33,11 @@ class Node:
     __slots__ = ("_hash", "_inside", "_letters", "_quantity")
 
 
-def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
-    """A kind of node of which the hash is worked out once, and compared before what is inside."""
+def keeps_hash(kind: type[_Kind]) -> type[_Kind]:
+    """A frozen kind of which the hash is worked out once, and compared before what is inside.
+
+    It is not pickled: strings have another hash in another process.
+    """
     worked_out: Any = kind.__hash__
     same_inside: Any = kind.__eq__
 
@@ -60,10 +63,16 @@ def _keeps_hash(kind: type[_Kind]) -> type[_Kind]:
 
     setattr(kind, "__hash__", kept)  # noqa: B010 - a type has no place for it that mypy knows
     setattr(kind, "__eq__", same)  # noqa: B010
+    if not hasattr(kind, "__slots__"):
+        setattr(kind, "__getstate__", _without_hash)  # noqa: B010
     return kind
 
 
-@_keeps_hash
+def _without_hash(value: object) -> dict[str, Any]:
+    return {name: each for name, each in vars(value).items() if name != "_hash"}
+
+
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Number(Node):
     """An exact number as typed: ``3``, ``0.6``, ``60%``; never negative."""
@@ -72,7 +81,7 @@ class Number(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Degrees(Node):
     """A number of degrees: ``60°``."""
@@ -84,7 +93,7 @@ class Degrees(Node):
 RIGHT_ANGLE, STRAIGHT_ANGLE = Degrees(Fraction(90)), Degrees(Fraction(180))
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Pi(Node):
     """The number π."""
@@ -92,7 +101,7 @@ class Pi(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Letter(Node):
     """A letter, by its canonical name: ``u``, ``alpha``, ``e_1``, ``v_A``."""
@@ -101,7 +110,7 @@ class Letter(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Unit(Node):
     """A unit vector, **i** or **j**."""
@@ -110,7 +119,7 @@ class Unit(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Name(Node):
     """The name of a sphere, a wall or a point of the statement."""
@@ -119,7 +128,7 @@ class Name(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Pair(Node):
     """Components or coordinates: ``(3, -4)``."""
@@ -129,7 +138,7 @@ class Pair(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Polar(Node):
     """A vector by size and direction: ``5 at 60°``.
@@ -145,7 +154,7 @@ class Polar(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Negate(Node):
     """``-x``."""
@@ -154,7 +163,7 @@ class Negate(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Binary(Node):
     """``left op right``; multiplication left out is ``*`` all the same."""
@@ -165,7 +174,7 @@ class Binary(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Apply(Node):
     """A function of one argument: ``sqrt sin cos tan cot sec cosec arcsin arccos arctan abs``."""
@@ -175,7 +184,7 @@ class Apply(Node):
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Measured(Node):
     """A value with its unit, as typed: ``5 m/s``.
@@ -200,7 +209,7 @@ class AtTime:
 Stage = int | Literal["before"] | AtTime | None
 
 
-@_keeps_hash
+@keeps_hash
 @dataclass(frozen=True, slots=True)
 class Quantity(Node):
     """A quantity of the motion: ``speed(P, 2)`` is ``Quantity("speed", (Name("P"),), 2)``.

@@ -9,7 +9,7 @@ in it; then in intervals of many digits. A sign that is given is certain.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -118,11 +118,15 @@ class Program:
         None is for what has no real value. This is for a search; it decides nothing.
         """
         signs = self.sure_signs(point)
-        left = [n for n, sign in enumerate(signs) if sign is None]
+        self.search(point, signs, range(len(signs)))
+        return signs
+
+    def search(self, point: Point, signs: list[int | None], wanted: Iterable[int]) -> None:
+        """Put `near_signs` in place of None among signs, for the expressions with some numbers."""
+        left = [n for n in wanted if signs[n] is None]
         if left:
             for n, interval in zip(left, self.enclosures(point, _SEARCHED, left), strict=True):
                 signs[n] = None if interval is None else sign_of(interval) or 0
-        return signs
 
     def sure_signs(self, point: Point, balls: Mapping[str, Ball] | None = None) -> list[int | None]:
         """The signs that floats show for certain; None where they do not.
@@ -264,7 +268,7 @@ class Program:
         ``wanted`` are the numbers of some of the expressions; without it, it is all of them.
         """
         precision = dps_to_prec(digits)
-        values: list[Interval | None] = [None] * len(self.instructions)
+        values = self._constants_in(precision).copy()
         instructions = self.instructions
         for place in self._needed(None if wanted is None else tuple(wanted)):
             operation, arguments = instructions[place]
@@ -273,17 +277,37 @@ class Program:
         results = self.results if wanted is None else [self.results[n] for n in wanted]
         return [values[place] for place in results]
 
+    def _constants_in(self, precision: int) -> list[Interval | None]:
+        """The values that need no letter, as intervals of so many bits."""
+        if precision not in self._intervals:
+            values: list[Interval | None] = [None] * len(self.instructions)
+            for place, (operation, arguments) in enumerate(self.instructions):
+                if operation in _CONSTANTS:
+                    with suppress(*_NO_VALUE):
+                        values[place] = _enclosed(precision, operation, arguments, values, {})
+            self._intervals[precision] = values
+        return self._intervals[precision]
+
+    @cached_property
+    def _intervals(self) -> dict[int, list[Interval | None]]:
+        return {}
+
     def _needed(self, wanted: tuple[int, ...] | None) -> Sequence[int]:
-        """The instructions from which some of the expressions have their values, in order."""
+        """The instructions from which some of the expressions have their values, in order.
+
+        Those of constants are left out.
+        """
         if wanted is None or len(wanted) == len(self.results):
-            return range(len(self.instructions))
+            wanted = tuple(range(len(self.results)))
         if wanted not in self._slices:
             needed = {self.results[n] for n in wanted}
             for place in range(len(self.instructions) - 1, -1, -1):
                 operation, arguments = self.instructions[place]
                 if place in needed:
                     needed.update(_earlier(operation, arguments))
-            self._slices[wanted] = tuple(sorted(needed))
+            self._slices[wanted] = tuple(
+                place for place in sorted(needed) if self.instructions[place][0] not in _CONSTANTS
+            )
         return self._slices[wanted]
 
     @cached_property
@@ -300,6 +324,7 @@ def _compiled(expressions: tuple[sp.Expr, ...]) -> Program:
     return Program(tuple(compiler.instructions), results, rational, letters)
 
 
+_CONSTANTS = frozenset({"number", "pi", "constant", "nothing"})
 _NOTHING = frozenset({sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I})
 _RATIONAL = frozenset({"number", "letter", "add", "multiply", "power"})
 _FUNCTIONS: dict[type, str] = {

@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import Literal, get_args
 
 from restitution.explaining.lines.marks import Marks
-from restitution.expression.tree import Expression, Place
+from restitution.expression.tree import Expression, Place, keeps_hash
 
 Ref = int | str
 """A premise: the number of a line, the id of a fact, or the text of what is known of a letter."""
@@ -59,6 +59,7 @@ FLIPPED: Mapping[str, Sign] = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 OPPOSITE: Mapping[str, Sign] = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
+@keeps_hash
 @dataclass(frozen=True)
 class Link:
     """``left sign right``; ``by`` is the move of a later link of a chain, where it has its own."""
@@ -69,6 +70,7 @@ class Link:
     by: MoveId | None = None
 
 
+@keeps_hash
 @dataclass(frozen=True)
 class Relation:
     """What a line says: options of which one holds, each of links that hold together.
@@ -98,6 +100,7 @@ class Relation:
         return Link(links[0].left, "=", links[-1].right)
 
 
+@keeps_hash
 @dataclass(frozen=True)
 class Meaning:
     """A letter that a working introduces, for one quantity and no other.
@@ -124,6 +127,7 @@ class Fact:
     place: Place | None = None
 
 
+@keeps_hash
 @dataclass(frozen=True)
 class Event:
     """An event of the story: who meets whom. ``wall`` tells that the second body is a wall."""
@@ -134,6 +138,7 @@ class Event:
     wall: bool = False
 
 
+@keeps_hash
 @dataclass(frozen=True)
 class Move:
     """How a line is made.

@@ -20,7 +20,7 @@ from mpmath.libmp import to_float
 
 from restitution.expression.enclosed import DIGITS, Enclosed, UndefinedError
 from restitution.expression.evaluate import Numeric
-from restitution.oracle.points import BeyondError, Program
+from restitution.oracle.points import BeyondError, Program, ball
 from restitution.oracle.roles import REAL, Role
 
 FIELD = Numeric()
@@ -28,6 +28,7 @@ FIELD = Numeric()
 Sample = dict[str, Enclosed]
 
 _OF_FLOATS = 40
+_ROUNDED = 2.0**-50
 
 
 def at(x: Any, values: Mapping[str, Enclosed]) -> Enclosed:
@@ -58,6 +59,22 @@ def sign_there(x: Any, values: Mapping[str, Enclosed]) -> int:
             if sign is not None:
                 return sign
     return at(expression, values).sign
+
+
+def sign_beyond(x: Any, values: Mapping[str, Enclosed], number: Enclosed) -> int:
+    """The sign of what `at` gives less a number; 0 where it may be zero.
+
+    Raises what that raises.
+    """
+    with suppress(BeyondError, ArithmeticError, ValueError):
+        (near,) = Program.of((x,)).balls(values)
+        if near is not None:
+            middle, error = near
+            other, spread = ball(number)
+            gap = middle - other
+            if abs(gap) > (error + spread + abs(gap) * _ROUNDED) * (1 + _ROUNDED):
+                return 1 if gap > 0 else -1
+    return (at(x, values) - number).sign
 
 
 def float_at(x: Any, values: Mapping[str, Enclosed]) -> float:

@@ -41,7 +41,7 @@ from restitution.render.text import to_text
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.intervals import End, Piece, inside_of, to_set
 from restitution.solving.algebra.neat import neat
-from restitution.solving.algebra.numbers import Sample, at, sample
+from restitution.solving.algebra.numbers import Sample, at, sample, sign_beyond
 from restitution.solving.equations.part import Desk, Outcome
 from restitution.solving.equations.setting import Setting, Trial
 from restitution.solving.equations.solution import Answer, ItemResult
@@ -453,9 +453,9 @@ def _winner(
         if not region._possible(values):
             continue
         try:
-            seen = at(value, values)
+            beyond = sign * sign_beyond(value, values, best[2])
         except (UndefinedError, KeyError):
             continue
-        if sign * seen > sign * best[2]:
+        if beyond > 0:
             raise UnsupportedError("the extremum has no exact form that is found here")
     return best

@@ -37,7 +37,14 @@ from restitution.solving.algebra.intervals import (
     joined_cells,
     reconcile,
 )
-from restitution.solving.algebra.numbers import Sample, at, draw, number_of, sample
+from restitution.solving.algebra.numbers import (
+    Sample,
+    at,
+    draw,
+    number_of,
+    sample,
+    sign_beyond,
+)
 from restitution.solving.equations.part import Outcome
 from restitution.solving.ranges.limits import breaks, limit_at, limits, turning
 from restitution.solving.ranges.regions import DRAWS, DRAWS_TRIED, ROUNDS, Region
@@ -491,7 +498,7 @@ def reaches(
     for known in _others(region, candidate, drawn):
         values = _numbers(region, candidate, known)
         try:
-            if values is not None and not (at(value, values) - number).sign:
+            if values is not None and not sign_beyond(value, values, number):
                 return True
         except (UndefinedError, KeyError):
             # An angle at a pole of its tangent, which it has as 90° if it comes near to that.

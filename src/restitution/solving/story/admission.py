@@ -105,9 +105,10 @@ class Admission:
         goes another way than it was told.
         """
         every, program = self._program
-        near = program.near_signs(point)
+        near = program.sure_signs(point)
         for n, own in self._constants.items():
             near[n] = own
+        program.search(point, near, range(len(every)))
         signs = dict(zip(every, near, strict=False))
         if not all(holds_with(each, signs) for each in self.assumed):
             raise LookupError("another telling")
@@ -117,6 +118,8 @@ class Admission:
                 raise UndefinedError(demand.reason)
             if not holds:
                 return demand.reason, demand.kind
+        # Equations hold where the rest does, which takes all digits to see: they come last.
+        program.search(point, near, range(len(every), len(near)))
         for sign in near[len(every) :]:
             if sign is None:
                 raise UndefinedError("an equation")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Iterable, Iterator
 
-from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
 from restitution.explaining.lines.trees import settled, trees_of
 from restitution.expression.tree import Expression, Name, Quantity, children, has_quantity
 from restitution.workings.naming.bold_letters import Used
@@ -20,9 +20,37 @@ def foreseen(derivation: Derivation, has_unit: Callable[[int], bool]) -> Used:
     for part in dict.fromkeys(derivation.asked.values()):
         for line in derivation.lines:
             if line.shown != "silent" and derivation.asked.get(line.item or "") == part:
-                for tree in trees_of(line.relation):
+                for tree in (*_given(derivation, line), *_printed(line)):
                     seen.look(tree, part)
     return Used(seen.velocities, frozenset(seen.units))
+
+
+def _printed(line: Line) -> Iterable[Expression]:
+    """The trees of a line that stand on paper."""
+    match line.relation:
+        case Meaning(_, Quantity("direction", arguments, int(stage))):
+            return (Quantity("velocity", arguments, stage),)
+        case Relation(((Link(Quantity("across", (Quantity("velocity", (body,)), axis))), *_),)) if (
+            line.move.id == "law" and line.move.record == "unchanged"
+        ):
+            # That a component stays is said in words, of its body and its direction.
+            return (Quantity("across", (body, axis)),)
+    return trees_of(line.relation)
+
+
+def _given(derivation: Derivation, line: Line) -> Iterator[Expression]:
+    """The trees of the given facts that a definition takes: it is said that they are given."""
+    if line.move.id != "define":
+        return
+    for ref in line.premises:
+        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        if fact is None or fact.kind != "given":
+            continue
+        for links in fact.relation.options:
+            for own in links:
+                # A velocity that has a value is a datum, which is put in.
+                if own.sign != "=" or (has_quantity(own.left) and has_quantity(own.right)):
+                    yield from (own.left, own.right)
 
 
 class _Seen:
@@ -44,6 +72,9 @@ class _Seen:
                 own = settled(tree, self._events)
                 if isinstance(own, Quantity) and isinstance(own.stage, int):
                     self.velocities.setdefault((body, own.stage), part)
+                return
+            case Quantity("direction", (Name(),), int()) if tree not in self._named:
+                self.look(Quantity("velocity", tree.arguments, tree.stage), part)
                 return
             case Quantity("along" | "across") if tree in self._named:
                 return  # it is called by its letter

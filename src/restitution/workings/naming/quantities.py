@@ -6,7 +6,7 @@ it is not plain from what stands above: the heading of an impact, or the end of 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -84,7 +84,9 @@ class Naming(Moments):
         #: The letters by which the statement calls times.
         self._of_the_statement = dict(_named_times(self.derivation))
         #: The letters by which the question calls speeds.
-        self._of_the_question = letters_of_speeds(self.problem)
+        self._of_the_question: Mapping[Quantity, str] = (
+            shared._of_the_question if shared else letters_of_speeds(self.problem)
+        )
         #: Whether the times of events have numbers: where there are several.
         self._numbered_times = self.several or len(times) > 1
         self.introduced_early: set[str] = set()
