@@ -592,7 +592,16 @@ def test_an_answer_that_is_a_difference_of_quantities_has_its_unit() -> None:
     assert re.search(r"0\.721 +A1", text), "a ratio has none"
 
 
-@pytest.mark.parametrize("name", ["circle-wall", "corner"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "circle-wall",
+        "corner",
+        "mass-ratio",
+        "right-angles-afterwards",
+        "three-spheres-oblique",
+    ],
+)
 def test_a_working_is_written_once_where_its_bold_letters_are_foreseen(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

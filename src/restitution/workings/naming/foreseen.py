@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator
 
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
 from restitution.explaining.lines.trees import settled, trees_of
-from restitution.expression.tree import Expression, Name, Quantity, children, has_quantity
+from restitution.expression.tree import Expression, Name, Quantity, children, has_quantity, is_zero
 from restitution.workings.naming.bold_letters import Used
 
 
@@ -30,11 +30,20 @@ def _printed(line: Line) -> Iterable[Expression]:
     match line.relation:
         case Meaning(_, Quantity("direction", arguments, int(stage))):
             return (Quantity("velocity", arguments, stage),)
-        case Relation(((Link(Quantity("across", (Quantity("velocity", (body,)), axis))), *_),)) if (
-            line.move.id == "law" and line.move.record == "unchanged"
-        ):
-            # That a component stays is said in words, of its body and its direction.
-            return (Quantity("across", (body, axis)),)
+        case Relation(
+            (
+                (
+                    Link(
+                        Quantity("along" | "across" as kind, (Quantity("velocity", (body,)), axis))
+                    ),
+                    *_,
+                ),
+            )
+        ) if line.move.id == "law" and line.move.record == "unchanged":
+            # That a component stays is said in words, of its body and its direction; that there is
+            # none, of its body.
+            stays = not is_zero(line.relation.only[-1].right)
+            return (Quantity(kind, (body, axis)),) if stays else ()
     return trees_of(line.relation)
 
 
