@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import Literal
 
 import sympy as sp
@@ -21,11 +22,19 @@ class Role:
 
     def symbol(self, name: str) -> sp.Symbol:
         """The letter as a SymPy symbol that knows its sign."""
-        if self.low is not None and self.low.is_nonnegative:
-            if self.low == 0 and self.closed[0]:
-                return sp.Symbol(name, nonnegative=True)
-            return sp.Symbol(name, positive=True)
-        return sp.Symbol(name, real=True)
+        return _symbol(name, self._sense)
+
+    @cached_property
+    def _sense(self) -> str:
+        """What is assumed of the letter's sign."""
+        if self.low is None or not self.low.is_nonnegative:
+            return "real"
+        return "nonnegative" if self.low == 0 and self.closed[0] else "positive"
+
+
+@lru_cache(maxsize=2048)
+def _symbol(name: str, sense: str) -> sp.Symbol:
+    return sp.Symbol(name, **{sense: True})
 
 
 POSITIVE = Role("positive", sp.Integer(0), None)

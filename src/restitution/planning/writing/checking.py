@@ -101,9 +101,14 @@ def evaluator(
     }
     of_lines: dict[Expression, Any] = {}
 
+    sample: dict[str, float] = {}
+
     def letter(name: str) -> Any:
+        if name in sample:
+            return sample[name]
         if name in model.sample:
-            return float(model.sample[name])
+            sample[name] = float(model.sample[name])
+            return sample[name]
         if name in meanings:
             return own.value(meanings[name].quantity)
         symbol = model.unknowns.letter(name)

@@ -21,6 +21,7 @@ from restitution.solving.algebra.numbers import at
 from restitution.solving.algebra.polynomials import numerator
 from restitution.solving.algebra.systems import Root, solve_system
 from restitution.solving.story.conditions import AnyOf, Condition
+from restitution.work import remembered
 
 # Equations that are solved together in one stage, at most.
 _LARGEST = 4
@@ -171,6 +172,7 @@ def _smallest(inside: Sequence[frozenset[sp.Symbol]]) -> tuple[int, ...] | None:
     return None
 
 
+@remembered(512)
 def _without_signs(equation: sp.Expr) -> sp.Expr:
     """An equation as a polynomial, without factors that are positive."""
     above = numerator(equation)
