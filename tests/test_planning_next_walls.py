@@ -178,3 +178,19 @@ find theta, speed(B) in terms of e, u
     assert "theta = 60°" in said
     assert not any("tan(" in each for each in said)
     assert not follow(derivation, Oracle(roles(problem)))
+
+
+def test_an_angle_without_exact_ratios_keeps_its_sine() -> None:
+    problem = parse("""
+wall AB: along i
+wall BC: along 100°
+sphere P: mass m, velocity u at 45° to AB
+P hits AB: e = 1
+P hits BC: e = 1/2
+find impulse(2)
+""")
+    derivation = plan(solve(problem))
+    relations = (each.relation for each in derivation.lines)
+    said = [write_relation(each) for each in relations if isinstance(each, Relation)]
+    assert "along(velocity(P, 1), line_of_centres(2)) = u sin(55°)" in said
+    assert not follow(derivation, Oracle(roles(problem)))

@@ -178,8 +178,10 @@ def _by_angle(
     final = value if angle.value.is_number else sign * size
     quantity = frame.component(kind, body, stage)
     move = Move("define", "component", frame.number, (body,))
-    relation = chain(quantity, (form, None), (tree_of(tidy(final)), "rearrange"))
-    pool = together(speed.refs, angle.refs, frame.refs, _ranges(scene, _names(angle)))
+    last = tidy(final)
+    kept = angle.value.is_number and last.has(sp.sin, sp.cos)  # u sin 55°, and not u cos 35°
+    relation = chain(quantity, (form, None), (form if kept else tree_of(last), "rearrange"))
+    pool = together(speed.refs, angle.refs, _ranges(scene, _names(angle)))
     refs = scene.judge.needed(move, pool, relation, (*speed.refs, *angle.refs))
     if refs is None:
         return None
