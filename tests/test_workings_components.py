@@ -26,7 +26,7 @@ sphere A: mass 3m, velocity 2u i
 sphere B: mass m, at rest
 A hits B: along theta
 given sin(theta) = 5/13, e = 1/2
-find velocity(A)
+find angle(velocity(A), line_of_centres)
 """
 
 FROM_THE_LINE = """

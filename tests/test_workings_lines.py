@@ -339,7 +339,8 @@ def test_a_velocity_of_one_component_is_told_before_it_is_resolved() -> None:
 def test_a_sum_with_roots_is_below_a_line_before_it_is_gone() -> None:
     text = working(PARALLEL)
     assert "(√5 − 5√2)u = (10 − 2√10)w" in text
-    assert "w = (√5 − 5√2)u/(10 − 2√10) = −(√5 + 4√2)u/6" in text
+    multiplied = "(√5 − 5√2)u(5 + √10)/((10 − 2√10)(5 + √10))"
+    assert f"w = (√5 − 5√2)u/(10 − 2√10) = {multiplied} = −(√5 + 4√2)u/6" in text
 
 
 # --- facts that are not needed -------------------------------------------------------------------

@@ -218,7 +218,7 @@ def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
     whole, length = whole_direction(vector.value)
     parts = [each for each in vector.value if each != 0]
     factor: sp.Expr = sp.Integer(1)
-    if length != 1 and not all(sp.sympify(each, strict=True).is_Integer for each in parts):
+    if length != 1 and not all((2 * sp.sympify(each, strict=True)).is_Integer for each in parts):
         # A factor that both components have stands before the root.
         parts, factor = list(whole), tidy(value / length)
     root = Apply("sqrt", total(square(tree_of(each)) for each in parts))
