@@ -131,6 +131,18 @@ from restitution.workings import explain
         ),
         (
             """
+            sphere A: mass 4m, velocity u i
+            sphere B: mass 2m, at rest
+            sphere C: mass 3m, at rest
+            A hits B: along i, e = e
+            B hits C: along i, e = e
+            given A and B collide again
+            find range of e
+            """,
+            ["2 − e + 2e² > 0 2(e − ¼)² + 15/8 > 0 This always holds"],
+        ),
+        (
+            """
             sphere A: mass m, velocity u i, radius r
             sphere B: mass 3m, at rest, radius r
             A hits B: offset d, e = 1

@@ -23,7 +23,8 @@ from restitution.planning.formulas.separations import separation_known
 from restitution.planning.formulas.velocity_formulas import frame_after
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
-from restitution.planning.writing.forms import ZERO, square, swept, tree_of
+from restitution.planning.writing.forms import ZERO, swept, tree_of
+from restitution.planning.writing.inequalities import completed_square
 from restitution.planning.writing.polynomials import cancelled, factored
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -244,19 +245,11 @@ class Comparison:
 
 
 def _with_its_square(value: sp.Expr) -> Iterator[Expression]:
-    """A product whose only sum is 1 − e + e², with that as (e − ½)² + ¾; nothing of another."""
+    """A product whose only sum is 1 − e + e², with that as (e − ½)² + ¾; nothing of another one."""
     sums = [each for each in sp.Mul.make_args(sp.fraction(value)[0]) if each.is_Add]
-    if len(sums) != 1 or len(sums[0].free_symbols) != 1:
-        return
-    (whole,), (symbol,) = sums, sums[0].free_symbols
-    if not whole.is_polynomial(symbol) or sp.degree(whole, symbol) != 2:
-        return
-    lead, middle, rest = (whole.coeff(symbol, n) for n in (2, 1, 0))
-    least = -middle / (2 * lead)
-    more = rest / lead - least**2
-    if lead != 1 or not (least.is_Rational and more.is_Rational and least > 0 and more > 0):
+    completed = completed_square(sums[0]) if len(sums) == 1 else None
+    if completed is None or isinstance(completed, Negate):
         return
     stand_in = sp.Dummy("sum", positive=True)
-    completed = Binary("+", square(Binary("-", tree_of(symbol), tree_of(least))), tree_of(more))
-    tree = tree_of(value.xreplace({whole: stand_in}))
+    tree = tree_of(value.xreplace({sums[0]: stand_in}))
     yield exchanged(tree, {Letter(stand_in.name): completed})

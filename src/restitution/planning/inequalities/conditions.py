@@ -55,7 +55,12 @@ from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import together
 from restitution.planning.writing.forms import ZERO, square, swept, tree_of
 from restitution.planning.writing.frames import Frame
-from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
+from restitution.planning.writing.inequalities import (
+    completed_square,
+    solve_linear,
+    turned,
+    without_signs,
+)
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.problem import Given, Meets
 from restitution.vector import Vector
@@ -281,7 +286,11 @@ class Conditions:
         inequality = Relation(((Link(tree_of(positive * rest), sign, ZERO),),))
         moves = (Move("rearrange"), Move("cancel"))
         last = self.judge.write(moves, [first, *self.worths.known_in(gap)], inequality)
-        return first if last is None else last
+        completed = None if last is None else completed_square(positive * rest)
+        if last is None or completed is None:
+            return first if last is None else last
+        inequality = Relation(((Link(completed, sign, ZERO),),))
+        return self.judge.write((Move("rearrange"),), [last], inequality) or last
 
     def _past_a_right_angle(
         self, fact: Fact, link: Link, angle: Quantity, wanted: Expression | None

@@ -16,7 +16,7 @@ from restitution.expression.tree import (
     Letter,
     letters,
 )
-from restitution.planning.writing.forms import square, tree_of
+from restitution.planning.writing.forms import difference, negative, product, square, tree_of
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
@@ -227,3 +227,29 @@ def bounds(role: Any, generator: sp.Expr, symbol: sp.Symbol) -> list[tuple[Sign,
 
 _STRICT_OF: dict[Sign, Sign] = {"<": "<", "<=": "<", ">": ">", ">=": ">"}
 _STRICT = ("<", ">")
+
+
+def completed_square(x: sp.Expr) -> Expression | None:
+    """A square of the second degree in one letter that is never zero: 2(e − ¼)² + 15/8.
+
+    None of another expression, where the square says nothing or the letter has a root.
+    """
+    letters_ = x.free_symbols
+    if len(letters_) != 1:
+        return None
+    (symbol,) = letters_
+    if not x.is_polynomial(symbol) or sp.degree(x, symbol) != 2:
+        return None
+    lead, middle, rest = (expanded(x).coeff(symbol, power) for power in (2, 1, 0))
+    least = tidy(-middle / (2 * lead))
+    more = tidy(rest - lead * least**2)
+    if not (least.is_Rational and more.is_Rational and least and lead * more > 0):
+        return None
+    away = (
+        difference(tree_of(symbol), tree_of(least))
+        if least > 0
+        else Binary("+", tree_of(symbol), tree_of(-least))
+    )
+    whole = product(tree_of(abs(lead)), square(away))
+    completed = Binary("+", whole, tree_of(abs(more)))
+    return completed if lead > 0 else negative(completed)
