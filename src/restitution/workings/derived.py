@@ -289,7 +289,7 @@ class _Writer:
             and after.move.id == "reject"
             and line.number in after.premises
             # Of two places both are written.
-            and not any(str(ref).startswith("towards ") for ref in after.premises)
+            and not any(str(ref).partition(" ")[0] == "towards" for ref in after.premises)
             and line.number not in self.sources.numbers
             and isinstance(line.relation, Relation)
             and root_but_for_sign(line.relation.options) is not None

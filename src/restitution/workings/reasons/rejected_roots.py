@@ -89,8 +89,9 @@ def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: in
     body, wall = naming.events[number].bodies
     otherwise = say("circle.towards", body=body, wall=wall)
     above = derivation.line(line.premises[0]) if isinstance(line.premises[0], int) else None
-    fact = derivation.fact(f"velocity {body}")
-    if above is None or fact is None or f"velocity {body}" not in line.premises:
+    datum = " ".join(("velocity", body))
+    fact = derivation.fact(datum) if datum in line.premises else None
+    if above is None or fact is None:
         return otherwise
     if not isinstance(above.relation, Relation) or not isinstance(line.relation, Relation):
         return otherwise
