@@ -516,3 +516,21 @@ given speed(P) = v
 find range of v in terms of {terms}"""
     ((_, item),) = solve(parse(text)).items()
     assert item.answers[0].display == ends
+
+
+def test_a_letter_found_in_an_earlier_part_has_its_range_in_a_later_one() -> None:
+    text = """
+sphere A: mass k m, velocity 2u i + u j
+sphere B: mass m, velocity -u i
+A hits B: along i, e = e
+given velocity(A) = u j
+part a
+find k in terms of e
+part b
+find range of k
+"""
+    (_, value), (_, values) = solve(parse(text)).items()
+    assert [each.display for each in (*value.answers, *values.answers)] == [
+        "(1 + 3e)/2",
+        "½ ≤ k ≤ 2",
+    ]

@@ -516,7 +516,7 @@ def settle(
         named,
         facts,
         asked,
-        carried,
+        carried - protected,
         _claims(part, item),
     )
 
