@@ -11,7 +11,7 @@ import os
 import time
 import zlib
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -99,27 +99,38 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         return
     cases: dict[tuple[Path, str], list[pytest.Function]] = defaultdict(list)
     in_browsers: dict[Path, list[pytest.Item]] = defaultdict(list)
+    long: dict[Path, list[pytest.Item]] = defaultdict(list)
+    by_day: set[Path] = set()
     for item in items:
         if item.get_closest_marker("nightly") is not None:
             continue
+        if item.nodeid in LONG and item.nodeid not in KEPT:
+            long[item.path].append(item)
+            continue
+        by_day.add(item.path)
         if item.nodeid in LONG:
-            if item.nodeid not in KEPT:
-                item.add_marker(pytest.mark.nightly)
-        elif "page" in getattr(item, "fixturenames", ()):
+            continue
+        if "page" in getattr(item, "fixturenames", ()):
             in_browsers[item.path].append(item)
         elif hasattr(item, "callspec"):
             assert isinstance(item, pytest.Function)
             cases[item.path, item.originalname].append(item)
     for (path, _), own in cases.items():
         if path.stem in ONE_IN and len(own) >= FEW:
-            _leave({each.callspec.id: each for each in own}, ONE_IN[path.stem])
+            names = {each.callspec.id: each for each in own}
+            _leave(names, some([*names], ONE_IN[path.stem]))
+    for path, long_ones in long.items():  # no module is left to the night as a whole
+        kept = (
+            set() if path in by_day else some([each.nodeid for each in long_ones], len(long_ones))
+        )
+        _leave({each.nodeid: each for each in long_ones}, kept)
     for own_tests in in_browsers.values():
-        _leave({each.nodeid: each for each in own_tests}, BROWSER_ONE_IN)
+        tests = {each.nodeid: each for each in own_tests}
+        _leave(tests, some([*tests], BROWSER_ONE_IN))
 
 
-def _leave(tests: Mapping[str, pytest.Item], one_in: int) -> None:
-    """Leaves to the night all but one in so many of these tests, each under a name of its own."""
-    kept = some([*tests], one_in)
+def _leave(tests: Mapping[str, pytest.Item], kept: Collection[str]) -> None:
+    """Leaves to the night all of these tests but those that are kept, by their names."""
     for name, each in tests.items():
         if name not in kept:
             each.add_marker(pytest.mark.nightly)

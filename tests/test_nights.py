@@ -72,6 +72,21 @@ def test_of_tests_in_a_browser_each_module_keeps_some(pytester: pytest.Pytester)
     assert {"test_page.py::test_one", "test_page.py::test_without"} < normal
 
 
+def test_no_module_is_left_to_the_night_as_a_whole(
+    pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytester.syspathinsert(HERE)
+    pytester.makeini("[pytest]\nmarkers = nightly: at night\n")
+    module = "def test_a(): pass\ndef test_b(): pass\n"
+    pytester.makepyfile(test_long=module, test_mixed=module)
+    names = {"test_long.py::test_a", "test_long.py::test_b", "test_mixed.py::test_a"}
+    monkeypatch.setattr(nights, "LONG", names)
+    monkeypatch.setattr(nights, "KEPT", set())
+    by_day = _names(pytester, *BY_DAY)
+    assert len(by_day) == 2
+    assert "test_mixed.py::test_b" in by_day
+
+
 def test_those_that_take_long_are_noted_and_left_to_the_night(
     pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
 ) -> None:
