@@ -465,9 +465,9 @@ class Rows:
                 return
             place = self._ends.is_place(line) and line.move.id != "rearrange"
             place = place and not (unit and self._has_vectors())
-            plain = not self._measures.decimals and _is_fraction_of_letters(right)
-            added = () if plain or place or links[-1].sign != "=" else as_answer(right)
-            for side, sign in added:
+            decimals = self._measures.decimals
+            added = as_answer(right, decimals=decimals) if links[-1].sign == "=" else ()
+            for side, sign in () if place else added:
                 if sign == "≈" and _is_vector_of_short_decimals(sides[-1]):
                     continue  # one component alone would be rounded
                 if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
@@ -608,11 +608,6 @@ def _has_long_root(tree: Expression) -> bool:
 def _has_function(tree: Expression) -> bool:
     """Whether there are roots or angles of which only a calculator knows the value."""
     return any(isinstance(node, Apply) for node in walk(tree))
-
-
-def _is_fraction_of_letters(tree: Expression) -> bool:
-    """Whether a value has letters and fractions alone: 5u/8, which no decimal makes plainer."""
-    return not _has_function(tree) and any(isinstance(node, Letter) for node in walk(tree))
 
 
 def _without_subject(relation: lay.Relation) -> lay.Layout:

@@ -32,13 +32,16 @@ from restitution.render.layout.ranges import from_set
 from restitution.render.layout.sides import as_layout, equation
 
 
-def display(value: Any, *, angle: bool = False, percentage: bool = False) -> Layout:
+def display(
+    value: Any, *, angle: bool = False, percentage: bool = False, decimals: bool = False
+) -> Layout:
     """An answer: its exact form and, where that says more, its value to 3 significant figures.
 
-    ``√103 u/16 = 0.634u``, ``arctan(3/4) = 36.9°``, ``60°``, ``3/7 = 0.429``, ``7u/4``. An angle
-    is given in radians and shown in degrees.
+    ``√103 u/16 = 0.634u``, ``arctan(3/4) = 36.9°``, ``60°``, ``3/7 = 0.429``, ``7u/11``. An angle
+    is given in radians and shown in degrees. A fraction of letters is a decimal too where those
+    of the data are (``decimals``).
     """
-    sides = _display_sides(value, angle, percentage)
+    sides = _display_sides(value, angle, percentage, decimals)
     return sides[0] if len(sides) == 1 else equation(*sides)
 
 
@@ -47,9 +50,9 @@ def display_named(name: Any, value: Any, *, angle: bool = False) -> Relation:
     return equation(name, *_display_sides(value, angle, percentage=False))
 
 
-def display_vector(x: Any, y: Any) -> Layout:
+def display_vector(x: Any, y: Any, *, decimals: bool = False) -> Layout:
     """A vector answer: exact and, where a component needs it, to 3 significant figures."""
-    return _display_pair(x, y, vector)
+    return _display_pair(x, y, vector, decimals)
 
 
 def display_point(x: Any, y: Any) -> Layout:
@@ -68,11 +71,13 @@ def display_set(values: Any, name: Any, *, angle: bool = False) -> Layout:
     return Phrase((layout, Brackets(_set_decimals(values, as_layout(name), angle))))
 
 
-def _display_sides(value: Any, angle: bool, percentage: bool) -> list[Layout]:
+def _display_sides(
+    value: Any, angle: bool, percentage: bool, decimals: bool = False
+) -> list[Layout]:
     value = sympy.sympify(value, strict=True)
     if percentage:
         return _display_percentage(value)
-    rounded = _rounded(value, angle)
+    rounded = _rounded(value, angle, decimals)
     if rounded is None:
         return [from_sympy(value, degrees=angle)]
     if _is_long(value):
@@ -104,8 +109,11 @@ def _figures(value: Rational) -> int:
 
 
 @lru_cache(maxsize=1024)
-def _rounded(value: Expr, angle: bool) -> Layout | None:
-    """The value to 3 significant figures, or None where the exact form says enough."""
+def _rounded(value: Expr, angle: bool, decimals: bool = False) -> Layout | None:
+    """The value to 3 significant figures, or None where the exact form says enough.
+
+    It does for a fraction of letters, unless the data have ``decimals``.
+    """
     if angle:
         in_degrees = value * 180 / sympy.pi
         if value.free_symbols or exact.decimal(value) is None:
@@ -118,7 +126,9 @@ def _rounded(value: Expr, angle: bool) -> Layout | None:
     coefficient, rest = _number_and_letters(value)
     if coefficient is None or exact.decimal(coefficient) is None:
         return None
-    if isinstance(coefficient, Rational) and _simple(coefficient):
+    if isinstance(coefficient, Rational) and (
+        _simple(coefficient) or (rest is not S.One and not decimals)
+    ):
         return None
     return _times_letters(decimal_number(coefficient), rest)
 
@@ -154,10 +164,10 @@ def _simple(value: Rational) -> bool:
     return value.q in (1, 2, 4) or (value.q <= 6 and abs(value.p) < value.q)
 
 
-def _display_pair(x: Any, y: Any, build: Any) -> Layout:
+def _display_pair(x: Any, y: Any, build: Any, decimals: bool = False) -> Layout:
     first, second = sympy.sympify(x, strict=True), sympy.sympify(y, strict=True)
     whole: Layout = build(first, second)
-    rounded = [_rounded(each, False) for each in (first, second)]
+    rounded = [_rounded(each, False, decimals) for each in (first, second)]
     ready = all(
         each is not None or _number_and_letters(value)[0] is not None
         for each, value in zip(rounded, (first, second), strict=True)

@@ -303,10 +303,13 @@ def _with_zeros(value: Fraction) -> str:
 
 
 @remembered(1024)
-def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, str], ...]:
+def as_answer(
+    tree: Expression, place: bool = False, *, decimals: bool = False
+) -> tuple[tuple[lay.Layout, str], ...]:
     """What is added to a value that was asked: its decimal, as answers have it, with its sign.
 
-    Of a ``place`` there are the coordinates too. Nothing is added to what is plain, or no value.
+    Of a ``place`` there are the coordinates too. Nothing is added to what is plain, or no value,
+    and to a fraction of letters only where the data have ``decimals``.
     """
     if has_quantity(tree):
         return ()
@@ -315,18 +318,19 @@ def as_answer(tree: Expression, place: bool = False) -> tuple[tuple[lay.Layout, 
     except RestitutionError:
         return ()
     if isinstance(value, Vector):
-        display = lay.display_point if place else lay.display_vector
         x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
-        shown, exact = display(x, y), _is_decimal(x) and _is_decimal(y)
+        shown = lay.display_point(x, y) if place else lay.display_vector(x, y, decimals=decimals)
+        exact = _is_decimal(x) and _is_decimal(y)
     elif isinstance(value, sp.Expr):
-        shown, exact, place = lay.display(value, angle=_is_angle(tree)), _is_decimal(value), False
+        shown = lay.display(value, angle=_is_angle(tree), decimals=decimals)
+        exact, place = _is_decimal(value), False
     else:
         return ()
     sides = shown.operands if isinstance(shown, lay.Relation) else (shown,)
     if len(sides) == 1 and _is_rounded_alone(value, shown, tree):
         sides = (shown, shown)  # the exact form is too long for an answer
-    decimals = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
-    return ((sides[0], "="), *decimals) if place else decimals
+    added = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
+    return ((sides[0], "="), *added) if place else added
 
 
 def _without_zeros(layout: Any) -> Any:
