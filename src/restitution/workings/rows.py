@@ -466,7 +466,7 @@ class Rows:
             place = self._ends.is_place(line) and line.move.id != "rearrange"
             place = place and not (unit and self._has_vectors())
             decimals = self._measures.decimals
-            added = as_answer(right, decimals=decimals) if links[-1].sign == "=" else ()
+            added = as_answer(right, False, decimals) if links[-1].sign == "=" else ()
             for side, sign in () if place else added:
                 if sign == "≈" and _is_vector_of_short_decimals(sides[-1]):
                     continue  # one component alone would be rounded

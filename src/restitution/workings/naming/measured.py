@@ -304,7 +304,7 @@ def _with_zeros(value: Fraction) -> str:
 
 @remembered(1024)
 def as_answer(
-    tree: Expression, place: bool = False, *, decimals: bool = False
+    tree: Expression, place: bool = False, decimals: bool = False
 ) -> tuple[tuple[lay.Layout, str], ...]:
     """What is added to a value that was asked: its decimal, as answers have it, with its sign.
 
