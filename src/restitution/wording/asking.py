@@ -233,5 +233,5 @@ def _together(nouns: Sequence[Noun]) -> Words:
     if first.where:
         return words(asked, _where(first))
     if _is_direction(first):
-        return words(asked, " (measured anticlockwise from ", values.EAST, ")")
+        return words(asked, " (from ", values.EAST, ", anticlockwise positive)")
     return asked

@@ -458,6 +458,8 @@ class Rows:
             if isinstance(asked, Value) and asked.percentage:
                 hundred = percentage(right)
                 if hundred is not None:
+                    if sides[0] == operand(say("derived.fraction-lost")):
+                        sides[0] = operand(say("derived.percentage-lost"))
                     if len(sides) > 2 and _has_decimals(sides[-2]) and is_long_quotient(right):
                         del sides[-1], signs[-1]  # the decimals above it say more
                     sides.append(hundred[0])

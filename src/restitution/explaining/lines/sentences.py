@@ -973,6 +973,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.impulse": "impulse on {of:and}",
     "derived.kick-size": "magnitude of {event}",
     "derived.fraction-lost": "fraction lost",
+    "derived.percentage-lost": "percentage lost",
     "derived.impulse-given": "impulse given to {of:and}",
     "derived.impulse-size": "magnitude of the impulse",
     "derived.time": "time {event}",

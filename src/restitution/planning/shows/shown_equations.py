@@ -36,7 +36,7 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.journeys import journeys
 from restitution.planning.shows.shown_ratios import ratio_by_a_tangent, shown_by_squares
-from restitution.planning.shows.shown_speeds import speed_by_a_tie
+from restitution.planning.shows.shown_speeds import multiple_of_data, speed_by_a_tie
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
@@ -627,6 +627,11 @@ class Equation:
                 last = self._last([line, *known])
                 if last is not None:
                     return last
+        if len(lines) == 1 and facts:
+            between = multiple_of_data(claims, self.link, lines[0])
+            last = None if between is None else self._last([between, *facts, *known])
+            if last is not None:
+                return last
         if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
             line = self._by_pair(Move("divide"), lines, known)
             if line is not None:

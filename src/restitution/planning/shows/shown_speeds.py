@@ -1,4 +1,4 @@
-"""A speed to be shown without a letter that the facts give by others: that is put in."""
+"""A speed to be shown without a letter that others give, and a velocity as a multiple of another."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import in_sines, tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -19,12 +19,14 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     letters,
+    walk,
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.squared_ratios import keeping
+from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, chain
-from restitution.planning.writing.forms import outer_terms, square, swept, total, tree_of
+from restitution.planning.writing.forms import outer_terms, square, swept, total, tree_of, vector
 from restitution.solving.story.letters import roles
 
 _FORMS = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
@@ -118,6 +120,25 @@ def _of_the_angle(tree: Expression) -> Expression:
         ):
             return Apply(_COMPLEMENTS[ratio], angle)
     return tree
+
+
+def multiple_of_data(claims: Claims, link: Link, line: int) -> int | None:
+    """A velocity as a multiple of one of the data in components: −e(u cos α 𝐢 − u sin α 𝐣).
+
+    ``line`` gives it in components. None of another equation, and of a velocity along an axis.
+    """
+    scene = claims.scene
+    early = [
+        node for node in walk(link.right) if isinstance(node, Quantity) and node.kind == "velocity"
+    ]
+    if len(early) != 1 or link.right == early[0]:
+        return None
+    given = scene.velocity(*body_and_stage(scene, early[0]))
+    if 0 in given:
+        return None
+    whole = exchanged(link.right, {early[0]: vector(*map(tree_of, given))})
+    pool = [line, *claims.judge.known(letters(whole))]
+    return claims.judge.write((Move("rearrange"),), pool, chain(link.left, (whole, None)))
 
 
 _COMPLEMENTS = {"sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan"}
