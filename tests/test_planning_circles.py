@@ -102,7 +102,7 @@ def test_parallel_to_an_axis_the_place_is_where_that_line_meets_the_circle() -> 
     problem, derivation = planned(LEVEL.format(x=-9, asked="position(P), time(1)"))
     text = printed(problem, derivation)
     assert "P moves parallel to the x-axis" in text
-    assert "x = −3 m, as P is moving towards C then" in text
+    assert "x = −3 m, as P reaches that point first" in text
     # One equation with two roots is enough: the time is the distance over the speed.
     assert sum(each.move.id == "roots" for each in derivation.lines) == 1
     assert "t = (−3 + 9)/3 = 2 s" in text

@@ -237,7 +237,7 @@ def test_equations() -> None:
 
 ANSWERS = [
     (display(sqrt(103) * u / 16), "√103 u/16 = 0.634u"),
-    (display(63 * m * u / 25), "63mu/25 = 2.52mu"),
+    (display(63 * m * u / 25), "63mu/25"),
     (display(sqrt(7) * u / 4), "√7 u/4 = 0.661u"),
     (display(-sqrt(3) * u / 2), "−√3 u/2 = −0.866u"),
     (display(Q(3, 7)), "3/7 = 0.429"),
@@ -248,7 +248,7 @@ ANSWERS = [
     (display(sqrt(2)), "√2 = 1.41"),
     (display(7 * u / 4), "7u/4"),
     (display((1 + e) * m * u * Z), "(1 + e)mu sin α"),
-    (display(3 * m * u**2 / 8), "3mu²/8 = 0.375mu²"),
+    (display(3 * m * u**2 / 8), "3mu²/8"),
     (display(atan(Q(3, 4)), angle=True), "arctan(3/4) = 36.9°"),
     (display(pi / 3, angle=True), "60°"),
     (display(pi - atan(Q(4, 3)), angle=True), "180° − arctan(4/3) = 127°"),

@@ -557,7 +557,7 @@ A hits B: offset 1, e = 1
 given direction(B) = 30°
 find r
 """,
-        ["is 30°. B was at rest, so it moves\nalong the line of centres:", "tan 30° = tan φ"],
+        ["B was at rest, so it moves along the line of centres:", "φ = 30°"],
     ),
     "a velocity that points back has the sign below the line": (
         """

@@ -1,4 +1,4 @@
-"""A speed to be shown without a letter that others give, and a velocity as a multiple of another."""
+"""A speed without a letter that others give, and a velocity as a multiple of another."""
 
 from __future__ import annotations
 
