@@ -209,7 +209,7 @@ find energy_lost/energy(0) in terms of alpha
 
 # What a working says, with the white space as it is printed where there is a line break in it.
 SAYS = [
-    (SHARE, "fraction lost = 16.875/50"),
+    (SHARE, "percentage lost = 16.875/50"),
     (SHARE, "½ × 0.25 × 20² = 50 J"),
     (SHARE_BOUNDED, "⅜m_P u² sin²α/(½m_P u²) ≥ 3/10"),
     (TURNED, "β = α + δ"),
@@ -238,7 +238,7 @@ SAYS = [
     (APART, "centres are ½ m apart. So B is then at −½𝐣 m."),
     (ACROSS_THE_LINE, "angle from 𝐢 to 𝐯_A = −30° + 90° = 60°"),
     (BALANCE, "From (3) and (4): total momentum = total momentum before the impact"),
-    (SENT_ACROSS, "8 = 5 + 5e"),
+    (SENT_ACROSS, "3mu cos α = 5m(⅜(1 + e)u cos α)"),
     (BLOW_OF_A_SIZE, "As sin²θ + cos²θ = 1: 5 = 16 cos θ"),
     (LOSS_AS_A_NUMBER, " = 12(1 − e²)"),
 ]
