@@ -24,7 +24,7 @@ find e
         (
             "speed(A) = 1/4 u",
             [
-                "e = (5 + k)/(4k) or e = (3 − k)/(4k) A1 A1",
+                "e = (5 + k)/(4k) or e = (3 − k)/(4k) DM1 A1 A1",
                 "As e ≤ 1, e = (5 + k)/(4k) holds for k ≥ 5/3 only.",
                 "As 0 ≤ e ≤ 1, e = (3 − k)/(4k) holds for ⅗ ≤ k ≤ 3 only.",
             ],

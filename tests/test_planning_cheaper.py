@@ -158,7 +158,7 @@ def test_of_one_sphere_the_fraction_lost_is_by_squares_of_speeds(asked: str, fra
     )
     solution, _ = planned(text)
     words = to_text(explain(solution), 200)
-    assert f"fraction lost = {fraction}" in words
+    assert f"lost = {fraction}" in words
     assert "½m" not in words
 
 

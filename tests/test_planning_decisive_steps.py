@@ -273,7 +273,7 @@ def test_of_two_equations_in_squares_none_of_the_fourth_degree_comes() -> None:
     ("deflection", "angle"),
     [
         ("2*angle(velocity(P), W) + 30°", "β = α − 30°"),
-        ("2*alpha - 30°", "β = α − 30°"),
+        ("2*alpha - 30°", "β = 2α − 30° − α = α − 30°"),
         ("30° + 2*angle(velocity(P), W)", "β = α − 30°"),
         ("2*angle(velocity(P), W)", "β = α"),
     ],

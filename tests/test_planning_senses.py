@@ -428,8 +428,8 @@ A hits B: offset d, e = 1/2
 given angle(line_of_centres, i) = arcsin(4/5)
 find d, speed(B)
 """,
-        ("the path of A has sine ⅘ and cosine ⅗:",),
-        ("Substituting for d",),
+        ("d = 16, as d is positive", "unit vector along the line of centres = (3𝐢 + 4𝐣)/5"),
+        (),
     ),
     "a speed in what is to be shown stands before no energy": (
         """

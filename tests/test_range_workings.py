@@ -90,7 +90,7 @@ from restitution.workings import explain
             [
                 "by the formulae for multiple angles",
                 "⅓ − e = 8 tan²(α/3)/(3(3 − tan²(α/3)))",
-                "e < ⅓, as α is acute",
+                "e < ⅓, as 3 − tan²(α/3) > 0, because α is acute",
             ],
         ),
         (

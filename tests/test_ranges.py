@@ -336,7 +336,7 @@ find minimum of speed(A) over k"""
     (answer,) = result.answers
     assert answer.condition == ("0 < e",)
     assert answer.display == "u sin α when k = 1/e, for e > 0"
-    assert "when k = 1/e A1 This holds for e > 0 only, as there is no such k" in " ".join(
+    assert "when k = 1/e A1 A1 This holds for e > 0 only, as there is no such k" in " ".join(
         to_text(explain(solution)).split()
     )
 

@@ -597,7 +597,10 @@ show angle(velocity(P), W) <= alpha
             "sphere A: mass m, velocity 2u at 30°\nsphere B: mass 2m, velocity u at 120°\n"
             "A hits B: along i\ngiven deflection(B) = 60°\nfind direction(A)"
         ),
-        ["it would turn through less than 60°", "tan θ = u/((√3 − 2)u) = 1/(√3 − 2) = −2 − √3"],
+        [
+            "it would turn through less than 60°",
+            "tan θ = u/((√3 − 2)u) = 1/(√3 − 2) = (2 + √3)/((√3 − 2)(2 + √3))",
+        ],
     ),
     # Equal spheres with e = 1 exchange their components: w = 3u.
     "a direction below i has its sense": (

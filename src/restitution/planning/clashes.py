@@ -283,10 +283,14 @@ def _without_a_root(scene: Scene, note: Note, facts: Collection[str]) -> Note | 
                 residual(scene, line).free_symbols, key=lambda s: (s not in own, str(s))
             )
             names = [each.name for each in symbols]
-            for symbol in symbols:
+            # What is seen from the line in a shorter form is better than what is decided of it.
+            for shorter, symbol in product((True, False), symbols):
                 mark = solver.mark()
                 last = _of_one_ratio(scene, multiplied_out(scene, line, symbol), symbol)
                 last = _of_a_square(scene, last, symbol)
+                if shorter and last == line:
+                    solver.back(mark)
+                    continue
                 require_followed(scene, scene.desk.lines[start:])
                 for bounds in ((), background(scene, names)):
                     whole = replace(note, kind="impossible", premises=(last, *bounds))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 
 import sympy as sp
@@ -71,8 +71,8 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
             for line, answer in pairs:
                 above = {each for each, first in subjects.items() if first <= line}
-                tangents = _squared_tangents(derivation, line)
-                known = Known(subjects.keys(), above, squares, tangents)
+                bounds = _bounds_of_squares(derivation, line)
+                known = Known(subjects.keys(), above, squares, bounds)
                 sentence = _sentence(solution, part, item, answer, known)
                 if sentence is not None:
                     sentences[line] = sentence
@@ -188,14 +188,14 @@ def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[An
 class Known:
     """Of which letters a working says the value: anywhere, and above a condition.
 
-    ``squares`` are those of ratios of angles, between their ends; ``tangents`` are the squares of
-    tangents that lines above give, each with what that comes to.
+    ``squares`` are those of ratios of angles, between their ends; ``bounds`` are what squares of
+    ratios must be that lines above give, each with the claims that it makes of letters.
     """
 
     anywhere: AbstractSet[str]
     above: AbstractSet[str]
     squares: Mapping[str, Layout]
-    tangents: Sequence[tuple[Layout, sp.Expr]] = ()
+    bounds: Sequence[tuple[Layout, tuple[Formula, ...]]] = ()
 
 
 def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
@@ -216,20 +216,30 @@ def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
     return squares
 
 
-def _squared_tangents(derivation: Derivation, last: int) -> list[tuple[Layout, sp.Expr]]:
-    """``tan²α`` and what it comes to, of the lines as far as one."""
-    tangents: list[tuple[Layout, sp.Expr]] = []
+def _bounds_of_squares(
+    derivation: Derivation, last: int
+) -> list[tuple[Layout, tuple[Formula, ...]]]:
+    """``tan²α > 0`` and ``0 < sin²α = … < 1`` of the lines as far as one, with what that claims."""
+    bounds: list[tuple[Layout, tuple[Formula, ...]]] = []
     for line in derivation.lines[:last]:
         match line.relation:
             case Relation(
                 ((Link(Binary("^", Apply("tan", Letter()), Number()) as left, "=", right),),)
             ) if not has_quantity(right):
-                tangents.append((lay.from_tree(left), in_letters(right, positive=True)))
-    return tangents
+                layout = lay.Relation((lay.from_tree(left), lay.Number("0")), (">",))
+                bounds.append((layout, (Claim(in_letters(right, positive=True), ">"),)))
+            case Relation(((Link(Apply("sin" | "cos", Letter(name)), "=", right),),)):
+                own = _squares_of_ratios(replace(derivation, lines=(line,))).get(name)
+                if own is not None:
+                    value = in_letters(right, positive=True) ** 2
+                    bounds.append((own, (Claim(value, ">"), Claim(1 - value, ">"))))
+    return bounds
 
 
-def _positive_tangent(
-    solution: Solution, answer: Answer, tangents: Sequence[tuple[Layout, sp.Expr]]
+def _bound_alike(
+    solution: Solution,
+    answer: Answer,
+    bounds: Sequence[tuple[Layout, tuple[Formula, ...]]],
 ) -> tuple[Layout, ...]:
     """``tan²α > 0``, where that is just what a condition says; nothing of another condition."""
     oracle, letter = Oracle(roles(solution.problem)), sp.Symbol
@@ -241,12 +251,12 @@ def _positive_tangent(
         ]
     except (RestitutionError, ValueError):
         return ()
-    for layout, value in tangents:
-        claim = Claim(value, ">")
-        if not conditions or not _follows(oracle.with_facts(conditions), claim):
+    both = oracle.with_facts(conditions)
+    for layout, claims in bounds:
+        if not conditions or not all(_follows(both, each) for each in claims):
             continue
-        if all(_follows(oracle.with_facts([claim]), each) for each in conditions):
-            return (lay.Relation((layout, lay.Number("0")), (">",)),)
+        if all(_follows(oracle.with_facts(claims), each) for each in conditions):
+            return (layout,)
     return ()
 
 
@@ -303,7 +313,7 @@ def _sentence(
     for name, square in known.squares.items():
         acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
         reasons = tuple(square if each == acute else each for each in reasons)
-    reasons = reasons or _positive_tangent(solution, answer, known.tangents)
+    reasons = reasons or _bound_alike(solution, answer, known.bounds)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return say("answer.only", condition=condition)
