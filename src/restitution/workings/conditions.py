@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import reduce
 
 import sympy as sp
@@ -15,7 +15,7 @@ from restitution.components.telling import model
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.data.unused import first_lines_of_letters
-from restitution.explaining.lines.derivation import Derivation, Link, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
@@ -200,20 +200,26 @@ class Known:
 
 def _squares_of_ratios(derivation: Derivation) -> dict[str, Layout]:
     """``0 < sin²α = (u² − v²)/((1 − e²)u²) < 1``, of angles whose sine or cosine is a root."""
-    squares: dict[str, Layout] = {}
-    zero, one = lay.Number("0"), lay.Number("1")
-    for line in derivation.lines:
-        match line.relation:
-            case Relation(((Link(Apply("sin" | "cos" as ratio, Letter(name)), "=", right),),)):
-                value = in_letters(right, positive=True)
-            case _:
-                continue
-        roots = (each for each in value.atoms(sp.Pow) if not each.exp.is_Integer)
-        if any(each.free_symbols for each in roots):
-            whole = (sp.sin if ratio == "sin" else sp.cos)(sp.Symbol(name)) ** 2
-            sides = (zero, lay.from_sympy(whole), lay.from_sympy(value**2), one)
-            squares[name] = lay.Relation(sides, ("<", "=", "<"))
-    return squares
+    squares = filter(None, map(_square_of_a_ratio, derivation.lines))
+    return {name: layout for name, layout, _ in squares}
+
+
+def _square_of_a_ratio(line: Line) -> tuple[str, Layout, sp.Expr] | None:
+    """The angle whose sine or cosine a line gives as a root of letters, with its square.
+
+    That stands between its ends, and as a value. None of another line.
+    """
+    match line.relation:
+        case Relation(((Link(Apply("sin" | "cos" as ratio, Letter(name)), "=", right),),)):
+            value = in_letters(right, positive=True)
+        case _:
+            return None
+    roots = (each for each in value.atoms(sp.Pow) if not each.exp.is_Integer)
+    if not any(each.free_symbols for each in roots):
+        return None
+    whole = (sp.sin if ratio == "sin" else sp.cos)(sp.Symbol(name)) ** 2
+    sides = (lay.Number("0"), lay.from_sympy(whole), lay.from_sympy(value**2), lay.Number("1"))
+    return name, lay.Relation(sides, ("<", "=", "<")), value**2
 
 
 def _bounds_of_squares(
@@ -226,13 +232,11 @@ def _bounds_of_squares(
             case Relation(
                 ((Link(Binary("^", Apply("tan", Letter()), Number()) as left, "=", right),),)
             ) if not has_quantity(right):
-                layout = lay.Relation((lay.from_tree(left), lay.Number("0")), (">",))
-                bounds.append((layout, (Claim(in_letters(right, positive=True), ">"),)))
-            case Relation(((Link(Apply("sin" | "cos", Letter(name)), "=", right),),)):
-                own = _squares_of_ratios(replace(derivation, lines=(line,))).get(name)
-                if own is not None:
-                    value = in_letters(right, positive=True) ** 2
-                    bounds.append((own, (Claim(value, ">"), Claim(1 - value, ">"))))
+                positive = lay.Relation((lay.from_tree(left), lay.Number("0")), (">",))
+                bounds.append((positive, (Claim(in_letters(right, positive=True), ">"),)))
+            case _ if (own := _square_of_a_ratio(line)) is not None:
+                _, layout, value = own
+                bounds.append((layout, (Claim(value, ">"), Claim(1 - value, ">"))))
     return bounds
 
 

@@ -15,6 +15,7 @@ from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.inequalities.letter_ties import is_square
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import ZERO, difference, product, square, swept, tree_of
+from restitution.planning.writing.inequalities import completed_parts
 from restitution.planning.writing.polynomials import factored
 from restitution.solving.story.letters import roles
 
@@ -97,17 +98,10 @@ def _completed(
     """A coefficient, and a, p and r of the a((e − p)² + r) that a square is, with p inside."""
     known = {name for name, role in roles(claims.scene.problem).items() if _is_coefficient(role)}
     symbols = [each for each in value.free_symbols if each.name in known]
-    if len(symbols) != 1 or not value.is_polynomial(*symbols):
+    parts = completed_parts(value, symbols[0]) if len(symbols) == 1 else None
+    if parts is None or not (0 < parts[1] < 1 and parts[2] > 0):
         return None
-    poly = sp.Poly(sp.expand(value), *symbols)
-    if poly.degree() != 2:
-        return None
-    lead, middle, rest = (factored(poly.nth(n)) for n in (2, 1, 0))
-    least = sp.cancel(-middle / (2 * lead))
-    more = sp.cancel(rest / lead - least**2)
-    if not (least.is_Rational and more.is_Rational and 0 < least < 1 and more > 0):
-        return None
-    return symbols[0], lead, least, more
+    return symbols[0], *parts
 
 
 def _is_coefficient(role: Role) -> bool:

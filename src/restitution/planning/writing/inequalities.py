@@ -229,6 +229,24 @@ _STRICT_OF: dict[Sign, Sign] = {"<": "<", "<=": "<", ">": ">", ">=": ">"}
 _STRICT = ("<", ">")
 
 
+def completed_parts(
+    x: sp.Expr, symbol: sp.Symbol
+) -> tuple[sp.Expr, sp.Rational, sp.Rational] | None:
+    """a, p and r of the a((e − p)² + r) that an expression is, with numbers p and r.
+
+    None of one that is of another degree, or has other letters in p or r.
+    """
+    if not x.is_polynomial(symbol):
+        return None
+    poly = sp.Poly(sp.expand(x), symbol)
+    if poly.degree() != 2:
+        return None
+    lead, middle, rest = (factored(poly.nth(n)) for n in (2, 1, 0))
+    least = sp.cancel(-middle / (2 * lead))
+    more = sp.cancel(rest / lead - least**2)
+    return (lead, least, more) if least.is_Rational and more.is_Rational else None
+
+
 def completed_square(x: sp.Expr) -> Expression | None:
     """A square of the second degree in one letter that is never zero: 2(e − ¼)² + 15/8.
 
@@ -238,12 +256,11 @@ def completed_square(x: sp.Expr) -> Expression | None:
     if len(letters_) != 1:
         return None
     (symbol,) = letters_
-    if not x.is_polynomial(symbol) or sp.degree(x, symbol) != 2:
+    parts = completed_parts(x, symbol)
+    if parts is None:
         return None
-    lead, middle, rest = (expanded(x).coeff(symbol, power) for power in (2, 1, 0))
-    least = tidy(-middle / (2 * lead))
-    more = tidy(rest - lead * least**2)
-    if not (least.is_Rational and more.is_Rational and least and lead * more > 0):
+    lead, least, more = parts
+    if least == 0 or not more > 0:
         return None
     away = (
         difference(tree_of(symbol), tree_of(least))
@@ -251,5 +268,5 @@ def completed_square(x: sp.Expr) -> Expression | None:
         else Binary("+", tree_of(symbol), tree_of(-least))
     )
     whole = product(tree_of(abs(lead)), square(away))
-    completed = Binary("+", whole, tree_of(abs(more)))
+    completed = Binary("+", whole, tree_of(tidy(abs(lead) * more)))
     return completed if lead > 0 else negative(completed)

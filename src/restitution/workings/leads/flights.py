@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     is_zero,
     walk,
 )
+from restitution.planning.writing.place_trees import is_duration
 from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import is_displacement, is_time
@@ -250,12 +251,7 @@ def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
     places = [each for each in subjects if isinstance(each, Quantity) and each.kind == "along"]
     return any(
         isinstance(e.arguments[0], Quantity) and e.arguments[0].kind == "position" for e in places
-    ) and not any(map(_is_of_time, subjects))
-
-
-def _is_of_time(tree: Expression) -> bool:
-    """Whether a tree is a time, or one less another."""
-    return is_time(tree) or (isinstance(tree, Binary) and is_time(tree.left))
+    ) and not any(is_time(each) or is_duration(each) for each in subjects)
 
 
 def _tells_a_displacement(derivation: Derivation, ref: Ref) -> bool:
