@@ -13,6 +13,8 @@ import sympy as sp
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
+from restitution.exact.irreducible import factor_list
+
 MOST_GENERATORS = 48
 
 
@@ -257,8 +259,7 @@ def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyEle
 # The lines of a working are tried one after another, of the same quantities.
 @lru_cache(4096)
 def _factor_list(polynomial: PolyElement) -> tuple[Fraction, list[tuple[PolyElement, int]]]:
-    number, factors = polynomial.factor_list()
-    return number, factors
+    return factor_list(polynomial)
 
 
 @lru_cache(4096)

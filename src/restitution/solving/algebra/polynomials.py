@@ -28,6 +28,7 @@ from sympy.polys.rings import PolyRing
 
 from restitution.errors import UnsupportedError
 from restitution.exact.degrees import sine_beside
+from restitution.exact.irreducible import factor_list
 from restitution.work import remembered, spend
 
 Element = Any
@@ -545,7 +546,7 @@ def _split(a: Element) -> list[tuple[Any, Element]]:
     if used:
         own = PolyRing([f"x{n}" for n in used], QQ, lex)
         rest = own.from_dict({tuple(m[n] - common[n] for n in used): c for m, c in a.items()})
-        for factor, power in rest.factor_list()[1]:
+        for factor, power in factor_list(rest)[1]:
             dense = factor.to_dense()
             key = (len(dense), len(used), power, dense)
             parts.append((key, embedded(ring, factor, used)))
