@@ -66,5 +66,5 @@ def _kept(own: ItemResult, whole: ItemResult, sought: frozenset[str]) -> ItemRes
         return own if own.holds else whole
     # A range hangs on all that happens; and what holds under a condition may hang on it as well.
     plain = isinstance(own.item, Value) and not any(each.condition for each in own.answers)
-    found = all(sought.isdisjoint(each.letters) for each in own.answers)
-    return own if plain and found else whole
+    determined = all(sought.isdisjoint(each.letters) for each in own.answers)
+    return own if plain and determined else whole

@@ -27,11 +27,11 @@ def with_open_directions(problem: Problem) -> Problem | None:
         return None
     uses = Counter(name for tree in trees(problem) for name in letters(tree))
     uses.update(name for _, step in problem.steps() for name in _terms(step))
-    told = [wall.along for wall in problem.walls]
-    told += [step.along for step in problem.events if isinstance(step, Impact)]
+    directions = [wall.along for wall in problem.walls]
+    directions += [step.along for step in problem.events if isinstance(step, Impact)]
     open_ = [
         tree
-        for tree in told
+        for tree in directions
         if isinstance(tree, Expression)
         and (names := _parts(tree)) is not None
         and all(uses[name] == 1 for name in names)

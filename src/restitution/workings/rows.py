@@ -223,10 +223,10 @@ class Rows:
         compared = with_values(self._derivation, self._naming, line, links)
         if compared != links:
             trees = [compared[0].left, *(link.right for link in compared)]
-            laid = [self._naming.layout(each) for each in trees]
-            if is_zero(trees[-1]) and is_plain(laid[1]):
-                laid[1] = with_unit(laid[1], self._measures.unit(trees[0]))
-            return Row(tuple(laid), tuple(map(_sign, compared)))
+            layouts = [self._naming.layout(each) for each in trees]
+            if is_zero(trees[-1]) and is_plain(layouts[1]):
+                layouts[1] = with_unit(layouts[1], self._measures.unit(trees[0]))
+            return Row(tuple(layouts), tuple(map(_sign, compared)))
         words = _WORDS.get(links[0].sign)
         sense = direction_by_its_sense(self._derivation, self._naming, line)
         if sense is not None:

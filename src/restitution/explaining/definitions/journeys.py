@@ -129,11 +129,11 @@ def _gaps_closed(step: Step, event: Event) -> Iterator[Link]:
             continue
         along = [Quantity("along", (each, unit_vector(axis))) for each in paces[::sign]]
         times = (Quantity("time", (), each) for each in (event.number, since))
-        way = Binary("*", Binary("-", *along), Binary("-", *times))
+        quotient = Binary("*", Binary("-", *along), Binary("-", *times))
         for pair in (bodies, bodies[::-1]):
-            yield Link(Quantity("distance", pair, since), "=", way)
+            yield Link(Quantity("distance", pair, since), "=", quotient)
         behind, ahead = (_along("position", body.name, since, axis) for body in bodies[::sign])
-        yield Link(Binary("-", ahead, behind), "=", way)
+        yield Link(Binary("-", ahead, behind), "=", quotient)
 
 
 def _along(kind: str, body: str, stage: int, axis: str) -> Quantity:

@@ -48,9 +48,9 @@ def next_walls(step: Step, event: Event | None) -> Iterator[Link]:
     sense = senses[0] * senses[1]
     for other in _other_walls(step, wall):
         there = _turn_of(step, other)
-        for made in () if there is None else made_of(turned, there, angle, sense):
-            if _is_up_to_a_right_angle(step, made, {angle: size}):
-                yield Link(Quantity("angle", (late, other)), "=", made)
+        for difference in () if there is None else made_of(turned, there, angle, sense):
+            if _is_up_to_a_right_angle(step, difference, {angle: size}):
+                yield Link(Quantity("angle", (late, other)), "=", difference)
 
 
 def _cited(step: Step, angle: Quantity) -> Expression | None:

@@ -110,8 +110,8 @@ def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source
     pool = together(known.refs, walls, _ranges(scene, letters_in | _names(known)))
     move = Move("define", "difference", stage, (body,))
     for sense in (1, -1):
-        for made in made_of(here, there, first, sense):
-            tree = exchanged(made, {first: tree_of(known.value, angle=True)})
+        for difference in made_of(here, there, first, sense):
+            tree = exchanged(difference, {first: tree_of(known.value, angle=True)})
             value = tidy_angle(scene.scalar(tree))
             if value.is_number and not 0 <= value <= sp.pi / 2:
                 continue

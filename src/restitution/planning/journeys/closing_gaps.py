@@ -65,8 +65,8 @@ def time_of_closing(
 def _distance(scene: Scene, pair: tuple[str, str], stage: int) -> Source | None:
     """How far apart two bodies are at an event, where a line says it."""
     names = tuple(map(Name, pair))
-    ways = (standing(scene, Quantity("distance", each, stage)) for each in (names, names[::-1]))
-    return next((own for own in ways if own is not None), None)
+    lines = (standing(scene, Quantity("distance", each, stage)) for each in (names, names[::-1]))
+    return next((line for line in lines if line is not None), None)
 
 
 __all__ = ["time_of_closing"]

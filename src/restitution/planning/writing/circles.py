@@ -89,20 +89,22 @@ def _is_told_by_places(scene: Scene, body: str, radius_vector: Vector) -> bool:
     cosine = tidy(-velocity.dot(radius_vector) / (story.size(velocity) * story.size(radius_vector)))
     if cosine.free_symbols or cosine.has(sp.cos, sp.sin) or cosine == 1:
         return False
-    told = scene.facts.get(f"velocity {body}")
-    in_degrees = told is not None and isinstance(told.relation.only[0].right, Polar)
+    velocity_fact = scene.facts.get(f"velocity {body}")
+    in_degrees = velocity_fact is not None and isinstance(
+        velocity_fact.relation.only[0].right, Polar
+    )
     if in_degrees and cosine in _COSINES:
         return False
-    told_by = [each for tree in trees(scene.problem) for each in walk(tree)]
+    nodes = [each for tree in trees(scene.problem) for each in walk(tree)]
     of_the_wall = {
         side
-        for each in told_by
+        for each in nodes
         if isinstance(each, Quantity) and each.kind == "angle" and _has_a_wall(each)
         for side in each.arguments
     }
     return any(
         isinstance(each, Quantity) and each.kind in _DIRECTED and each not in of_the_wall
-        for each in told_by
+        for each in nodes
     )
 
 

@@ -131,10 +131,10 @@ class Judge(Unlabelled):
 
     def _with_end_in_numbers(self, lines: tuple[JudgedLine, ...]) -> tuple[JudgedLine, ...]:
         """The lines, of which the numbers at the end are false if their mistake has a name."""
-        found = self._end_in_numbers(lines)
-        if found is None:
+        at_the_end = self._end_in_numbers(lines)
+        if at_the_end is None:
             return lines
-        line, link, last = found
+        line, link, last = at_the_end
         judged = JudgedLink("false", link.readings[0])
         self._explain(line.number, self.naming.explained(self._entry(line, link, judged), self))
         claimed = replace(line, kind="relations", links=(link,), values=())
@@ -486,8 +486,8 @@ class Judge(Unlabelled):
             worlds = supposed_in((case,), line, self._base, meanings, self.question.unknown) or ()
             held[place] = JudgedLink("true", case, "exact")
             for each in inside:
-                if (found := self._holds(line.links[each], line, worlds)) is not None:
-                    held[each] = JudgedLink("true", found[1], found[0])
+                if (holding := self._holds(line.links[each], line, worlds)) is not None:
+                    held[each] = JudgedLink("true", holding[1], holding[0])
         return [held[place] for place in sorted(held)] if len(held) == len(judged) else None
 
     def _letter_of_case(self, claim: Claim) -> str | None:

@@ -242,10 +242,10 @@ def _broken_or_not(
     number: int,
     item: Item,
     slots: Sequence[Slot],
-    ways: Mapping[tuple[int, ...], float],
+    shares: Mapping[tuple[int, ...], float],
 ) -> State:
     """An interpretation, with an item that is not true in it where that breaks a known law."""
-    share = ways.get(tuple(state.options[s] for s in sorted(set(item.slots.values()))), 0.0)
+    share = shares.get(tuple(state.options[s] for s in sorted(set(item.slots.values()))), 0.0)
     if number in state.satisfied or not share:
         return state
     worth = share * max(0.0, _worth(item, state.options, slots))
@@ -339,11 +339,11 @@ def _breaking(
     number: int,
     item: Item,
     slots: Sequence[Slot],
-    ways: Mapping[tuple[int, ...], float],
+    shares: Mapping[tuple[int, ...], float],
 ) -> Iterator[State]:
     """The interpretations in which an item is an instance of an altered law."""
     used = sorted(set(item.slots.values()))
-    for state, (choice, share) in product(states, ways.items()):
+    for state, (choice, share) in product(states, shares.items()):
         free = [s for s in used if state.options[s] < 0]
         options = list(state.options)
         for s, option in zip(used, choice, strict=True):
@@ -507,7 +507,7 @@ def _tried(
         held = np.broadcast_to(0.0 if held is None else held, (1,) * axes)
     truth = np.broadcast_to(held, (len(states), *sizes))
     for row, state in enumerate(states):
-        choices = list(_ways(state, number, item, slots, chosen, truth[row]))
+        choices = list(_choices(state, number, item, slots, chosen, truth[row]))
         choices.sort(key=lambda interpretation: -interpretation.score)
         yield from choices[:_WAYS]
 
@@ -520,7 +520,7 @@ def _sizes(sizes: list[int], states: int, tester: Tester) -> list[int]:
     return sizes
 
 
-def _ways(
+def _choices(
     state: State,
     number: int,
     item: Item,

@@ -41,7 +41,7 @@ _USUAL = 0.35
 _CLOSE = 1e-9
 _RESULTS = frozenset(("impulse", "energy", "deflection"))
 
-Ways = Mapping[tuple[int, ...], float]
+Shares = Mapping[tuple[int, ...], float]
 
 
 class Instances:
@@ -54,10 +54,10 @@ class Instances:
         blocks = self.states.blocks
         self.altered = np.array([block.variant is not None for block in blocks], dtype=bool)
         self.valid = np.array([block.valid for block in blocks], dtype=bool)
-        self.known: dict[Any, Ways] = {}
+        self.known: dict[Any, Shares] = {}
         self.values: dict[Any, list[tuple[int, Value]]] = {}
 
-    def ways(self, item: Item, slots: Sequence[Slot]) -> Ways:
+    def shares(self, item: Item, slots: Sequence[Slot]) -> Shares:
         """The options of the slots of an item, in their order, for which it breaks a known law.
 
         Each comes with what share of a true item it is worth.
@@ -65,10 +65,10 @@ class Instances:
         used = sorted(set(item.slots.values()))
         key = item.readings, item.line, tuple(id(slots[s].options) for s in used)
         if key not in self.known:
-            self.known[key] = self._ways(item, slots, used)
+            self.known[key] = self._shares(item, slots, used)
         return self.known[key]
 
-    def _ways(self, item: Item, slots: Sequence[Slot], used: Sequence[int]) -> Ways:
+    def _shares(self, item: Item, slots: Sequence[Slot], used: Sequence[int]) -> Shares:
         if len(used) > 3 or item.readings[0].sign != "=":
             return {}
         shares: dict[tuple[int, ...], float] = {}

@@ -61,7 +61,7 @@ def slot_of(
     turns: list[int] = []
     values: dict[Nature, list[tuple[int, Value]]] = defaultdict(list)
     seen: set[Any] = set()
-    ways: dict[Any, Any] = {}
+    components: dict[Any, Any] = {}
     for candidate in sorted(candidates, key=lambda each: each.cost):
         value = tester.value(candidate.quantity, {})
         key = _key(tester, value)
@@ -72,7 +72,7 @@ def slot_of(
             continue
         seen.add(same)
         if candidate.kind == "component":
-            ways.setdefault(same[:3], same)
+            components.setdefault(same[:3], same)
         right_angle = candidate.asked and isinstance(value, Angle)
         awaited = may_vanish or (candidate.stopped and not candidate.unchanged) or right_angle
         if not awaited and makes_idle(value, tester):
@@ -89,7 +89,7 @@ def slot_of(
         return None
     # The speed of a sphere that moves along one line is its component there.
     roots = [
-        ways.get(root[:3], root) if option.kind == "speed" else root
+        components.get(root[:3], root) if option.kind == "speed" else root
         for root, option in zip(roots, options, strict=True)
     ]
     known = {

@@ -65,7 +65,7 @@ class Surroundings:
 
     def broken(self, item: Item, slots: Sequence[Slot]) -> Mapping[tuple[int, ...], float]:
         """The options for which an item breaks a known law, with what it is worth then."""
-        return self.instances.ways(item, slots)
+        return self.instances.shares(item, slots)
 
     @cached_property
     def candidates(self) -> tuple[Candidate, ...]:

@@ -554,7 +554,7 @@ class Chains:
         What a label names comes last, ``deflection: arctan(4/3) = 53.1, 180 - 53.1 - 45 = 81.9``,
         or is none of them.
         """
-        found: list[list[Token]] = []
+        calculations: list[list[Token]] = []
         for segment in self.behind:
             (first, *_), _ = sides_of(segment.tokens)
             numeric = any(each.kind == "number" for each in first)
@@ -566,8 +566,8 @@ class Chains:
                 each.kind == "letter" and each.name not in self.usage.letters for each in first
             )
             if segment.has_relation and numeric and len(first) > 1 and not named:
-                found.append(first)
-        return found
+                calculations.append(first)
+        return calculations
 
     def _is_timed(self, tree: Expression) -> bool:
         """Whether a side is a product with a time: a distance, and no component."""

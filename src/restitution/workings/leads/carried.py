@@ -72,7 +72,7 @@ class Carried:
 
     def gather(self, lines: Iterable[Line]) -> bool:
         """Whether lines take values of other parts; these wait for the words before the row."""
-        found: dict[int, Line] = {}
+        values: dict[int, Line] = {}
         beside: list[Line] = []
         part: str | None = None
         for line in lines:
@@ -90,12 +90,12 @@ class Carried:
                 if own.move.record == "unchanged":
                     beside.append(own)
                 else:
-                    found[own.number] = own
+                    values[own.number] = own
         # A component that stays is named beside the other one of that velocity alone.
-        found |= {each.number: each for each in _others(beside, tuple(found.values()))}
-        self._named |= {(part, number) for number in found}
-        self._waiting |= found
-        return bool(found)
+        values |= {each.number: each for each in _others(beside, tuple(values.values()))}
+        self._named |= {(part, number) for number in values}
+        self._waiting |= values
+        return bool(values)
 
     def beside(
         self,
@@ -195,9 +195,9 @@ def _is_a_value(line: Line) -> bool:
     )
 
 
-def _others(beside: Sequence[Line], found: Sequence[Line]) -> Iterator[Line]:
+def _others(beside: Sequence[Line], lines: Sequence[Line]) -> Iterator[Line]:
     """Of components, those of velocities that have another one among lines."""
-    velocities = {velocity for each in found for velocity in _resolved(each)}
+    velocities = {velocity for each in lines for velocity in _resolved(each)}
     for each in beside:
         if not velocities.isdisjoint(_resolved(each)):
             yield each

@@ -42,8 +42,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
         return say("flight.at-once", bodies=naming.events[line.move.event or 0].bodies)
     if len(line.move.bodies) > 1:
         return say("flight.closing")
-    if (ways := _several_ways(derivation, naming, line, left)) is not None:
-        return ways
+    if (several := _several_ways(derivation, naming, line, left)) is not None:
+        return several
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
         return say("flight.time") if one else say("flight.time-of", body=body)
     if isinstance(left, Quantity) and left.kind == "position":

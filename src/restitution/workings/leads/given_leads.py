@@ -92,8 +92,8 @@ class GivenLeads(Leads):
         along = self._moving_along(line)
         if along is not None and line.move.record == "tan":
             rested = self.tells_of_rest(along, line.move.event or 0, line)
-            told: SentenceId = "given.fact-from-rest" if rested else "given.fact-along"
-            return (say(told, fact=sentence, body=along),)
+            sentence_id: SentenceId = "given.fact-from-rest" if rested else "given.fact-along"
+            return (say(sentence_id, fact=sentence, body=along),)
         match facts[0].relation.options[0][0]:
             case Link(Quantity("velocity", _, _), "=", right) if isinstance(sentence, lay.Layout):
                 if not has_quantity(right):

@@ -53,7 +53,7 @@ class Touching:
     def _place(self, line: Line, body: str, number: int) -> Pair | None:
         """The coordinates of a body at a contact; None where a line has said them."""
         position = Quantity("position", (Name(body),), number)
-        told: dict[str, Expression] = {}
+        coordinates: dict[str, Expression] = {}
         for ref in line.premises:
             own = self._derivation.fact(ref) if isinstance(ref, str) else self._derivation.line(ref)
             if own is None or not isinstance(own.relation, Relation):
@@ -64,8 +64,8 @@ class Touching:
                         # A coordinate that is not zero has a row of its own.
                         if isinstance(ref, int) and not is_zero(right):
                             return None
-                        told[axis] = right
-        return Pair(told["i"], told["j"]) if len(told) == 2 else None
+                        coordinates[axis] = right
+        return Pair(coordinates["i"], coordinates["j"]) if len(coordinates) == 2 else None
 
     def _sentence(self, end: tuple[str, int], place: Pair) -> Sentence:
         body, number = end
@@ -132,7 +132,7 @@ def _approach(
     derivation: Derivation, naming: Naming, less: str, more: str, axis: Unit, number: int
 ) -> Sentence:
     """How the sphere with the lesser coordinate and the other one approach along an axis."""
-    way, back = naming.layout(axis), naming.layout(Negate(axis))
+    forwards, back = naming.layout(axis), naming.layout(Negate(axis))
     # Of a later impact no datum tells which of the two moves along the axis.
     still = [
         body
@@ -145,5 +145,5 @@ def _approach(
     if still == [less]:
         return say("touch.comes", one=more, other=less, axis=back)
     if still == [more]:
-        return say("touch.comes", one=less, other=more, axis=way)
-    return say("touch.gains", one=less, other=more, axis=way)
+        return say("touch.comes", one=less, other=more, axis=forwards)
+    return say("touch.gains", one=less, other=more, axis=forwards)

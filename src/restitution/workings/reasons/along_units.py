@@ -45,8 +45,8 @@ def along_its_unit(derivation: Derivation, naming: Naming, line: Line) -> Senten
                 if unit is None:
                     return None
                 right = own.relation.only[-1].right  # type: ignore[union-attr]
-                way = lay.negative(unit) if isinstance(right, Negate) else unit
-                return say("derived.along-unit", velocity=naming.layout(velocity), unit=way)
+                along = lay.negative(unit) if isinstance(right, Negate) else unit
+                return say("derived.along-unit", velocity=naming.layout(velocity), unit=along)
     return None
 
 

@@ -180,9 +180,9 @@ class Reasons:
             reasons = () if grounds else self._beyond_a_right_angle(line, reasons)
         if (
             not reasons
-            and (way := along_its_unit(self._derivation, self._naming, line)) is not None
+            and (unit := along_its_unit(self._derivation, self._naming, line)) is not None
         ):
-            reasons = () if grounds else (way,)
+            reasons = () if grounds else (unit,)
         if line.move.id == "reject" and not reasons:
             reasons = tuple(self._positive(line))
         reasons = (*(each for each in grounds if each not in reasons), *reasons)

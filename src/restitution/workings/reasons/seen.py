@@ -50,11 +50,11 @@ def shown(
         return None
     symbol = roles.get(name, REAL).symbol(name)
     sight = _Sight(symbol, roles.get(name, REAL).kind == "angle", Oracle(roles).with_facts(facts))
-    if sight.way(value) == sense:
+    if sight.sense(value) == sense:
         return Shown(value)
     core = sight.core(value)
     for form in map(sight.oriented, _forms(core, symbol)):
-        if sight.way(form) == sense:
+        if sight.sense(form) == sense:
             return Shown(core, form)
     derivative = sp.factor(sp.together(tidy(sp.diff(core, symbol))))
     has_values = sight.sign(sp.fraction(sp.together(core))[1]) is not None
@@ -216,25 +216,25 @@ class _Sight:
             terms.append(sp.Mul(*factors) if sign == 1 else sp.Mul(*_negated(factors)))
         return sp.Add(*terms)
 
-    def way(self, x: sp.Expr) -> int | None:
+    def sense(self, x: sp.Expr) -> int | None:
         """1 where an expression is seen to grow, -1 to fall, 0 without the letter, else None."""
         if self.symbol not in x.free_symbols:
             return 0
         if x == self.symbol:
             return 1
         if x.is_Add:
-            return _together([self.way(each) for each in x.args])
+            return _together([self.sense(each) for each in x.args])
         if x.is_Mul:
             return self._of_product(x)
         if x.is_Pow and x.exp.is_Rational:
-            own = self.way(x.base)
+            own = self.sense(x.base)
             sign = 1 if own is None or x.exp.q == 2 else self.sign(x.base)
             if own is None or (sign is None and x.exp != 1):
                 return None
             turned = own if x.exp > 0 else -own
             return turned * (sign or 1) if x.exp.is_even else turned
         if isinstance(x, sp.atan):
-            return self.way(x.args[0])
+            return self.sense(x.args[0])
         if isinstance(x, (sp.sin, sp.cos, sp.tan)) and self.angle:
             acute = self.sign(sp.cos(self.symbol)) == 1 == self.sign(sp.sin(self.symbol))
             if acute and x.args[0] == self.symbol:
@@ -244,15 +244,15 @@ class _Sight:
     def _of_product(self, x: sp.Expr) -> int | None:
         factor, own = x.as_independent(self.symbol, as_Add=False)
         factors = sp.Mul.make_args(own)
-        sign, ways = self.sign(factor), [self.way(each) for each in factors]
-        if sign is None or None in ways:
+        sign, senses = self.sign(factor), [self.sense(each) for each in factors]
+        if sign is None or None in senses:
             return None
         if len(factors) == 1:
-            return sign * (ways[0] or 0)
+            return sign * (senses[0] or 0)
         signs = [self.sign(each) for each in factors]
         if None in signs:
             return None
-        sizes = [way * own for way, own in zip(ways, signs, strict=True)]  # type: ignore[operator]
+        sizes = [sense * own for sense, own in zip(senses, signs, strict=True)]  # type: ignore[operator]
         whole = _together(sizes)
         return None if whole is None else sign * int(sp.prod(signs)) * whole
 
@@ -263,11 +263,11 @@ def _negated(factors: Sequence[sp.Expr]) -> list[sp.Expr]:
     return [-sp.Mul(*numbers), *(each for each in factors if not each.is_Number)]
 
 
-def _together(ways: Sequence[int | None]) -> int | None:
+def _together(senses: Sequence[int | None]) -> int | None:
     """The sense of a sum, by those of its terms."""
-    if None in ways:
+    if None in senses:
         return None
-    own = {each for each in ways if each}
+    own = {each for each in senses if each}
     return None if len(own) > 1 else next(iter(own), 0)
 
 
