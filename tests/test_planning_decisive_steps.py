@@ -134,7 +134,11 @@ def test_a_quadratic_that_is_solved_is_not_written_below_its_roots() -> None:
         "given speed(B) >= speed(A)\n"
         "find range of e"
     )
-    assert own[-4:-1] == ["(2 + e)² ≥ 7", "e ≥ √7 − 2, as e ≥ 0", "√7 − 2 ≤ e ≤ 1"]
+    assert own[-4:-1] == [
+        "(2 + e)² ≥ 7",
+        "e ≥ √7 − 2, as e ≥ 0",
+        "√7 − 2 ≤ e ≤ 1, as e cannot exceed 1",
+    ]
 
 
 def test_a_difference_of_two_squares_needs_no_product() -> None:

@@ -280,6 +280,23 @@ show angle(velocity(P), W) <= alpha
         HALF_KNOWN + "part a\nfind e1 e2\npart b\nunknown e2\nfind range of e1",
         ["e₁e₂ = ⅓", "e₁ = 1/(3e₂), as e₂ ≠ 0"],
     ),
+    # v = (1 − 3e)u cos α/4.
+    "why a coefficient that a range bounds is at most 1": (
+        REST.format(angle="alpha", m="3m", e="")
+        + "given along(velocity(A), i) < 0\nfind range of e",
+        ["e > ⅓", "⅓ < e ≤ 1, as e cannot exceed 1"],
+    ),
+    "why a coefficient that a range bounds is not below 0": (
+        REST.format(angle="alpha", m="3m", e="")
+        + "given along(velocity(A), i) > 0\nfind range of e",
+        ["e < ⅓", "0 ≤ e < ⅓, as e cannot be negative"],
+    ),
+    # v = (2 − k)u cos α/(2(1 + k)).
+    "why a ratio of masses that a range bounds is above 0": (
+        REST.format(angle="alpha", m="k m", e=", e = 1/2")
+        + "given along(velocity(A), i) > 0\nfind range of k",
+        ["k < 2", "0 < k < 2, as k is positive"],
+    ),
     # v² = ½u²(1 + cos²α), and not u² cos²α for any acute angle.
     "what is never equal is not denied in general only": (
         (

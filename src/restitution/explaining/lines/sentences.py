@@ -1111,6 +1111,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.so-acute": "so {angle} is acute",
     "derived.acute-by-tangent": "{bound} and so {angle} is acute",
     "derived.positive": "{letter} is positive",
+    "derived.cannot-be-negative": "{letter} cannot be negative",
+    "derived.cannot-exceed-one": "{letter} cannot exceed 1",
     "derived.given": "this is given",
     "derived.fact": "{fact}",
     "derived.fact-equal": "{fact}, with equality when {place}",

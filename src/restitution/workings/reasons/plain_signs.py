@@ -8,11 +8,14 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Line, Link, Relation
+from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import factors_above
 from restitution.planning.writing.inequalities import turned
+from restitution.workings.naming.quantities import Naming
 
 
 def is_never_negative(tree: Expression, roles: Mapping[str, Role]) -> bool:
@@ -60,12 +63,31 @@ def _is_square_of(square: Expression, tree: Expression) -> bool:
 
 
 def bounds_said(line: Line) -> Iterator[Relation]:
-    """The bounds of a range that a line says itself: they are no reasons of it."""
+    """The bounds of a range that a line says itself: in the same symbols they are no reasons."""
     match line.relation:
         case Relation((links,)) if line.move.id == "compare" and len(links) > 1:
             for link in links:
                 yield Relation(((link,),))
                 yield Relation(((turned(link),),))
+
+
+def bound_in_words(bound: Relation, roles: Mapping[str, Role], naming: Naming) -> Sentence | None:
+    """Why a bound that a range says holds of its letter: *as e cannot exceed 1*."""
+    link = bound.only[0]
+    if not isinstance(link.left, Letter):
+        link = turned(link)
+    match link:
+        case Link(Letter(name) as letter, sign, Number(end)) if name in roles:
+            words: SentenceId | None = None
+            match roles[name].kind, sign:
+                case "positive", ">" if end == 0:
+                    words = "derived.positive"
+                case "restitution", ">=" if end == 0:
+                    words = "derived.cannot-be-negative"
+                case "restitution", "<=" if end == 1:
+                    words = "derived.cannot-exceed-one"
+            return None if words is None else say(words, letter=naming.layout(letter))
+    return None
 
 
 def positive_letters(value: Expression, roles: Mapping[str, Role]) -> Iterator[Letter]:

@@ -53,7 +53,12 @@ from restitution.workings.reasons.grounds import (
 from restitution.workings.reasons.growth_reasons import GrowthReasons
 from restitution.workings.reasons.later_times import later_than
 from restitution.workings.reasons.multipliers import cleared_factors, multipliers_of
-from restitution.workings.reasons.plain_signs import are_squares, bounds_said, positive_letters
+from restitution.workings.reasons.plain_signs import (
+    are_squares,
+    bound_in_words,
+    bounds_said,
+    positive_letters,
+)
 from restitution.workings.reasons.pushed import pushed_away
 from restitution.workings.reasons.pythagoras import pythagoras
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
@@ -191,8 +196,11 @@ class Reasons:
             return (say("derived.as-because", reasons=signs, causes=reasons),)
         if reasons and self._by_a_cotangent(line):
             reasons = (say("derived.cotangent"), *reasons)
-        own = [self._laid(each) for each in bounds_said(line)]
-        reasons = tuple(each for each in reasons if each not in own)
+        own = {self._laid(each): each for each in bounds_said(line)}
+        words = (
+            bound_in_words(own[e], self._roles, self._naming) if e in own else e for e in reasons
+        )
+        reasons = tuple(each for each in words if each is not None)
         return (say("derived.as", reasons=reasons),) if reasons else ()
 
     def _in_its_case(self, line: Line) -> bool:
