@@ -299,6 +299,27 @@ sphere B: mass M, velocity -v i
 A hits B: along i
 show energy_lost <= energy(0) (1 - e^2)
 """,
+    "a value of which a factor is cancelled above and below, beside a root": """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+part a
+find along(velocity(B), i)
+part b
+given velocity(A) perpendicular to velocity(B)
+show k = 1/e
+part c
+given velocity(A) perpendicular to velocity(B), alpha = 45°
+find energy(B)/energy(0) in terms of e
+""",
+    "roots of two factors, and that of their product": """
+wall W: along i
+sphere P: mass 0.3, velocity 8 at 35° to W
+P hits W
+given speed(P) = 7
+find e
+find impulse
+""",
     "an angle that is no plain one, of a coefficient that a later part gives": """
 wall W: along i
 sphere P: velocity u at theta to W

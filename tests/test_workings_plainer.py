@@ -36,6 +36,14 @@ sphere B: mass 3m, at rest
 A hits B: along i, e = 1/3
 show speed(A)^2 + 3speed(B)^2 < u^2
 """
+ACROSS_AT_A_WALL = """
+wall W: along phi
+sphere Q: mass 3m, velocity 2v j
+Q hits W
+given direction(Q) = 0°
+find tan(phi) in terms of e
+find speed(Q), impulse in terms of m, v, e
+"""
 NO_GREATEST = """
 sphere A: mass m, velocity u at alpha
 sphere B: mass k m, at rest
@@ -150,9 +158,11 @@ SAYS = [
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
     (ON_TO_A_WALL, "along the line of centres, at 60° to W"),
+    (ACROSS_AT_A_WALL, "change of momentum of Q: impulse on Q = 3m("),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
+    (ACROSS_AT_A_WALL, "𝐧"),
     (TURNED_AND_SLOWED, "sin⁴α"),
     (SENT_BACK, "β = arctan(4/3)"),
     (ALL_OF_E, "as α = 60°"),

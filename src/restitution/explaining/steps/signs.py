@@ -178,6 +178,9 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
     by_root = _ratio_of_leads(world, line, expected) or _ratio_with_a_divisor(world, line, expected)
     if by_root is not None:
         return by_root
+    lowest = [Quotient(*without_common(x.above, x.below)) for x in (line, expected)]
+    if world.squares and lowest != [line, expected]:
+        return ratio(world, *lowest)
     above, below = without_common(line.above, expected.above)
     if below == expected.above:  # they have no factor in common that could vanish
         return _ratio_with_a_root(world, line, expected) or _squared(world, line, expected)

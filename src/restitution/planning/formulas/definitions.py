@@ -109,8 +109,9 @@ def write_formula(scene: Scene, own: Formula) -> int:
             right = final
         elif _is_figure(own.value) and isinstance(right, Apply):
             final = right  # what follows is its decimal: no other form of it is plainer
-        by: MoveId = "identity" if _by_pythagoras(scene, own) else "rearrange"
-        relation = chain(own.left, (right, None), *between, (final, by))
+        relation = chain(own.left, (right, None), *between, (final, "rearrange"))
+        if _by_pythagoras(scene, own) and not scene.judge.follows(own.move, refs, relation):
+            relation = chain(own.left, (right, None), *between, (final, "identity"))
         if _has_roots_of_letters(own.right):
             known = background(scene, letters(right))
             refs = scene.judge.enough(own.move, refs, relation, known) or refs
@@ -207,7 +208,10 @@ def _before_root(value: sp.Expr) -> sp.Expr:
 
 
 def _by_pythagoras(scene: Scene, own: Formula) -> bool:
-    """Whether a value comes of its formula by sin² + cos² = 1 alone."""
+    """Whether a value may come of its formula by sin² + cos² = 1 alone.
+
+    Roots of factors, and the root of their product, differ in form only and look so too.
+    """
     value = sp.sympify(own.value, strict=True)
     try:
         right = scene.scalar(own.right)

@@ -44,7 +44,7 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
     if event not in scene.model.frames:
         return _size_of_blow(scene, quantity, event)
     _write_vector_before(scene, event)
-    whole = _size_of_impulse(scene, quantity, event)
+    whole = _size_of_impulse(scene, quantity, event) or _size_by_vectors(scene, quantity, event)
     if whole is not None:
         return whole
     return impulse_on(scene, quantity, body_of_impulse(scene, event), event)
@@ -163,6 +163,29 @@ def _size_of_impulse(scene: Scene, quantity: Quantity, event: int) -> Formula | 
             continue  # the change of a component is simpler
         if _is_in_a_plain_direction(known.value):
             return _size(Move("define", "size", event, (body,)), quantity, known)
+    return None
+
+
+def _size_by_vectors(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """The size of m(**v** − **u**), where both are along **i** or **j** and the line in letters.
+
+    The vector has its line. None where components are known, or the velocities are no vectors.
+    """
+    frame = scene.frame(event)
+    if not frame.is_slanted or not any(each.free_symbols for each in frame.n):
+        return None
+    for body in scene.spheres(event):
+        ends = [velocity_source(scene, body, n).value for n in (event - 1, event)]
+        plain = all(0 in end for end in ends) and ends[0].dot(ends[1]) == 0
+        if not plain or not _comes_by_vectors(scene, body, event):
+            continue
+        if _has_components(scene, body, event):
+            continue
+        own = _impulse_vector(scene, Quantity("impulse", (Name(body),), event), event)
+        if any(map(scene.unknown, own.value)):
+            continue
+        line = write_formula(scene, own)
+        return _size(Move("define", "size", event, (body,)), quantity, Source(own.value, (line,)))
     return None
 
 
