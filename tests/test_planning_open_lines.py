@@ -87,7 +87,12 @@ P hits Q
 given velocity(P) parallel to i - j, speed(P) = sqrt(2)
 find e, energy_lost
 """,
-        ("𝐯_P = s(𝐢 − 𝐣)", "s² + s² = (√2)²", "as s = 1 would give e = −10 by (3)", "e = ⅘"),
+        (
+            "𝐯_P = s(𝐢 − 𝐣)",
+            "s² + s² = (√2)²",
+            "as s = 1 would give e = −10 by (3), but e ≥ 0",
+            "e = ⅘",
+        ),
     ),
     "a slanting line without a speed": (
         """

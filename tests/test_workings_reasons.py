@@ -592,7 +592,7 @@ show angle(velocity(P), W) <= alpha
             "sphere B: mass m, velocity u at beta from -i\nA hits B: along i\n"
             "given sin(beta) = 3/5, velocity(A) perpendicular to i, speed(B) = u\nfind k, e"
         ),
-        ["as w = −4u/5 would give e = −4/9 by (3)"],
+        ["as w = −4u/5 would give e = −4/9 by (3), but e ≥ 0"],
     ),
     # tan β = 3 tan α: both angles come to 0.
     "what comes to its end with an angle is said": (

@@ -28,8 +28,11 @@ find e
 @pytest.mark.parametrize(
     ("statement", "reason"),
     [
-        (SAME_SPEED, "v = −2u, as v = 2u would give w = −3u and e = −1 by (2) and (3)"),
-        (SEVERAL_MASSES, "v = −2u, as v = 2u would give w = −3u and e = −1 by (2) and (3)"),
+        (SAME_SPEED, "v = −2u, as v = 2u would give w = −3u and e = −1 by (2) and (3), but e ≥ 0"),
+        (
+            SEVERAL_MASSES,
+            "v = −2u, as v = 2u would give w = −3u and e = −1 by (2) and (3), but e ≥ 0",
+        ),
     ],
 )
 def test_the_values_stand_there(statement: str, reason: str) -> None:

@@ -1095,6 +1095,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.as-because": "as {reasons:and}, because {causes:and}",
     "derived.no-root": "{value} does not satisfy {equation}",
     "derived.would": "{value} would give {results:and} by {equations:and}",
+    "derived.would-beyond": "{value} would give {results:and} by {equations:and}, but {bound}",
     "derived.the": "the {quantity}",
     "derived.divided-by": "Dividing by {factor}:",
     "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",

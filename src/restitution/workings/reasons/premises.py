@@ -38,7 +38,7 @@ from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
+from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.along_units import along_its_unit
 from restitution.workings.reasons.before_walls import wall_reached, walls_ahead
 from restitution.workings.reasons.equality import divisor_left_out, equal_tangents
@@ -62,7 +62,7 @@ from restitution.workings.reasons.plain_signs import (
 from restitution.workings.reasons.pushed import pushed_away
 from restitution.workings.reasons.pythagoras import pythagoras
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
-from restitution.workings.reasons.rejected_roots import made_by_a_root, root_on_a_rim
+from restitution.workings.reasons.rejected_roots import made_of_a_root, root_on_a_rim
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO, ShapeReasons
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
@@ -159,7 +159,7 @@ class Reasons:
         top = top_of_a_bound(line, cited)
         if top is not None and not grounds and self._known(line):
             return (say("derived.as", reasons=(self._laid(top),)),)
-        would = self._would(line)
+        would = made_of_a_root(self._derivation, self._naming, self._sources, line)
         if would is not None:
             return (say("derived.as", reasons=(would,)),)
         reasons = (
@@ -231,27 +231,6 @@ class Reasons:
             for own in cited
             if own is not None
         )
-
-    def _would(self, line: Line) -> Sentence | None:
-        """What the root that is rejected would make of another letter, by which laws."""
-        squared = root_of_a_square(self._derivation, line)
-        if squared is not None and squared[1] in self._sources.numbers:
-            root = self._laid(Relation((squared[0],)))
-            number = say("derived.number", number=str(self._sources.numbers[squared[1]]))
-            return say("derived.no-root", value=root, equation=number)
-        broken = bound_broken(self._derivation, line) if line.move.id == "reject" else None
-        if broken is None:
-            return None
-        dropped, bound = broken
-        value = self._laid(Relation((dropped,)))
-        by_a_root = made_by_a_root(self._derivation, line, dropped, bound)
-        results = tuple(map(self._laid, by_a_root or (Relation(((bound,),)),)))
-        source = self._sources.of(line)
-        numbers = sorted(self._sources.numbers[e] for e in (source.reasons if source else ()))
-        equations = tuple(say("derived.number", number=str(number)) for number in numbers)
-        if not equations:
-            return None
-        return say("derived.would", value=value, results=results, equations=equations)
 
     def _beyond_a_right_angle(
         self, line: Line, known: tuple[Sentence | lay.Layout, ...]

@@ -3,23 +3,63 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
+from restitution.explaining.lines.derivation import (
+    OPPOSITE,
+    Derivation,
+    Line,
+    Link,
+    Meaning,
+    Relation,
+)
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Expression, Letter, Negate, Unit
 from restitution.planning.writing.forms import UnwrittenError, tree_of
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.sources import Sources, bound_broken, root_of_a_square
 
 _BEYOND = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 
 
-def made_by_a_root(
+def made_of_a_root(
+    derivation: Derivation, naming: Naming, sources: Sources, line: Line
+) -> Sentence | None:
+    """What the root that is rejected would make of another letter, by which laws.
+
+    What that letter may be stands behind it: *w = −u would give e = −1 by (2), but e ≥ 0*.
+    """
+    squared = root_of_a_square(derivation, line)
+    if squared is not None and squared[1] in sources.numbers:
+        root = naming.relation(Relation((squared[0],)))
+        number = say("derived.number", number=str(sources.numbers[squared[1]]))
+        return say("derived.no-root", value=root, equation=number)
+    broken = bound_broken(derivation, line) if line.move.id == "reject" else None
+    if broken is None:
+        return None
+    dropped, bound = broken
+    values = _made_by_a_root(derivation, line, dropped, bound)
+    source = sources.of(line)
+    numbers = sorted(sources.numbers[e] for e in (source.reasons if source else ()))
+    equations = tuple(say("derived.number", number=str(number)) for number in numbers)
+    if not equations:
+        return None
+    results = tuple(map(naming.relation, values or (Relation(((bound,),)),)))
+    root = naming.relation(Relation((dropped,)))
+    if not values or any(link.sign != "=" for link in values[-1].only):
+        return say("derived.would", value=root, results=results, equations=equations)
+    allowed = naming.relation(Relation(((replace(bound, sign=OPPOSITE[bound.sign]),),)))
+    slots = {"value": root, "results": results, "equations": equations, "bound": allowed}
+    return say("derived.would-beyond", **slots)
+
+
+def _made_by_a_root(
     derivation: Derivation, line: Line, dropped: Sequence[Link], bound: Link
 ) -> tuple[Relation, ...]:
     """What the other letters of the cited equations would be, that of the bound last.
@@ -114,4 +154,4 @@ def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: in
     return say("circle.ahead", body=body, axis=axis)
 
 
-__all__ = ["made_by_a_root", "root_on_a_rim"]
+__all__ = ["made_of_a_root", "root_on_a_rim"]
