@@ -131,6 +131,78 @@ from restitution.workings import explain
         ),
         (
             """
+            wall W: along j
+            sphere A: mass m, velocity u i
+            sphere B: mass 2m, at rest
+            A hits B: along i, e = e
+            B hits W: e = 1/2
+            B hits A: along i, e = e
+            find range of e
+            """,
+            [
+                "B and A approach each other before the third impact: −(1 + e)u/6 < (1 − 2e)u/3",
+                "e < 1",
+            ],
+        ),
+        (
+            """
+            wall W: along j
+            sphere A: mass m, velocity u i
+            sphere B: mass k m, at rest
+            A hits B: along i, e = 1/2
+            A hits W: e = 1/2
+            find range of k
+            """,
+            [
+                "A moves towards W before the second impact: (2 − k)u/(2(1 + k)) < 0",
+                "k > 2, as 1 + k > 0",
+            ],
+        ),
+        (
+            """
+            wall W: along j
+            sphere A: mass m, velocity 2u i
+            sphere B: mass 5m, velocity u i
+            B hits W: e = 1/2
+            A hits B: along i, e = e
+            B hits W: e = 1/2
+            find range of e
+            """,
+            ["B moves towards W before the third impact: (5e − 1)u/12 > 0", "⅕ < e ≤ 1"],
+        ),
+        (
+            """
+            wall X: along i, through (0, 0)
+            wall Y: along 60°, through (0, 0)
+            sphere P: at (3, 1), velocity u at -alpha
+            P hits X: e = e
+            P hits Y: e = 1/2
+            given tan(alpha) = 3
+            find range of e
+            """,
+            [
+                "the unit vector perpendicular to Y, towards it",
+                "P moves towards Y before the second impact: √10(3e − √3)u/20 > 0",
+                "√3/3 < e ≤ 1",
+            ],
+        ),
+        (
+            """
+            wall X: along i
+            wall Y: along 60°
+            sphere P: velocity u at alpha to X
+            P hits X: e = 1/2
+            P hits Y: e = 1/2
+            find range of alpha
+            """,
+            [
+                "P does not move parallel to Y before the second impact:",
+                "tan α ≠ 2√3",
+                "0° < α < arctan(2√3) or arctan(2√3) < α < 90°",
+            ],
+        ),
+        (
+            """
             sphere A: mass 4m, velocity u i
             sphere B: mass 2m, at rest
             sphere C: mass 3m, at rest

@@ -244,7 +244,11 @@ class Arrangement:
             left = self._turned_angle(along)
         if left is None:
             return None
-        return opposite(left) if self._leads_away(step.first, number, left, along) else left
+        side = None
+        if self.component_before(step.first, number, left) is None:
+            side = self.side_of_wall(step.first, self.walls[step.second], left)
+        away = side == -1 if side else self._leads_away(step.first, number, left, along)
+        return opposite(left) if away else left
 
     def _turned_angle(self, along: Expression) -> Expression | None:
         """A direction that is told by its angle, turned by +90°."""
@@ -281,6 +285,32 @@ class Arrangement:
         if number > 1:
             return is_open and oracle.proves(compared(ahead, ">", 0))
         return is_open and not oracle.proves(compared(ahead, "<", 0))
+
+    def component_before(self, body: str, number: int, normal: Expression) -> int | None:
+        """The sign of a component of velocity before an event, where it is plain."""
+        world = self.world()
+        try:
+            velocity, axis = self.velocity_before(body, number, world), world.direction(normal)
+            if velocity is None or axis is None:
+                return None
+            return self.sign_in(world, dot(world, velocity, axis))
+        except NotComparableError:
+            return None
+
+    def side_of_wall(self, body: str, wall: Wall, normal: Expression) -> int | None:
+        """1 where a normal leads from where a body begins to a straight wall, −1 away from it."""
+        place, world = self.place_of(self.sphere(body).position), self.world()
+        point = self.place_of(wall.through) or self.place_of(wall.start)
+        if not isinstance(place, Pair) or not isinstance(point, Pair):
+            return None
+        displacement = Pair(difference(point.x, place.x), difference(point.y, place.y))
+        try:
+            way, axis = world.value(displacement), world.direction(normal)
+            if not isinstance(way, Plane) or axis is None:
+                return None
+            return self.sign_in(world, dot(world, way, axis))
+        except NotComparableError:
+            return None
 
     def velocity_before(self, body: str, number: int, world: World) -> Plane | None:
         """The velocity before an event: the one given, turned back by walls on the way.

@@ -18,6 +18,7 @@ from restitution.explaining.data.arrangement import (
     turned,
     world_of,
 )
+from restitution.explaining.data.coming_to_walls import coming_to_wall
 from restitution.explaining.data.first_hits import hits
 from restitution.explaining.data.one_line import axis_of_all, side_along, with_lines_of_centres
 from restitution.explaining.lines.derivation import Fact, FactKind, Link, Relation, Sign
@@ -204,6 +205,11 @@ class FactsOf(Arrangement):
                 most = Relation(((Link(step.e, "<=", one),),))
                 yield Fact(f"most {number}", "geometry", most, None, step.place)
         if step.second in self.walls:
+            towards = coming_to_wall(self, step, number)
+            if towards is not None:
+                left = self.settled(towards.left, number - 1)
+                nearer = Relation(((replace(towards, left=left),),))
+                yield Fact(f"approach {number}", "geometry", nearer, None, step.place)
             return
         offset = step.offset if number == 1 else None
         if isinstance(offset, Expression) and self.radius is not None:
@@ -224,7 +230,8 @@ class FactsOf(Arrangement):
                 )
                 for each in (step.first, step.second)
             )
-            nearer = Relation(((Link(a, ">", b),),))
+            side = side_along(self, step, axis) if number > 1 else None
+            nearer = Relation(((Link(a, "<" if side == -1 else ">", b),),))
             yield Fact(f"approach {number}", "geometry", nearer, None, step.place)
 
     def _within(self, step: Impact, number: int) -> Relation | None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from restitution.explaining.data.arrangement import Arrangement, difference, is_rest, world_of
 from restitution.explaining.lines.quotients import NotComparableError, Plane
-from restitution.expression.tree import Binary, Expression, Negate, Pair, Unit, is_zero
+from restitution.expression.tree import Expression, Negate, Pair, Quantity, Unit, is_zero
 from restitution.problem import Arrival, Impact, Kick, Problem, Sphere, Step
 
 
@@ -56,24 +56,28 @@ def _is_struck_straight(given: Arrangement, step: object, axis: Unit) -> bool:
 
 
 def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None:
-    """On which side along **i** or **j** the second sphere is of the first; None where it is open.
+    """On which side along a line of centres the second sphere is of the first; None if it is open.
 
     It is told by their places at the start, or by how they approach where they have not met yet.
+    Who met before stays in order.
     """
     one, other = (given.sphere(each) for each in (step.first, step.second))
     places = [each.position for each in (one, other) if isinstance(each.position, Pair)]
     if len(places) == 1:
         return None
     if places:
-        ends = [each.x if axis == Unit("i") else each.y for each in places]
-        side = given.sign(Binary("-", ends[1], ends[0]))
+        way = Pair(difference(places[1].x, places[0].x), difference(places[1].y, places[0].y))
+        side = given.sign(Quantity("dot", (way, axis)))
         if side is not None:
             return side
-    met = given.problem.events[: given.problem.events.index(step)]
-    bodies = {
-        name for each in met if isinstance(each, Impact) for name in (each.first, each.second)
-    }
-    return None if bodies & {one.name, other.name} else given.approach(one, other, axis)
+    for met in given.problem.events[: given.problem.events.index(step)]:
+        if not isinstance(met, Impact) or not {met.first, met.second} & {one.name, other.name}:
+            continue
+        if {met.first, met.second} != {one.name, other.name}:
+            return None
+        side = side_along(given, met, axis)
+        return side if side is None or met.first == one.name else -side
+    return given.approach(one, other, axis)
 
 
 def with_lines_of_centres(given: Arrangement) -> Problem:

@@ -631,6 +631,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before {event}:",
+    "given.towards-wall": "{body} moves towards {wall} before {event}:",
+    "given.not-along-wall": "{body} does not move parallel to {wall} before {event}:",
     "given.offset": "{one} does not pass by {other}:",
     "given.most": "A coefficient of restitution is at most 1:",
     "given.between": "{body} hits {wall} between its ends:",

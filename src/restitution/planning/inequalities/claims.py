@@ -181,7 +181,7 @@ class Claims(Eliminated):
 
     def write_parts(self, asked: Expression, relation: Relation) -> int:
         """Writes the lines of a range in several parts: the conditions, and the range."""
-        conditions: list[Ref] = [*self.conditions.lines(asked)]
+        conditions: list[Ref] = [*self.conditions.lines(asked), *self.conditions.story(asked)]
         known = self.judge.known(letters(asked))
         line = self.judge.write((Move("compare"),), [*conditions, *known], relation)
         if line is None:

@@ -40,6 +40,7 @@ from restitution.planning.formulas.velocity_formulas import body_and_stage, fram
 from restitution.planning.inequalities.angles_bounded import Bounded, write_bounded
 from restitution.planning.inequalities.bounds_by_cotangents import write_by_cotangent
 from restitution.planning.inequalities.bounds_with_roots import collected
+from restitution.planning.inequalities.coming_to_walls import is_of_a_wall, write_towards
 from restitution.planning.inequalities.squares import (
     both_squared,
     solve_in_squares,
@@ -149,6 +150,11 @@ class Conditions:
             return self.judge.write((Move("rearrange"),), pool, Relation(((solved,),)))
         if link.sign == "=":
             return self._by_sense(fact, link, wanted)
+        if is_of_a_wall(self.worths, fact):
+            towards = write_towards(self.worths, fact, wanted)
+            if towards is None or towards[1] == "!=":
+                return None if towards is None else towards[0]
+            return self.finished(*towards, wanted)
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
                 return self._past_a_right_angle(fact, link, angle, wanted)

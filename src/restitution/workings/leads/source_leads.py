@@ -64,7 +64,14 @@ class SourceLeads(LinesAround):
                 return say("given.offset", one=one, other=other)
             if kind == "within":
                 return say("given.between", body=one, wall=other)
-            return say("given.approach", one=one, other=other, event=self._naming.called(event))
+            called = self._naming.called(event)
+            if event.wall:
+                unequal = isinstance(line.relation, Relation) and any(
+                    link.sign == "!=" for links in line.relation.options for link in links
+                )
+                name: SentenceId = "given.not-along-wall" if unequal else "given.towards-wall"
+                return say(name, body=one, wall=other, event=called)
+            return say("given.approach", one=one, other=other, event=called)
         return None
 
     def _component_equations(self, line: Line) -> list[lay.Layout]:

@@ -274,10 +274,14 @@ class BoldLetters:
     def leads_into(self, event: Event) -> bool:
         """Whether the axis at a wall is certain to be the direction into it.
 
-        The components along it have to say so: one that is nothing, as after an impact whose
+        A fact says so, or the components along it: one that is nothing, as after an impact whose
         coefficient is 0, says nothing of that.
         """
         axis = Quantity("line_of_centres", (), event.number)
+        coming = self.derivation.fact(" ".join(("approach", str(event.number))))
+        match None if coming is None else coming.relation.only:
+            case (Link(Quantity("along", (_, direction)), ">"),) if direction == axis:
+                return True
         values = _values_of_letters(self.derivation)
         given = inequalities(self.derivation, self.part, lambda side: _value(side, self.roles, {}))
         oracle = Oracle(self.roles, tuple(given))
