@@ -42,7 +42,8 @@ def solved(path: Path) -> Solution:
 
     def checked(solver: Any) -> tuple[str, str]:
         answer, reason = asked(solver)
-        assert not any(word in reason for word in ("timeout", "canceled", "memory")), reason
+        limits = ("timeout", "canceled", "resource", "memory")
+        assert not any(word in reason for word in limits), reason
         return answer, reason
 
     with mock.patch.object(decision, "checked", checked):

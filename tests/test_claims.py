@@ -71,7 +71,6 @@ def test_no_verdict_is_wrong(group: str) -> None:
 
 
 def test_hardly_one_is_undecided() -> None:
-    # On a busy machine a clock ends the search for some more of them, and they are few.
     open_ = [each for group in groups(sample()) for each in of_sample(group)[1]]
     hardly_one_is_open(open_, len(sample()), percent=2)
 

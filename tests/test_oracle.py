@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import subprocess
 import sys
+import time
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ import pytest
 import sympy as sp
 
 from restitution import work
+from restitution.errors import TimeLimitError
 from restitution.language import parse
 from restitution.oracle import (
     All,
@@ -270,6 +272,34 @@ def test_what_has_no_value_leaves_the_signs_of_others() -> None:
     assert program.near_signs({"k": Fraction(2), "u": Fraction(0)}) == [None, 1, -1, None]
 
 
+def test_a_search_ends_by_its_steps_and_not_by_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A machine that is busy decides no less; a limit of time in force ends with its error."""
+    monkeypatch.setattr(decision, "STEPS", 20_000)
+    reasons, checked = [], decision.checked
+
+    def seen(solver: Any) -> tuple[str, str]:
+        time.sleep(0.05)  # as if another had the processor
+        reply = checked(solver)
+        reasons.append((reply, solver.statistics().get_key_value("rlimit count")))
+        return reply
+
+    monkeypatch.setattr(decision, "checked", seen)
+    terms = sp.sin(alpha) * e + sp.sin(beta) * k - e * k * sp.sin(alpha) * sp.cos(beta) * u
+    claim = compared(terms, "<", 1 + 2 * (e * k * sp.cos(beta)) ** 2 + u**2 * k**4 + x**2 * y)
+    claim = Some((claim, compared(y, "<", 1 - u * k * sp.sin(beta))))
+    oracle = Oracle(ROLES, (compared(y, ">=", -u * x**2 * sp.sin(alpha)),))
+    reply, _ = oracle._asked((negation(claim),))
+    assert reply.satisfiable == "unknown"
+    assert len(reasons) == 2
+    assert all("timeout" not in reason for (_, reason), _ in reasons)
+    again = list(reasons)
+    reasons.clear()
+    assert oracle._asked((negation(claim),))[0] == reply
+    assert reasons == again, "as many steps, each time"
+    with work.limited(0.02), pytest.raises(TimeLimitError):
+        oracle._asked((negation(claim),))
+
+
 def _questions(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """What is put to the decision procedure from now on."""
     asked: list[Any] = []
@@ -304,12 +334,17 @@ def test_what_is_remembered_belongs_to_its_facts_and_letters() -> None:
     assert Oracle(ROLES).decide(claim).answer == "refuted"
 
 
-def test_what_is_not_decided_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_not_decided_is_kept_but_for_want_of_memory(monkeypatch: Any) -> None:
     asked = _questions(monkeypatch)
     claim = compared(sp.sin(beta), "<", beta)
     for _ in range(2):
         assert Oracle(ROLES).decide(claim).answer == "undecided"
-    assert len(asked) == 2
+    assert len(asked) == 1
+    full = decision.Reply("unknown", None, "max. memory exceeded")
+    monkeypatch.setattr(decision, "satisfy", lambda *_: asked.append(full) or full)
+    for _ in range(2):
+        assert Oracle(ROLES).decide(compared(sp.sin(beta), "<", 2 * beta)).answer == "undecided"
+    assert asked[1:] == [full, full]
 
 
 def test_a_statement_in_plain_numbers_loads_no_decision_procedure() -> None:

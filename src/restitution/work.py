@@ -105,6 +105,18 @@ def spend(operations: int = 1) -> None:
         limit.spend(operations)
 
 
+def seconds_left() -> float | None:
+    """Seconds until the first clock in force runs out, None without one: for who passes no
+    checkpoints meanwhile.
+    """
+    limit, ends = _CURRENT.get(), []
+    while limit is not None:
+        if limit._end is not None:
+            ends.append(limit._end)
+        limit = limit._outer
+    return min(ends) - time.monotonic() if ends else None
+
+
 def confirm() -> None:
     """Before a result is kept: raise again what a clock has raised, had it been passed over.
 

@@ -18,12 +18,14 @@ from sympy.polys.rings import PolyElement
 
 from restitution.oracle.formula import All, Formula, Relation, Some
 from restitution.oracle.polynomials import Polynomials, TooLargeError
+from restitution.work import seconds_left, spend
 
-MILLISECONDS = 2000
-"""The outer guard of one question; what is too large is not asked at all."""
+STEPS = 1_500_000
+"""The work of one attempt at a question, as Z3 counts it: about half a second where numbers are
+small, and a few where they grow. Three fifths of it are the most that an answer takes in the tests.
 
-STEPS = 2_000_000
-"""The work of a first attempt, as Z3 counts it: about a second where numbers are small."""
+The clock ends an attempt only where a limit of time is in force and over: what is decided is the
+same on every machine. What is too large is not asked at all."""
 
 MOST_GENERATORS = 14
 MOST_DEGREE = 40
@@ -295,10 +297,7 @@ def covers(
     every = z3.Implies(outside, some)
     if rest:
         every = z3.ForAll([question.numbers[name] for name in rest], every)
-    solver = z3.Tactic("nlqsat", ctx=question.context).solver()
-    solver.set("timeout", MILLISECONDS)
-    solver.add(every)
-    answer, _ = checked(solver)
+    answer, _, _ = _answer(z3.Tactic("nlqsat", ctx=question.context), [every])
     return {"sat": "yes", "unsat": "no"}.get(answer, "unknown")  # type: ignore[return-value]
 
 
@@ -307,18 +306,15 @@ def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[s
 
     question = _Question(world, used, scale, _joined(world, used, tree))
     formulas = [*question.definitions(used, used), question.statement(tree)]
-    # The decision procedure itself takes half as long as what stands around it in Z3, which finds
-    # more where there is much to decide.
-    solver = z3.Tactic("qfnra-nlsat", ctx=question.context).solver()
-    solver.set("rlimit", STEPS)
-    solver.set("timeout", MILLISECONDS // 2)
-    solver.add(*formulas)
-    answer, reason = checked(solver)
-    if answer == "unknown":
-        solver = z3.SolverFor("QF_NRA", ctx=question.context)
-        solver.set("timeout", MILLISECONDS)
-        solver.add(*formulas)
-        answer, reason = checked(solver)
+    # The decision procedure itself takes half as long as with what Z3 does before it elsewhere,
+    # which finds more where there is much to decide.
+    own = z3.Tactic("qfnra-nlsat", ctx=question.context)
+    before = [z3.Tactic(name, ctx=question.context) for name in ("simplify", "propagate-values")]
+    inlined = z3.With(own, inline_vars=True)
+    for tactic in (own, z3.Then(*before, inlined, ctx=question.context)):
+        answer, reason, solver = _answer(tactic, formulas)
+        if answer != "unknown":
+            break
     if answer == "unsat":
         return Reply("no")
     if answer != "sat":
@@ -329,6 +325,20 @@ def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[s
         for name, number in question.numbers.items()
     }
     return Reply("yes", values)
+
+
+def _answer(tactic: Any, formulas: Sequence[Any]) -> tuple[str, str, Any]:
+    """What a tactic makes of formulas, why it does not know, and its solver, which has a model."""
+    solver = tactic.solver()
+    solver.set("rlimit", STEPS)
+    left = seconds_left()
+    if left is not None:
+        solver.set("timeout", 1 + max(0, int(1000 * left)))
+    solver.add(*formulas)
+    answer, reason = checked(solver)
+    # Had the clock ended it, this raises its error.
+    spend(0)
+    return answer, reason, solver
 
 
 def checked(solver: Any) -> tuple[str, str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property, lru_cache
@@ -187,8 +187,6 @@ class Oracle:
             answer = decision.covers(world, prepared[:-1], prepared[-1], free)
         except (TooLargeError, BeyondError):
             answer = "unknown"
-        if answer == "unknown":
-            _OPEN.count = broken_off() + 1
         if answer == "yes" and not world.loose:
             return Verdict("proved", "decision")
         return Verdict("undecided", "undecided")
@@ -336,7 +334,7 @@ class Oracle:
             world = Polynomials([sine_of_share(value, self.roles) for value in values], self.roles)
             prepared = [with_sines(each, self.roles) for each in formulas]
             reply = decision.satisfy(world, prepared)
-            if reply.satisfiable == "unknown" and reply is not decision.UNKNOWN:
+            if "memory" in reply.reason:
                 _OPEN.count = broken_off() + 1
             return reply, world
         except (TooLargeError, BeyondError):
@@ -413,7 +411,7 @@ _Known = tuple[tuple[tuple[str, Role | None], ...], tuple[Formula, ...]]
 
 
 class _OpenError(Exception):
-    """A verdict that is not kept: where nothing is decided, a clock may have ended the search."""
+    """A verdict that is not kept: the memory of this process has ended the search."""
 
     def __init__(self, verdict: Verdict) -> None:
         self.verdict = verdict
@@ -426,39 +424,41 @@ def _oracle(known: _Known) -> Oracle:
 
 @remembered(2048)
 def _decided(known: _Known, claim: Formula) -> Verdict:
-    return _kept(_oracle(known)._decide(claim))
+    return _kept(_oracle(known), lambda own: own._decide(claim))
 
 
 @remembered(2048)
 def _proved(known: _Known, claim: Formula) -> Verdict:
     oracle = _oracle(known)
     oracle._plain = False
-    return _kept(oracle._decide(claim))
+    return _kept(oracle, lambda own: own._decide(claim))
 
 
 @remembered(512)
 def _decided_some(known: _Known, claim: Formula, free: frozenset[str]) -> Verdict:
-    return _kept(_oracle(known)._decide_some(claim, free))
+    return _kept(_oracle(known), lambda own: own._decide_some(claim, free))
 
 
 @remembered(512)
 def _possible(known: _Known) -> Verdict:
-    return _kept(_oracle(known)._satisfied())
+    return _kept(_oracle(known), lambda own: own._satisfied())
 
 
 _OPEN = local()
 
 
 def broken_off() -> int:
-    """How many questions the decision procedure has given up in this thread so far.
+    """How many questions have been given up in this thread so far for want of memory.
 
-    A clock may have ended them: what follows from that may be another time's proof.
+    That is shared by all of a process: what follows may be another time's proof.
     """
     return int(getattr(_OPEN, "count", 0))
 
 
-def _kept(verdict: Verdict) -> Verdict:
-    if verdict.answer == "undecided":
+def _kept(oracle: Oracle, decide: Callable[[Oracle], Verdict]) -> Verdict:
+    before = broken_off()
+    verdict = decide(oracle)
+    if verdict.answer == "undecided" and broken_off() != before:
         raise _OpenError(verdict)
     return verdict
 

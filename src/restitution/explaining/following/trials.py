@@ -111,7 +111,7 @@ class Trial:
 
 
 class _OpenError(Exception):
-    """A reading that is not kept: a clock may have ended the search for what it rests on."""
+    """A reading that is not kept: memory ran out in the search for what it rests on."""
 
     def __init__(self, right: bool | None) -> None:
         self.right = right
