@@ -65,7 +65,8 @@ def test_a_coefficient_that_is_too_large_is_worked_out() -> None:
     assert [each.item for each in derivation.items] == ["2"]
     assert list(derivation.asked) == ["1", "2"]
     told = printed(solution)
-    assert "e = 3/2 is impossible, as a coefficient of restitution is at most 1." in told
+    reason = "e = 3/2 is impossible, as a coefficient of restitution is at most 1."
+    assert f"{reason} So no value of e is possible. What follows does not rest on e." in told
     assert "𝐯_A = (𝐢 + 3𝐣) m s⁻¹" in told
 
 
@@ -84,8 +85,9 @@ def test_what_rests_on_an_impossible_coefficient_names_it() -> None:
     solution, derivation = planned(text)
     assert [each.item for each in derivation.notes] == ["1", "2"]
     assert (
-        "e = 3√6/2 is impossible, as a coefficient of restitution is at most 1. The speed of P "
-        "immediately after the impact with V cannot be found either, as there is no such impact."
+        "e = 3√6/2 is impossible, as a coefficient of restitution is at most 1. So no value of e is "
+        "possible. The speed of P immediately after the impact with V cannot be found either, as "
+        "there is no such impact."
     ) in printed(solution)
 
 

@@ -179,7 +179,8 @@ class Notes:
             if self._goes_on(note):
                 rests = self._rests(note)
                 more = say("note.rests-on") if rests else say("note.goes-on", letter=after)
-            return say("note.above-one" if over else "note.below-zero", value=equation, more=more)
+            name = "note.above-one" if over else "note.below-zero"
+            return say(name, value=equation, letter=after, more=more)
         if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
             return say("note.none-either", items=items)
         if isinstance(value, int):

@@ -876,11 +876,15 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{items:capital} cannot be found, as a coefficient of restitution is not negative, and not "
         "{value}."
     ),
-    "note.above-one": "{value} is impossible, as a coefficient of restitution is at most 1.{more}",
+    "note.above-one": (
+        "{value} is impossible, as a coefficient of restitution is at most 1. So no value of "
+        "{letter} is possible.{more}"
+    ),
     "note.goes-on": " What follows does not rest on {letter}.",
     "note.rests-on": " What follows is implied by what is given all the same.",
     "note.below-zero": (
-        "{value} is impossible, as a coefficient of restitution is not negative.{more}"
+        "{value} is impossible, as a coefficient of restitution is not negative. So no value of "
+        "{letter} is possible.{more}"
     ),
     "note.none-above-one": (
         "{items:capital} cannot be found, as {value} is impossible: a coefficient of restitution "
