@@ -183,6 +183,12 @@ find velocity(A)
     assert "their y-coordinates are never equal" in printed(solve(parse(text.format(3, 1))))
 
 
+def test_what_is_open_beside_an_item_is_not_known_either() -> None:
+    text = WALL.format(mass="", e="").replace(": along i", "")
+    words = printed(solve(parse(text + "given speed(P) = 4\nfind e, direction(W)")))
+    assert "too little is given: e is not known either." in words
+
+
 def changed(relation: Relation | Meaning) -> Relation:
     """A line that says twice as much as it should."""
     assert isinstance(relation, Relation)

@@ -39,10 +39,12 @@ def too_many(phrases: Iterable[str]) -> MissingError:
 def is_open(called: str, beside: Iterable[str] = ()) -> MissingError:
     """The error that the facts do not fix ``called``, nor what stands ``beside`` it."""
     named = list(dict.fromkeys(beside))
-    because = f" while {_listed(named)} {'are' if named[1:] else 'is'} open too" if named else ""
+    verb = "are" if named[1:] else "is"
+    beside_it = f" while {_listed(named)} {verb} open too" if named else ""
     error = MissingError(
-        f"{called} is not fixed by what is given{because}{_written([called, *named])}"
+        f"{called} is not fixed by what is given{beside_it}{_written([called, *named])}"
     )
+    because = f": {_listed(named)} {verb} not known either" if named else ""
     error.because = f"too little is given{because}"
     return error
 
