@@ -748,6 +748,24 @@ def test_a_value_that_is_only_said_again_has_one_mark() -> None:
     assert [line_of(derivation, each) for each in (5, 15)] == ["DM1 A1", "A1"]
 
 
+def test_a_part_of_several_lines_has_a_method() -> None:
+    """What goes on from tan²α = (3e − 1)/4 is no value that is read off."""
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+given velocity(A) perpendicular to velocity(A, 0)
+part a
+show tan^2(alpha) = (3e - 1)/4
+part b
+given e = 2/3
+find alpha
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    own = [each for each in derivation.lines if derivation.asked[each.item or ""] == "b"]
+    assert [written(each.marks) for each in own if each.marks] == ["M1", "A1"]
+
+
 def test_the_other_of_two_values_does_not_follow_through() -> None:
     text = """
 sphere A: mass 2, velocity 3i - 4j

@@ -5,8 +5,9 @@ how the working was found nor how it is printed. `RULES` is the table, tried fro
 that fits a line says what it earns, in each style. Then, part by part:
 
 - An item's last line has an A1, or a B1 where nothing of the part has been earned above it, or the
-  line is read off the data; where the statement prints the result an A1*, which never follows
-  through. What the data give outright earns nothing where something else does.
+  line is read off the data; where nothing else of a part earns and it has several lines, its first
+  one is M1. Where the statement prints the result it is an A1*, which never follows through. What
+  the data give outright earns nothing where something else does.
 - Of three or more methods one below the other every second one is A1, if its line has a value; in
   place of a formula that is quoted, the value above it has the A1.
 - One kind of point stands once on a line: M1 A1 and another A1 are M1 A1. Two roots that are both
@@ -195,7 +196,30 @@ class _Awarding:
                             points[each.number] = []
             if points[line.number]:
                 earned.add(self.part(line))
+        self._with_a_method(points)
         return self._settled(points)
+
+    def _with_a_method(self, points: dict[int, list[str]]) -> None:
+        """A method for the first line of a part of which nothing but its one answer has earned.
+
+        A value that is read off in one line has its B1 alone.
+        """
+        for part in dict.fromkeys(self.parts.values()):
+            own = [each for each in self.derivation.lines if self.part(each) == part]
+            marked = [each for each in own if points[each.number]]
+            if len(marked) != 1 or points[marked[0].number] != ["A"]:
+                continue
+            under = lines_under(self.derivation, marked[0].number)
+            steps = [
+                each
+                for each in own
+                if each.number in under
+                and each.shown != "silent"
+                and isinstance(each.relation, Relation)
+                and any(self.cited(each))
+            ]
+            if len(steps) > 1:
+                points[steps[0].number].append("M")
 
     def _award_above(self, end: Line, points: dict[int, list[str]]) -> None:
         """The mark of an item that a fact gives goes to the line that had it in letters."""
