@@ -20,6 +20,8 @@ from restitution.exact import (
     tidy,
     tidy_angle,
 )
+from restitution.exact.surds import worked_out
+from restitution.exact.symbols import multiple_of_a_symbol
 
 u, v, w, m, M, k, g, h, a, b, m_1, m_2 = symbols("u v w m M k g h a b m_1 m_2", positive=True)
 e, e_1, e_2 = symbols("e e_1 e_2", nonnegative=True)
@@ -437,3 +439,18 @@ def test_a_minus_goes_into_a_factor_that_has_one() -> None:
     w = Symbol("w", real=True)
     assert str(tidy(-5 * (w - 5) * (w + 1))) == "5*(5 - w)*(w + 1)"
     assert str(tidy(-5 * w * (w + 1))) == "-5*w*(w + 1)"
+
+
+def test_a_sum_is_no_multiple_of_a_symbol() -> None:
+    assert multiple_of_a_symbol(sqrt(3) * u / 2) == (sqrt(3) / 2, u)
+    assert multiple_of_a_symbol(sqrt(3)) == (sqrt(3), None)
+    assert multiple_of_a_symbol(12345 + u) is None  # it is not 12345u
+    assert multiple_of_a_symbol(3 * u * v) is multiple_of_a_symbol(u**2) is None
+
+
+def test_a_number_of_roots_is_worked_out_in_floats() -> None:
+    exact = Q(2, 3) - sqrt(2 + sqrt(3)) / 5 + 2 ** Q(-3, 4)
+    assert worked_out(exact, float, math.sqrt) == pytest.approx(float(exact))
+    for other in (pi, 2 ** Q(1, 3)):
+        with pytest.raises(TypeError):
+            worked_out(other, float, math.sqrt)

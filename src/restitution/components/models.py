@@ -26,7 +26,7 @@ from restitution.components.verdicts import (
     renamed_formula,
 )
 from restitution.exact import is_zero, tidy
-from restitution.exact.symbols import symbols_in
+from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.tree import (
     Expression,
@@ -333,7 +333,7 @@ class Model:
         gap = self.in_data(one) - self.in_data(other)
         if gap == 0:
             return False
-        names = frozenset(symbol.name for symbol in gap.free_symbols)
+        names = symbol_names(gap)
         points = [numbers for _, numbers in self._points(names)]
         for point in (*self.witnesses(one, other), *points):
             with contextlib.suppress(UndefinedError, KeyError, ArithmeticError):
@@ -344,7 +344,7 @@ class Model:
     def identically_zero(self, x: sp.Expr) -> bool:
         """Whether an expression is proved to vanish whatever its letters and unknowns are."""
         rng = random.Random(41)
-        names = sorted({s.name for s in x.free_symbols} & set(self.sample))
+        names = sorted(symbol_names(x) & set(self.sample))
         for _ in range(2):
             point = {
                 name: self.sample[name] * (1 + rng.random()) + rng.random() / 16 for name in names

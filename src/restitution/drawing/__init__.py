@@ -126,8 +126,10 @@ def _before(solution: Solution, part: PartSolution) -> Scene | None:
     return None
 
 
-def _letters(vectors: Iterable[Vector]) -> set[str]:
-    return {symbol.name for v in vectors for x in v for symbol in x.free_symbols}
+def _letters(vectors: Iterable[Vector]) -> frozenset[str]:
+    from restitution.exact.symbols import symbol_names
+
+    return symbol_names(*(component for vector in vectors for component in vector))
 
 
 def _says_more(solution: Solution, part: PartSolution) -> bool:

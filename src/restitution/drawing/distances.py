@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from restitution.errors import RestitutionError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.tree import Name
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
@@ -92,12 +93,12 @@ def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
 def _layout(size: Any, branch: Branch) -> Layout | None:
     """A length as people write it, if it is short."""
     value = plain(size, [branch.sample])
-    if any(symbol.name.startswith("_") for symbol in value.free_symbols):
+    if any(name.startswith("_") for name in symbol_names(value)):
         return None
     layout = lay.from_sympy(value)
     if len(to_text(layout)) > _SHORT:
         return None
-    return layout if value.free_symbols else lay.Phrase((layout, lay.Words("m")))
+    return layout if symbol_names(value) else lay.Phrase((layout, lay.Words("m")))
 
 
 def _alike(one: Distance, start: Vector, end: Vector) -> bool:

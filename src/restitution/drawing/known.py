@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 
 from restitution.drawing.sayings import Sayings, has_letters
 from restitution.errors import RestitutionError
+from restitution.exact.simplicity import operations
+from restitution.exact.symbols import multiple_of_a_symbol, symbol_names
 from restitution.expression.tree import Letter as TreeLetter
 from restitution.render import layout as lay
 from restitution.render.layout import Degrees, Layout, Number, Words
@@ -55,20 +57,22 @@ class Known:
         try:
             story = self.branch.story
             velocity = story.velocity(body, after)
-            if sum(x.count_ops() for x in velocity) > _LONG:
+            if sum(map(operations, velocity)) > _LONG:
                 return None
             value = plain(story.size(velocity), [self.branch.sample])
         except (RestitutionError, ArithmeticError):
             return None
-        if any(symbol.name.startswith("_") for symbol in value.free_symbols):
+        names = symbol_names(value)
+        if any(name.startswith("_") for name in names):
             return None
         layout = lay.from_sympy(value)
-        if value.free_symbols:
+        if names:
             if not is_short(value):  # 0.634u, where its exact form is long
-                number, rest = value.as_independent(*value.free_symbols)
-                if not rest.is_Symbol:
+                multiple = multiple_of_a_symbol(value)
+                if multiple is None:
                     return None
-                layout = lay.product(lay.decimal_number(number), lay.from_sympy(rest))
+                number, letter = multiple
+                layout = lay.product(lay.decimal_number(number), lay.from_sympy(letter))
             return layout if len(to_text(layout)) <= _SHORT else None
         if len(to_text(layout)) > 4:
             layout = lay.decimal_number(value)

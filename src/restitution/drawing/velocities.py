@@ -23,6 +23,7 @@ from restitution.drawing.geometry import sides_towards
 from restitution.drawing.sayings import has_letters
 from restitution.drawing.scene import Arrow, Label, RightAngle
 from restitution.exact import tidy
+from restitution.exact.symbols import multiple_of_a_symbol, substituted, symbol_names, symbols_in
 from restitution.expression.tree import Letter
 from restitution.problem import Impact, Let
 from restitution.render import layout as lay
@@ -272,7 +273,7 @@ def _components(view: View, body: Body, when: When) -> tuple[Any, Any]:
         along = model.components[number, name].symbol
         if view.kind == "wall" and (step.e is None or isinstance(step.e, Letter)):
             e = model.happening(number).e
-            along = rebound if e.free_symbols and _layout(rebound) is not None else along
+            along = rebound if symbol_names(e) and _layout(rebound) is not None else along
     return _in_letters(view, _by_now(view, along)), _in_letters(view, _by_now(view, across))
 
 
@@ -298,13 +299,14 @@ def _in_letters(view: View, x: Any) -> Any:
     own = {each.symbol: each for each in model.components.values()}
     given = {step.letter for _, step in model.problem.steps() if isinstance(step, Let)}
     known = given if view.letters is None else given | {*view.letters.values()}
+    present = symbols_in(x)
     foreign = {
         symbol: component.value
         for symbol, component in own.items()
-        if symbol in x.free_symbols and symbol.name not in known
+        if symbol in present and symbol.name not in known
         if view.letters is not None or model.frames[component.number].wall is not None
     }
-    return tidy(x.xreplace(foreign)) if foreign else x
+    return tidy(substituted(x, foreign)) if foreign else x
 
 
 def _by_now(view: View, x: Any) -> Any:
@@ -314,10 +316,10 @@ def _by_now(view: View, x: Any) -> Any:
         for (number, _), component in view.motion.model.components.items()
         if number < view.number
     }
-    earlier = x.free_symbols & set(components)
+    earlier = symbols_in(x) & set(components)
     if not earlier or x in earlier or -x in earlier:
         return x
-    value = tidy(x.xreplace(components))
+    value = tidy(substituted(x, components))
     return x if _layout(value) is None else value
 
 
@@ -337,7 +339,7 @@ def _is_hidden(view: View, x: Any) -> bool:
 
 
 def _layout(x: Any) -> Layout | None:
-    if any(not symbol.name[:1].isalpha() for symbol in x.free_symbols):
+    if any(not name[:1].isalpha() for name in symbol_names(x)):
         return None  # what has no letter, such as a radius that is not given
     if not is_short(x):
         return _decimal_size(x)
@@ -350,11 +352,14 @@ def _layout(x: Any) -> Layout | None:
 
 def _decimal_size(x: Any) -> Layout | None:
     """The size of a multiple of a positive letter of which the exact form is long: ``0.634u``."""
-    number, rest = x.as_independent(*x.free_symbols)
-    if not number.is_number or not (rest == 1 or (rest.is_Symbol and rest.is_positive)):
+    multiple = multiple_of_a_symbol(x)
+    if multiple is None:
         return None
+    number, letter = multiple
     size = lay.decimal_number(abs(number))
-    return size if rest == 1 else lay.product(size, lay.from_sympy(rest))
+    if letter is None:
+        return size
+    return lay.product(size, lay.from_sympy(letter)) if letter.is_positive else None
 
 
 def _directed(

@@ -49,6 +49,11 @@ def node_count(expression: sympy.Basic, limit: int) -> int:
     return count
 
 
+def operations(value: sympy.Basic) -> int:
+    """The number of operations of an expression."""
+    return int(sympy.count_ops(value))
+
+
 def terms_multiplied_out(value: Expr) -> float:
     """At most how many terms an expression has when brought over one denominator."""
     above, below = _spread(value)

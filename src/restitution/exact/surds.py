@@ -8,9 +8,10 @@ rational. SymPy's ``radsimp`` does the same for any expression, at a hundred tim
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
-from math import gcd, isqrt
+from math import gcd, isqrt, prod
+from typing import Any
 
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S
@@ -53,6 +54,30 @@ def root_is_nested(value: Expr) -> bool:
     a, b, d = number[1], number[max(number)], max(number)
     square = a * a - b * b * d
     return square < 0 or any(isqrt(x) ** 2 != x for x in (square.numerator, square.denominator))
+
+
+def worked_out(value: Expr, number: Callable[[Fraction], Any], root: Callable[[Any], Any]) -> Any:
+    """A number made of rationals and square roots, in another arithmetic.
+
+    ``number`` makes a rational there, and ``root`` a square root. Raises TypeError for any other
+    number.
+    """
+    if value.is_Rational:
+        return number(Fraction(int(value.p), int(value.q)))
+    if value.is_Add or value.is_Mul:
+        first, *others = (worked_out(part, number, root) for part in value.args)
+        for other in others:
+            first = first + other if value.is_Add else first * other
+        return first
+    if not (value.is_Pow and value.exp.is_Rational):
+        raise TypeError(value)
+    base, index = worked_out(value.base, number, root), int(value.exp.q)
+    while index % 2 == 0:
+        base, index = root(base), index // 2
+    if index != 1:
+        raise TypeError(value)
+    power = prod([base] * abs(int(value.exp.p)), start=number(Fraction(1)))
+    return power if value.exp.p > 0 else number(Fraction(1)) / power
 
 
 def _surds(value: Expr) -> Surds:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 
 import sympy as sp
@@ -13,4 +14,25 @@ def symbols_in(value: sp.Basic) -> frozenset[sp.Symbol]:
     return frozenset(value.free_symbols)
 
 
-__all__ = ["symbols_in"]
+def symbol_names(*values: sp.Basic) -> frozenset[str]:
+    """The names of the symbols in expressions."""
+    return frozenset(symbol.name for value in values for symbol in value.free_symbols)
+
+
+def substituted(value: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """An expression with values for symbols, in the form that this gives."""
+    return value.xreplace(values)
+
+
+def multiple_of_a_symbol(value: sp.Expr) -> tuple[sp.Expr, sp.Symbol | None] | None:
+    """The number and the symbol of a multiple of one symbol; a number has no symbol.
+
+    None of every other expression.
+    """
+    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    if not (rest == 1 or rest.is_Symbol):
+        return None
+    return number, None if rest == 1 else rest
+
+
+__all__ = ["multiple_of_a_symbol", "substituted", "symbol_names", "symbols_in"]

@@ -19,6 +19,7 @@ import sympy as sp
 
 from restitution.errors import StatementError
 from restitution.exact.degrees import cosine, sine, turns_of
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import PI, Enclosed
 from restitution.expression.tree import (
     Apply,
@@ -477,7 +478,7 @@ def letters_of_vector(tree: Expression) -> tuple[frozenset[str], frozenset[str]]
         if rest.is_Symbol and other != 0 and not other.has(rest):
             components.add(rest.name)
         else:
-            sizes.update(symbol.name for symbol in one.free_symbols)
+            sizes.update(symbol_names(one))
     return frozenset(sizes), frozenset(components)
 
 

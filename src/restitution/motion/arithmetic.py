@@ -137,8 +137,10 @@ class ExactNumbers:
     def number(self, value: Any, what: str) -> Any:
         number = given(value, what)
         if hasattr(number, "free_symbols"):
+            from restitution.exact.surds import worked_out
+
             try:
-                return self._translated(number)
+                return worked_out(number, Fraction, self.root)
             except (ArithmeticError, TypeError):
                 raise UnsupportedError(
                     f"{what} is {number}: an exact motion takes rational numbers and square roots"
@@ -149,25 +151,6 @@ class ExactNumbers:
             f'{what} is the float {number}: an exact motion takes text, as in "0.1", whole '
             "numbers, fractions or exact numbers of SymPy"
         )
-
-    def _translated(self, x: Any) -> Any:
-        """An exact number of SymPy's, by what it says of itself."""
-        if x.is_Rational:
-            return Fraction(int(x.p), int(x.q))
-        if x.is_Add or x.is_Mul:
-            first, *others = map(self._translated, x.args)
-            for other in others:
-                first = first + other if x.is_Add else first * other
-            return first
-        if not (x.is_Pow and x.exp.is_Rational):
-            raise TypeError(x)
-        base, times = self._translated(x.base), int(x.exp.q)
-        while times % 2 == 0:
-            base, times = self.root(base), times // 2
-        if times != 1:
-            raise TypeError(x)
-        power = math.prod([base] * abs(int(x.exp.p)), start=Fraction(1))
-        return power if x.exp.p > 0 else Fraction(1) / power
 
     def root(self, x: Any) -> Any:
         return _within_reason(self.tower.sqrt, x)

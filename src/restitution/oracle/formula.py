@@ -8,6 +8,8 @@ from typing import Literal
 
 import sympy as sp
 
+from restitution.exact.symbols import symbol_names
+
 Operator = Literal["=", "!=", ">", ">="]
 
 
@@ -86,6 +88,4 @@ def relations(formula: Formula) -> Iterator[Relation]:
 
 def letters_of(formula: Formula) -> frozenset[str]:
     """The names of the letters in a formula."""
-    return frozenset(
-        symbol.name for each in relations(formula) for symbol in each.value.free_symbols
-    )
+    return symbol_names(*(relation.value for relation in relations(formula)))

@@ -17,6 +17,7 @@ from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import ContradictionError, RestitutionError
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import facts_of, links_of
 from restitution.explaining.lines.derivation import (
     FLIPPED,
@@ -396,7 +397,7 @@ def _across(scene: Scene, solver: Solver, claim: Relation) -> Iterator[Ref]:
         if stage in scene.model.frames:
             frame = scene.frame(stage)
             source = after(scene, "across", body, frame)
-            names = {each.name for each in source.value.free_symbols}
+            names = symbol_names(source.value)
             yield from (*source.refs, *frame.refs, *background(scene, names))
 
 

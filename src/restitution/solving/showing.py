@@ -15,6 +15,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import UnsupportedError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator, evaluate
 from restitution.expression.quantities import ANGLES
@@ -288,7 +289,7 @@ def _counterexample(
         if not name.startswith("_"):
             there = value.xreplace({s: put[s.name] for s in value.free_symbols if s.name in put})
             shown[name] = exact.tidy_angle(there) if there.has(sp.atan) else exact.tidy(there)
-            matters |= {s.name for s in value.free_symbols} if name in matters else set()
+            matters |= symbol_names(value) if name in matters else set()
     used = _used(results, outcome) & matters
     return {name: exact.sympy_text(shown[name]) for name in sorted(shown) if name in used}
 
@@ -323,19 +324,14 @@ def _matters(claim: Said, formula: Formula) -> set[str]:
     return names
 
 
-def _deciding(value: sp.Expr) -> set[str]:
+def _deciding(value: sp.Expr) -> frozenset[str]:
     """The letters on which it depends whether a value is 0, or which sign it has."""
     if sp.count_ops(value) > LONG:
-        return {s.name for s in value.free_symbols}
+        return symbol_names(value)
     parts = [
         each for side in sp.fraction(sp.factor(neat(value))) for each in sp.Mul.make_args(side)
     ]
-    return {
-        s.name
-        for each in parts
-        if not (each.is_positive or each.is_negative)
-        for s in each.free_symbols
-    }
+    return symbol_names(*(part for part in parts if not (part.is_positive or part.is_negative)))
 
 
 def _used(results: Results, outcome: Outcome) -> set[str]:
@@ -396,7 +392,7 @@ def _show_set_or_extremum(results: Results, step: Show, now: int, line: int | No
 def _is_in(result: ItemResult, names: set[str]) -> bool:
     """Whether a range has no other letters in it."""
     return all(
-        {symbol.name for symbol in answer.value.free_symbols} <= names
+        symbol_names(answer.value) <= names
         for answer in result.answers
         if isinstance(answer.value, sp.Set)
     )

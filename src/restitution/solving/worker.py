@@ -21,6 +21,7 @@ from restitution.errors import (
     StatementError,
     UnsupportedError,
 )
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
@@ -569,7 +570,7 @@ class Worker:
     ) -> None:
         """Everything in an answer must be data."""
         parts = value if isinstance(value, tuple) else (value,)
-        present = {s.name for part in parts for s in part.free_symbols}
+        present = symbol_names(*parts)
         hidden = sorted(name for name in present if name.startswith("_"))
         if hidden:
             raise missing_for(item, branch, hidden)
@@ -579,9 +580,7 @@ class Worker:
             loose = present & outcome.setting.asked
             if unsolved == own or loose:
                 name = min(loose or own)
-                tied = [
-                    {key, *(s.name for s in x.free_symbols)} for key, x in branch.values.items()
-                ]
+                tied = [{key, *symbol_names(x)} for key, x in branch.values.items()]
                 beside = sorted(set().union(*(each for each in tied if name in each)))
                 beside = [phrase_of(branch, each) for each in beside if each.startswith("_")]
                 raise missing.is_open(name, beside)

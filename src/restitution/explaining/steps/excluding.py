@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.lines.derivation import Link, Meaning, Note, Relation
 from restitution.explaining.lines.quotients import NotComparableError, Plane
@@ -89,7 +90,7 @@ def _is_refuted(step: Step, links: tuple[Link, ...]) -> bool:
         parts = (value.x, value.y) if isinstance(value, Plane) else (value,)
         for part in parts:
             gap = step.world.expression(part, step.roles)
-            plain = {symbol.name for symbol in gap.free_symbols} <= step.roles.keys()
+            plain = symbol_names(gap) <= step.roles.keys()
             if plain and oracle.proves(negation(compared(gap, link.sign, zero))):
                 return True
     return False

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Ref
 from restitution.expression.tree import (
     Apply,
@@ -50,7 +51,7 @@ def write_tangents(scene: Scene, link: Link) -> tuple[dict[Expression, Expressio
                 left = node if named is None else Apply("tan", Letter(named[0]))
                 pool = together(own.refs, () if named is None else (named[1],))
                 relation = chain(left, (swept(own.right), None), (final, "rearrange"))
-                known = background(scene, {symbol.name for symbol in own.value.free_symbols})
+                known = background(scene, symbol_names(own.value))
                 premises = scene.judge.enough(own.move, pool, relation, known)
                 if premises is None:
                     raise NotPlannedError("to which side a sphere turns is open")

@@ -7,6 +7,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
     Apply,
@@ -162,7 +163,7 @@ def write_given_cosine(scene: Scene, given: GivenEquation, asked: Quantity) -> i
     relation = chain(left, *steps)  # type: ignore[arg-type]
     move = Move("define", "scalar-angle", _event(pair), _bodies(pair))
     pool = together(given.refs, more, refs, *(each for _, _, each in sizes))
-    names = {symbol.name for symbol in value.free_symbols}
+    names = symbol_names(value)
     premises = scene.judge.enough(move, pool, relation, background(scene, names))
     return None if premises is None else scene.desk.write(move, premises, relation)
 

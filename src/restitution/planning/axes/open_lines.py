@@ -14,6 +14,7 @@ from functools import partial
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, Showing
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit
@@ -289,7 +290,7 @@ def _by_speed(
         roots = Relation(tuple(chain(subject, (tree_of(x), None)).only for x in (value, -value)))
         both = scene.desk.write(Move("roots"), (squared,), roots)
         kept = chain(subject, (tree_of(value), None))
-        names = {x.name for x in residual(scene, law).free_symbols}
+        names = symbol_names(residual(scene, law))
         left = scene.judge.enough(Move("reject"), (both, law), kept, background(scene, names))
         if left is None:
             raise NotPlannedError("a sense that the law does not exclude")

@@ -13,6 +13,7 @@ from itertools import permutations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -131,7 +132,7 @@ def _with_plain_squares(scene: Scene, line: int) -> int:
     left, right = (rebuilt(each, plain) for each in (link.left, link.right))
     if (left, right) == (link.left, link.right):
         return line
-    names = {each.name for each in residual(scene, line).free_symbols}
+    names = symbol_names(residual(scene, line))
     relation = chain(left, (right, None))
     refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
     return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
@@ -156,7 +157,7 @@ def _across(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
             (far.left, far.right) if isinstance(far, Binary) and far.op == "/" else (far, ONE)
         )
         relation = chain(product(top, below), (product(bottom, above), None))
-        names = {each.name for each in residual(scene, line).free_symbols}
+        names = symbol_names(residual(scene, line))
         refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
         return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
     return line
@@ -194,7 +195,7 @@ def _squares_cleared(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> i
         trees.append(product(tree_of(tidy(factor**2)), whole) if factor**2 != 1 else whole)
     left, right = (_total(trees[: len(sides[0])]), _total(trees[len(sides[0]) :]))
     relation = chain(left, (right, None))
-    names = {each.name for each in residual(scene, line).free_symbols}
+    names = symbol_names(residual(scene, line))
     refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
     return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
@@ -73,9 +74,9 @@ def rejected(
     laws = _laws(scene, symbol) if component else ()
     names = {symbol.name}
     for each in kept:
-        names |= {x.name for x in each.free_symbols}
+        names |= symbol_names(each)
     for ref in laws:
-        names |= {x.name for x in residual(scene, ref).free_symbols}  # type: ignore[arg-type]
+        names |= symbol_names(residual(scene, ref))  # type: ignore[arg-type]
     rest = [each for each in background(scene, names) if each not in own]
     for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
         if scene.judge.follows(move, (line, *premises), relation):

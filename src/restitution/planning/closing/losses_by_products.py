@@ -10,6 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Binary, Expression, Letter, Quantity
 from restitution.planning.closing.excluded_roots import written_law
@@ -143,7 +144,7 @@ class _Loss:
     def _written(
         self, moves: tuple[Move, ...], refs: tuple[Ref, ...], relation: Relation
     ) -> int | None:
-        names = {s.name for s in self.scene.scalar(relation.only[-1].right).free_symbols}
+        names = symbol_names(self.scene.scalar(relation.only[-1].right))
         return self.scene.judge.write(
             moves, (*refs, *background(self.scene, names)), relation, refs
         )

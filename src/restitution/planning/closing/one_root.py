@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import Apply, Letter
 from restitution.expression.writing import write_expression
@@ -70,7 +71,7 @@ def _shortened(scene: Scene, number: int) -> int:
 
 
 def _rewritten(scene: Scene, number: int, relation: object) -> int | None:
-    names = {symbol.name for symbol in residual(scene, number).free_symbols}
+    names = symbol_names(residual(scene, number))
     known: tuple[Ref, ...] = (*background(scene, names), *_given(scene, names))
     for move in (Move("rearrange"), Move("cancel")):
         refs = scene.judge.enough(move, (number,), relation, known)  # type: ignore[arg-type]
@@ -79,7 +80,7 @@ def _rewritten(scene: Scene, number: int, relation: object) -> int | None:
     return None
 
 
-def _given(scene: Scene, names: set[str]) -> tuple[Ref, ...]:
+def _given(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
     return tuple(each for each in scene.judge.known(names) if each in scene.facts)
 
 

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.explaining.lines.trees import statement_of
 from restitution.expression.tree import Apply, Binary, Expression, Letter
@@ -50,7 +51,7 @@ def _above(scene: Scene, line: int) -> sp.Expr:
 
 
 def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
-    names = {each.name for line in lines for each in residual(scene, line).free_symbols}
+    names = symbol_names(*(residual(scene, line) for line in lines))
     facts = (each for each in scene.judge.known(names) if each in scene.facts)
     return (*background(scene, names), *facts)
 

@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
@@ -268,7 +269,7 @@ def _by_its_tangent(
 
 
 def _background(scene: Scene, line: int) -> tuple[Any, ...]:
-    return background(scene, {symbol.name for symbol in residual(scene, line).free_symbols})
+    return background(scene, symbol_names(residual(scene, line)))
 
 
 def even(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:

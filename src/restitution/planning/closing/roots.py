@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
@@ -108,7 +109,7 @@ def by_roots(
         parts = [base for base, _ in factors] if len(factors) > 1 else [sp.Pow(*factors[0])]
         number = _in_factors(scene, number, parts, generator, subject)
     alternatives = Relation(tuple(option(subject, root) for root in roots))
-    names = {each.name for each in above.free_symbols}
+    names = symbol_names(above)
     known = background(scene, names)
     signed = None if sides is None else _but_for_sign(scene, number, sides, roots, symbol)
     move = Move("roots" if signed is None else "rearrange")
@@ -158,7 +159,7 @@ def _but_for_sign(
     relation = Relation(
         tuple((Link(left, "=", right if each == other else negative(right)),) for each in ends)
     )
-    known = background(scene, {each.name for each in residual(scene, number).free_symbols})
+    known = background(scene, symbol_names(residual(scene, number)))
     refs = scene.judge.enough(_ROOTS, (number,), relation, known)
     return None if refs is None else scene.desk.write(_ROOTS, refs, relation)
 
@@ -390,7 +391,7 @@ def in_standard_form(
     if scene.desk.relation(number) == relation:
         return number
     move = Move("rearrange")
-    names_ = {symbol.name for symbol in residual(scene, number).free_symbols}
+    names_ = symbol_names(residual(scene, number))
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     if refs is None and pure:
         # A given fact may tell that what it is divided by is not zero.
@@ -472,7 +473,7 @@ def _in_factors(
         relation = Relation(((Link(product(*trees), "=", ZERO),),))
     else:
         return number
-    names = {symbol.name for symbol in residual(scene, number).free_symbols}
+    names = symbol_names(residual(scene, number))
     refs = scene.judge.enough(Move("rearrange"), (number,), relation, background(scene, names))
     return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
 

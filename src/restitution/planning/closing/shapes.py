@@ -13,6 +13,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, MoveId, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt, statement_of
 from restitution.expression.tree import (
@@ -134,7 +135,7 @@ def _by_sine_and_cosine(scene: Scene, number: int, symbol: sp.Symbol) -> int:
         if scene.model.sign(sp.Poly(whole, symbol).LC()) < 0:
             whole = -whole
         relation = chain(tree_of(whole), (ZERO, None))
-        known = background(scene, {each.name for each in above.free_symbols})
+        known = background(scene, symbol_names(above))
         move = Move("identity", "pythagoras")
         refs = scene.judge.enough(move, (number,), relation, known)
         if refs is not None:
@@ -161,7 +162,7 @@ def _without_common_sums(scene: Scene, number: int, symbol: sp.Symbol) -> int:
         return number  # the sum that goes is all that has the unknown
     left, right = (tree_of(tidy(side / whole)) for side in sides)
     relation = chain(left, (right, None))
-    known = background(scene, {each.name for each in whole.free_symbols})
+    known = background(scene, symbol_names(whole))
     refs = scene.judge.enough(Move("cancel"), (number,), relation, known)
     return number if refs is None else scene.desk.write(Move("cancel"), refs, relation)
 
@@ -587,7 +588,7 @@ def rearranged(scene: Scene, number: int, relation: Relation) -> int | None:
 
 
 def _background(scene: Scene, number: int) -> tuple[Ref, ...]:
-    names = {symbol.name for symbol in residual(scene, number).free_symbols}
+    names = symbol_names(residual(scene, number))
     return background(scene, names)
 
 

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
@@ -105,7 +106,7 @@ def _write(
     line = squares_line(scene, symbol)
     first = chain(own.left, (right, None))
     last = chain(own.left, (put, None), (printed or tree_of(value), "rearrange"))
-    names = {each.name for each in value.free_symbols}
+    names = symbol_names(value)
     known = together(not_negative(scene, value), background(scene, names))
     premises = scene.judge.enough(own.move, own.refs, first, known)
     if premises is None:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.components.models import Model
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Letter
 from restitution.planning.closing.collecting import multiplied_out
@@ -40,7 +41,7 @@ def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Sym
     models = scene.others or (scene.model,)
     options = [_values(scene, model, unknowns) for model in models]
     relation = Relation(tuple(dict.fromkeys(options)))
-    names = {each.name for number in lines for each in residual(scene, number).free_symbols}
+    names = symbol_names(*(residual(scene, number) for number in lines))
     refs = scene.judge.enough(Move("solve"), lines, relation, background(scene, names))
     if refs is None:
         raise NotPlannedError(f"{unknowns} are not fixed by their equations alone")

@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
     Binary,
@@ -177,7 +178,7 @@ def _speed_of_energy(scene: Scene, body: str, stage: int, known: Source, record:
         line = scene.judge.write((Move("put"),), (line, *more), relation)
     if line is None:
         return None
-    names = {each.name for each in squared.free_symbols}
+    names = symbol_names(squared)
     root = chain(own, (tree_of(size), None))
     line = scene.judge.write((Move("rearrange"),), (line, *background(scene, names)), root, (line,))
     if line is not None:

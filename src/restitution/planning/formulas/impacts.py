@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import (
     Meaning,
     Move,
@@ -247,7 +248,7 @@ def _by_ratio(
     form = by_degrees(scene, kind, body, frame, value)
     if form is not None:
         # The angle is a number, and the speed has been found.
-        own = {symbol.name for symbol in source.value.free_symbols}
+        own = symbol_names(source.value)
         return form if letters(form) - own else None
     ratios = value.atoms(sp.sin, sp.cos)
     if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):

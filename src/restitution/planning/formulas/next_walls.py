@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 
 import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.definitions.next_walls import made_of
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import exchanged
@@ -124,11 +126,11 @@ def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source
     return None
 
 
-def _names(angle: Source) -> set[str]:
-    return {symbol.name for symbol in sp.sympify(angle.value, strict=True).free_symbols}
+def _names(angle: Source) -> frozenset[str]:
+    return symbol_names(sp.sympify(angle.value, strict=True))
 
 
-def _ranges(scene: Scene, names: set[str]) -> list[Ref]:
+def _ranges(scene: Scene, names: Iterable[str]) -> list[Ref]:
     """The inequalities that are given of letters."""
     return [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Relation
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.writing.premises import background
@@ -13,7 +14,7 @@ def in_another_form(scene: Scene, number: int, relation: Relation) -> int | None
 
     None where the one does not follow from the other so.
     """
-    names = {symbol.name for symbol in residual(scene, number).free_symbols}
+    names = symbol_names(residual(scene, number))
     for move in (Move("rearrange"), Move("cancel")):
         refs = scene.judge.enough(move, (number,), relation, background(scene, names))
         if refs is not None:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Link,
@@ -215,7 +216,7 @@ def _which_is_less(claims: Comparing, link: Link, angle: Expression) -> Link | N
     if left is None or right is None or not isinstance(angle, Letter):
         return None
     gap = expanded(left - right)
-    if len(gap.free_symbols) != 2 or angle.name not in {s.name for s in gap.free_symbols}:
+    if len(gap.free_symbols) != 2 or angle.name not in symbol_names(gap):
         return None
     symbol, other = sorted(gap.free_symbols, key=lambda s: s.name != angle.name)
     factor = gap.coeff(other)

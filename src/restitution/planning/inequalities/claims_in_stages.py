@@ -8,6 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import Apply, Expression, Quantity, has_quantity
 from restitution.planning.angles.turn_lines import meeting
@@ -237,7 +238,7 @@ class InStages(ClaimLines):
         """Bounds of what a line gives by what it is where a coefficient is 1, or 0."""
         whole = self.scene.desk.last_link(line)
         value = self.worths.value(whole.right)
-        known = self.judge.known(s.name for s in value.free_symbols)
+        known = self.judge.known(symbol_names(value))
         for symbol in sorted(value.free_symbols, key=lambda s: s.name):
             role = roles(self.scene.problem).get(symbol.name)
             if role is None or role.kind != "restitution" or len(value.free_symbols) == 1:

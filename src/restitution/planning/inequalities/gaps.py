@@ -10,6 +10,7 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.errors import StatementError
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Number, Quantity, walk
@@ -217,7 +218,7 @@ def _is_signed(scene: Scene, x: sp.Expr) -> bool:
     above, below = sp.fraction(x)
     known = roles(scene.problem)
     for each in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)):
-        if len({s.name for s in each.free_symbols} & set(known)) < len(each.free_symbols):
+        if len(symbol_names(each) & set(known)) < len(each.free_symbols):
             return False
         base, power = each.as_base_exp()
         if power.is_Integer and power % 2 == 0:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Relation, Sign
 from restitution.expression.tree import Binary, Expression, Letter, Number
 from restitution.planning.inequalities.claims import Claims
@@ -70,7 +71,7 @@ def _bound(claims: Claims, link: Link, letter: str) -> tuple[Sign, sp.Expr] | No
         if each.sign not in ("<", "<=", ">", ">="):
             return None
         value = sp.sympify(claims.scene.scalar(each.right), strict=True)
-        if letter in {symbol.name for symbol in value.free_symbols}:
+        if letter in symbol_names(value):
             continue
         if each.left == Letter(letter):
             return each.sign, value

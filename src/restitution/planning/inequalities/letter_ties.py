@@ -10,6 +10,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
 from restitution.expression.tree import (
     Apply,
@@ -200,7 +201,7 @@ class Ties:
             relation = Relation(((Link(generator, "=", tree_of(value)),),))
             if scene.desk.relation(line) == relation:
                 return line
-            known = self.judge.known(s.name for s in whole.free_symbols)
+            known = self.judge.known(symbol_names(whole))
             moves = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
             mark = self.worths.mark()
             for between in (self._in_factors, self._gathered, lambda own, _: own):
@@ -228,7 +229,7 @@ class Ties:
             total((product(tree_of(x.nth(1)), Letter(symbol.name)), tree_of(expanded(x.nth(0)))))
             for x in polynomials
         ]
-        known = self.judge.known(s.name for s in whole.free_symbols)
+        known = self.judge.known(symbol_names(whole))
         moves = (Move("rearrange"), Move("cancel"))
         standard = self.judge.write(moves, [start, *known], _standard_form(polynomials, symbol))
         relation = Relation(((Link(product(*trees), "=", ZERO),),))

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Fact,
@@ -64,7 +65,7 @@ def _positive(worths: Worths, quantity: Quantity) -> int | None:
         for each in sp.Mul.make_args(sp.fraction(sp.sympify(known.value, strict=True))[0])
         if each.is_Add
     ]
-    names = {symbol.name for symbol in known.value.free_symbols}
+    names = symbol_names(known.value)
     pool: list[Ref] = [*known.refs, *worths.judge.known(names)]
     relation = Relation(((Link(quantity, ">", ZERO),),))
     roles = worths.scene.model.unknowns.roles
@@ -74,7 +75,7 @@ def _positive(worths: Worths, quantity: Quantity) -> int | None:
     line = worths.judge.write((Move("sign"),), pool, relation, shown=shown)
     for each in sums if line is None else ():
         own = Relation(((Link(tree_of(each), ">", ZERO),),))
-        letters_ = {symbol.name for symbol in each.free_symbols}
+        letters_ = symbol_names(each)
         more = worths.judge.write((Move("sign"),), worths.judge.known(letters_), own)
         pool[:0] = [] if more is None else [more]
     return line or worths.judge.write((Move("compare"),), pool, relation)

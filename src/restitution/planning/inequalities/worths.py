@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -412,7 +413,7 @@ class Worths:
     def valued(self, tree: Expression, move: Move, refs: Sequence[int]) -> int | None:
         """An expression and its value, by a move from the lines of its quantities, if so."""
         value = tidy(sp.sympify(self.scene.put(self.scene.scalar(tree))[0], strict=True))
-        names = {s.name for s in value.free_symbols} & set(roles(self.scene.problem))
+        names = symbol_names(value) & set(roles(self.scene.problem))
         relation = Relation(((Link(tree, "=", tree_of(value)),),))
         line = self.judge.write((move,), [*refs, *self.judge.known(names)], relation)
         if line is not None:
@@ -472,7 +473,7 @@ class Worths:
                     yield from self.quantities(child)
 
     def known_in(self, x: sp.Expr) -> tuple[Ref, ...]:
-        names = {s.name for s in x.free_symbols}
+        names = symbol_names(x)
         return self.judge.known(names & set(roles(self.scene.problem)))
 
     def value(self, tree: Expression) -> sp.Expr:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Binary, Name, Quantity
 from restitution.planning.formulas.whereabouts import standing, start, velocity
@@ -56,7 +57,7 @@ def time_of_closing(
         *(velocity(scene, body, begin, beside).refs for body in pair),
         (f"contact {number}",),
         start(scene)[1],
-        background(scene, {symbol.name for symbol in closing.free_symbols}),
+        background(scene, symbol_names(closing)),
     )
     line = scene.judge.write((Move("define", "straight-line", number, pair),), pool, relation)
     return None if line is None else scene.desk.know(flight, value, (line,))

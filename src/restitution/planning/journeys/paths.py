@@ -14,6 +14,7 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Ref
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, walk
@@ -418,7 +419,7 @@ def _gradient_line(
         (tree_of(-value if minus else value), "rearrange"),
     )
     refs = together(*(each.refs for pair in ends for each in pair), *(e.refs for e in paces))
-    known = background(scene, {each.name for each in ratio.free_symbols})
+    known = background(scene, symbol_names(ratio))
     premises = scene.judge.enough(move_of(path), refs, relation, known)
     return None if premises is None else scene.desk.write(move_of(path), premises, relation)
 

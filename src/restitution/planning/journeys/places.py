@@ -10,6 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -551,7 +552,7 @@ def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
         total((tree_of(a), product(tree_of(v), flight)))
         for a, v in zip(first.value, pace.value, strict=True)
     ]
-    names = {symbol.name for each in axis for symbol in each.free_symbols}
+    names = symbol_names(*axis)
     refs = (f"contact {number}", open_, *background(scene, names))
     for by_slope in (True, False):
         own = equation_of_line(axis, place, there, by_slope=by_slope)

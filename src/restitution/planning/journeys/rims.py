@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.expression.tree import (
     Apply,
@@ -85,7 +86,7 @@ def _as_before(
         ("start", f"position {body}", f"contact {since}", f"contact {number}"),
         (f"contact {before}",) if before else (),
         *(together(each.whole, scene.put(each.value)[1]) for each in sources),
-        background(scene, {s.name for each in sources for s in each.value.free_symbols}),
+        background(scene, symbol_names(*(each.value for each in sources))),
         known.refs,
     )
     move = Move("define", "chord", number, (body,))
@@ -126,7 +127,7 @@ def place_on_a_level(
     fact = Relation(((Link(swept(left), "=", square(tree_of(radius))),),))
     line = scene.judge.write((Move("fact"),), (f"contact {number}", let, *level.refs, *more), fact)
     values = [tidy(scene.put(each)[0]) for each in (x, 2 * middle - x)]
-    known = background(scene, {e.name for each in (*values, y) for e in each.free_symbols})
+    known = background(scene, symbol_names(*values, y))
     for move, right in ((Move("roots"), values), (Move("reject"), values[:1])):
         relation = Relation(tuple((Link(letter, "=", tree_of(each)),) for each in right))
         why = (*pace.refs, f"towards {number}", *level.refs, let) if len(right) == 1 else ()
@@ -322,7 +323,7 @@ def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) 
     when, _ = scene.put(scene.value(t))
     other = tidy(2 * begin.value + both - when)
     roots = Relation(tuple((Link(t, "=", tree_of(each)),) for each in (when, other)))
-    letters = {symbol.name for symbol in (when - other).free_symbols}
+    letters = symbol_names(when - other)
     premises = scene.judge.enough(Move("roots"), (fact,), roots, background(scene, letters))
     if premises is None:
         raise NotPlannedError("the times of a contact")

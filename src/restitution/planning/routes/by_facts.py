@@ -8,6 +8,7 @@ from collections.abc import Set as AbstractSet
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter, Name, Quantity, walk
 from restitution.planning.angles.unknown_blows import take_blow
@@ -251,7 +252,7 @@ class ByFacts(Course):
         value = tidy(factored(_solved(gap, first)))
         if not alone:
             relation = chain(Letter(first.name), (tree_of(value), None))
-            names = {each.name for each in residual(scene, line).free_symbols}
+            names = symbol_names(residual(scene, line))
             known = background(scene, names)
             premises = scene.judge.enough(Move("rearrange"), (line,), relation, known)
             if premises is None:

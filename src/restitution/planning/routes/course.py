@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.exact.symbols import symbols_in
+from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter, Name, Quantity
 from restitution.planning.closing.bounded_speeds import bounded_speeds
@@ -285,7 +285,7 @@ class Course:
         move = Move("combine", eliminated=other.name)
         relation = without(symbol, other, residuals, value)
         # Of what is zero no denominator says what was divided by.
-        names = {each.name for x in residuals for each in x.free_symbols} if value == 0 else set()
+        names = symbol_names(*residuals) if value == 0 else set()
         enough = scene.judge.enough(move, lines, relation, background(scene, names))
         line = scene.desk.write(move, enough or lines, relation)
         scene.desk.know(letter, value, (line,))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Meaning, Move, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
@@ -169,7 +170,7 @@ def _without_its_root(scene: Scene, each: GivenEquation, known: Source) -> int |
     if more or has_root(plain) or plain.atoms(sp.Dummy):
         return None
     refs = (ref for symbol in equal for ref in scene.put(symbol)[1])
-    names = {symbol.name for symbol in value.free_symbols}
+    names = symbol_names(value)
     letters_: dict[Expression, Expression] = {
         Letter(one.name): Letter(other.name) for one, other in equal.items()
     }
@@ -192,7 +193,7 @@ def _squared_as(
         return None
     if not isinstance(subject, Quantity) or subject.kind != "speed":
         return None
-    names = {symbol.name for symbol in squared.free_symbols}
+    names = symbol_names(squared)
     pool = (lines[0], *background(scene, names))
     relation = chain(square(subject), (tree_of(squared), None))
     line = scene.judge.write((Move("rearrange"),), pool, relation)

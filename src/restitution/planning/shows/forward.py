@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import (
@@ -86,7 +87,7 @@ def _forget_turned(scene: Scene, relation: Relation) -> None:
         return
     for letter in map(Letter, sorted(letters(link.right) - letters(link.left))):
         source = scene.desk.known(letter)
-        if source and {each.name for each in source.value.free_symbols} & letters(link.left):
+        if source and symbol_names(source.value) & letters(link.left):
             scene.desk.forget_value(letter, source)
 
 

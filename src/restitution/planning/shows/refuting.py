@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import rationalised, tidy, tidy_angle
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Link, Note, Ref, Relation
 from restitution.expression.evaluate import Angle, in_letters
@@ -231,7 +232,7 @@ class _Refutation:
         known = roles(self.scene.problem)
         for symbol, value in self.scene.model.final.items():
             own = sp.sympify(value, strict=True)
-            if symbol.name in known and {each.name for each in own.free_symbols} <= set(numbers):
+            if symbol.name in known and symbol_names(own) <= set(numbers):
                 put = {each: numbers[each.name] for each in own.free_symbols}
                 angle = known[symbol.name].kind == "angle"
                 there = tree_of(_plain(own.xreplace(put)), angle=angle)
@@ -342,12 +343,12 @@ class _Refutation:
                 return self._is_angle(left) or self._is_angle(right)
         return False
 
-    def _letters(self, tree: Expression) -> set[str]:
+    def _letters(self, tree: Expression) -> frozenset[str]:
         value = self.scene.value(tree)
         parts: Iterable[Any] = value if isinstance(value, Vector) else (value,)
         if isinstance(value, Angle):
             parts = () if self._square(value) is not None else (value.x, value.y)
-        return {s.name for each in parts for s in self._in_data(each).free_symbols}
+        return symbol_names(*(self._in_data(each) for each in parts))
 
     def _in_data(self, value: Any) -> sp.Expr:
         return sp.sympify(self.scene.model.in_data(sp.sympify(value, strict=True)), strict=True)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Binary
 from restitution.planning.writing.desk import chain
@@ -32,7 +33,7 @@ def write_in_one_tangent(scene: Scene, line: int) -> int | None:
     if scene.model.sign(below) < 0:
         above, below = -above, -below
     relation = chain(link.left, (swept(Binary("/", tree_of(above), tree_of(below))), None))
-    known = background(scene, {symbol.name for symbol in value.free_symbols})
+    known = background(scene, symbol_names(value))
     return scene.judge.write((Move("identity", "double-angle"),), (line, *known), relation)
 
 

@@ -14,6 +14,7 @@ import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
 
 from restitution import exact
+from restitution.exact.symbols import symbol_names
 from restitution.render.layout.builders import (
     bracketed,
     fraction,
@@ -305,7 +306,7 @@ def _alphabet(symbol: Symbol) -> tuple[bool, str, bool, str]:
 
 
 def _alphabet_of(value: Expr) -> str:
-    return " ".join(sorted(x.name for x in value.free_symbols))
+    return " ".join(sorted(symbol_names(value)))
 
 
 def _class(symbol: Symbol) -> Literal["coefficient", "ratio", "mass", "other"]:

@@ -18,6 +18,7 @@ from typing import Any
 import sympy as sp
 from mpmath.libmp import to_float
 
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import DIGITS, Enclosed, UndefinedError
 from restitution.expression.evaluate import Numeric
 from restitution.oracle.points import BeyondError, Program, ball
@@ -200,7 +201,7 @@ def vanishes(x: sp.Expr, roles: Mapping[str, Role], seed: int = 1) -> bool:
     if x.is_Number:
         return bool(x == 0)
     rng = random.Random(seed)
-    names = sorted(symbol.name for symbol in x.free_symbols)
+    names = sorted(symbol_names(x))
     agreed = 0
     for _ in range(12):
         values = sample(names, roles, rng)

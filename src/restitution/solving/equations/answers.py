@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import ImpossibleError, MissingError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Quantity
 from restitution.problem import Value
 from restitution.render.layout import Layout, display, display_point, display_vector
@@ -40,7 +41,7 @@ def _told_by(branch: Branch, names: Iterable[str]) -> list[str]:
     return sorted(
         key
         for key, value in branch.values.items()
-        if not key.startswith("_") and open_ & {symbol.name for symbol in value.free_symbols}
+        if not key.startswith("_") and open_ & symbol_names(value)
     )
 
 

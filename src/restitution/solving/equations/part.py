@@ -11,6 +11,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.tree import Place
 from restitution.oracle import Oracle
 from restitution.oracle.roles import REAL
@@ -187,7 +188,7 @@ def work_out(setting: Setting) -> Outcome:
             for each in (*story.equations, *wanted)
             if isinstance(each, Equation)
         ]
-        deciding |= {s.name for each in equations for s in each.free_symbols}
+        deciding |= symbol_names(*equations)
         for assignment in solve_equations(
             setting, letters_, equations, decisions, story.conditions
         ):

@@ -9,6 +9,7 @@ from itertools import permutations
 import sympy as sp
 
 from restitution.errors import StatementError, UnsupportedError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
@@ -227,7 +228,7 @@ def solve_equations(
             leftover = values  # of a direction in two letters only their ratio can be found
         if not leftover:
             return assignments
-        present = frozenset(s.name for each in leftover for s in each.free_symbols)
+        present = symbol_names(*leftover)
         letter = to_fix(setting, present, chosen)
         decisions.append(Decision(present, chosen, letter))
         if letter is None:

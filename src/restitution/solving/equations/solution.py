@@ -10,6 +10,7 @@ from typing import Any, Literal, TypeAlias
 import sympy as sp
 
 from restitution.errors import RestitutionError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed
 from restitution.oracle import Oracle, Proof
 from restitution.oracle.points import Value as NumberOfPoint
@@ -56,7 +57,7 @@ class Answer:
     def letters(self) -> frozenset[str]:
         """The letters in the value."""
         values = self.value if isinstance(self.value, tuple) else (self.value,)
-        return frozenset(symbol.name for each in values for symbol in each.free_symbols)
+        return symbol_names(*values)
 
 
 @dataclass(frozen=True)

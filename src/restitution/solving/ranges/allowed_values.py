@@ -14,6 +14,7 @@ from restitution.errors import (
     RestitutionError,
     UnsupportedError,
 )
+from restitution.exact.symbols import symbol_names
 from restitution.expression.dimensions import NONE
 from restitution.expression.evaluate import Evaluator, Symbolic
 from restitution.expression.tree import Expression, Letter, has_quantity, letters
@@ -178,7 +179,7 @@ def _tied_to_data(
     if not any(data & trial.root.values.keys() for trial in outcome.accepted):
         return sp.S.EmptySet
     values = fixed_values(desk, name, setting)
-    inside = {symbol.name for symbol in values.free_symbols}
+    inside = symbol_names(values)
     return values if inside <= data else sp.S.EmptySet
 
 

@@ -15,6 +15,7 @@ from typing import Protocol
 import sympy as sp
 
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import BeyondError, Formula, Oracle, Proof, Verdict
 from restitution.oracle.roles import Role
@@ -76,7 +77,7 @@ def cases(region: Family) -> list[Case]:
     For the values of the data that no case has, nothing is possible.
     """
     groups = [_finite_ends(region, critical) for critical in region.critical_groups]
-    names = {s.name for ends in groups for end in ends for s in end.free_symbols}
+    names = symbol_names(*(end for ends in groups for end in ends))
     names &= set(region.data())
     # For e = 0 or e = 1 a range may have another form, whatever its ends are.
     names |= {name for name in region.data() if region.roles[name].kind == "restitution"}

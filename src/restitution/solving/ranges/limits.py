@@ -9,6 +9,7 @@ from itertools import product
 import sympy as sp
 
 from restitution import exact
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle.roles import Role
 from restitution.solving.algebra.intervals import INFINITE
@@ -189,7 +190,7 @@ def _sign_near(
     step = sp.Rational(-1 if below else 1, 10**8)
     near = factor * x.xreplace({symbol: point + step})
     rng = random.Random(47)
-    names = sorted(s.name for s in near.free_symbols)
+    names = sorted(symbol_names(near))
     points = [{name: Enclosed.of(rng.uniform(0, 1)) for name in names} for _ in range(16)]
     return sign_at(near, points) or None
 

@@ -19,6 +19,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import (
     BeyondError,
@@ -99,7 +100,7 @@ class Region:
         self.symbol = self.role.symbol(self.letter)
         self.trials = [t for t in self.outcome.trials if t.kind != "equation" and _has_values(t)]
         self._kept_atoms = self._atoms()
-        matter = {s.name for each in self._kept_atoms for s in each.free_symbols}
+        matter = symbol_names(*self._kept_atoms)
         self.free = tuple(name for name in self.free if name in matter)
         self.critical = self._critical()
 
@@ -136,9 +137,7 @@ class Region:
         for name in self.free:
             role, symbol = self.setting.roles[name], self.setting.roles[name].symbol(name)
             for bound in (role.low, role.high):
-                if bound is not None and name in {
-                    s.name for each in atoms for s in each.free_symbols
-                }:
+                if bound is not None and name in symbol_names(*atoms):
                     atoms.append(symbol - bound)
         unique: list[sp.Expr] = []
         for atom in atoms:

@@ -17,6 +17,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import (
     BeyondError,
@@ -113,7 +114,7 @@ def _of_unwieldy(outcome: Outcome, trial: Trial) -> Iterator[Limitation]:
         if role is None or not value.free_symbols:
             continue
         bounded = _bounded(name, role, value, trial.root.angles.get(name))
-        names = sorted(x.name for x in value.free_symbols)
+        names = sorted(symbol_names(value))
         if bounded is None or any(each.startswith("_") or each not in roles for each in names):
             continue
         inside, (low, high), limit = bounded

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, Symbolic, Value
 from restitution.oracle import Formula, Oracle, Relation
@@ -93,7 +94,7 @@ class Letters:
         points: Iterable[Sample] = self.samples
         if not points:
             rng = random.Random(7)
-            names = sorted(s.name for s in x.free_symbols)
+            names = sorted(symbol_names(x))
             known = self.all_roles()
             points = [sample(names, known, rng) for _ in range(8)]
         usual = sign_at(x, points)

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import (
     OPPOSITE,
     Derivation,
@@ -78,7 +79,7 @@ def _made_by_a_root(
     except (RestitutionError, TypeError):
         return ()
     put = [sp.expand(gap.subs(sp.Symbol(root, positive=True), value)) for gap in gaps]
-    names = sorted({x.name for gap in put for x in gap.free_symbols} & (own | {last}) - {root})
+    names = sorted(symbol_names(*put) & (own | {last}) - {root})
     unknowns = [sp.Symbol(name, positive=True) for name in names if name != last]
     unknowns.append(sp.Symbol(last, positive=True))
     signed = {each: sp.Dummy(each.name) for each in unknowns}
