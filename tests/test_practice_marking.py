@@ -1005,3 +1005,21 @@ def test_the_same_mistake_again_is_not_said_to_be_right() -> None:
         "This has the mistake of line 1 once more.",
         "Right, with your values. The mistake is in line 1.",
     ]
+
+
+SHARE_AT_A_WALL = """wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+show energy_lost/energy(0) = (1 - e^2) sin(alpha)^2"""
+
+
+def test_what_is_divided_by_gives_the_printed_share() -> None:
+    """What stood last is divided: ``÷ ½mu² gives …`` is an equation, and may be false."""
+    loss = (
+        "u cos α stays, u sin α → eu sin α\n½mu² - ½m(u²cos²α + e²u²sin²α) = ½mu²(1-e²)sin²α\n"
+    )
+    for words in ("÷ ½mu² gives", "divide by ½mu²:"):
+        assert set(states(SHARE_AT_A_WALL, f"{loss}{words} (1-e²)sin²α")) == {"earned"}
+        solution = restitution.solve(restitution.parse(SHARE_AT_A_WALL))
+        lines = restitution.mark(solution, f"{loss}{words} (1-e²)cos²α").lines
+        assert [line.verdict for line in lines] == ["remark", "true", "false"]

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from restitution.expression.tree import Binary, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
 from restitution.practice.marking.each_point import LAWS, OF_VALUES, EachPoint, is_of_what_stays
 from restitution.practice.marking.lines import (
@@ -169,6 +170,7 @@ class _Examiner(EachPoint):
             return
         links = line.line.links
         worked = len(links) > 1 and all(continues(a, b) for a, b in pairwise(links))
+        worked = worked or self._goes_on(line)
         if not worked or self._is_broken(result.line, _UNSOUND):
             return
         for name in result.point.above:
@@ -179,6 +181,16 @@ class _Examiner(EachPoint):
                 self.states[name] = replace(
                     state, state="earned", line=result.line, why=why, implied=True
                 )
+
+    def _goes_on(self, line: JudgedLine) -> bool:
+        """Whether a line begins with what a true line above it has worked out."""
+        begun = {each for each in walk(line.line.links[0].readings[0].left) if letters(each)}
+        return any(
+            isinstance(each.line.links[-1].readings[0].right, Binary)
+            and each.line.links[-1].readings[0].right in begun
+            for each in self.lines
+            if each.line.number < line.line.number and each.verdict == "true" and each.line.links
+        )
 
     def _imply_methods(self) -> None:
         """A value that follows earns the methods by which it was found, and that it left out.

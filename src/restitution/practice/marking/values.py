@@ -609,8 +609,22 @@ class Values(Sides):
         for chain in chains(line):
             first, last = chain[0].left, chain[-1].right
             for left, right in ((first, last), (last, first)):
-                if self._names(left, link.left, meanings, line) and self._names(
+                shares = self._is_share_of(left, link.left, meanings, line)
+                if (shares or self._names(left, link.left, meanings, line)) and self._names(
                     right, link.right, meanings, line
                 ):
                     return True
+        return False
+
+    def _is_share_of(
+        self,
+        own: Expression,
+        printed: Expression,
+        meanings: Mapping[str, Expression],
+        line: JudgedLine,
+    ) -> bool:
+        """Whether a side divides by what the printed share is of: ``÷ ½mu² gives …``."""
+        match own, printed:
+            case Binary("/", _, below), Binary("/", _, whole):
+                return self._names(below, whole, meanings, line)
         return False

@@ -341,10 +341,8 @@ class Chains:
         for place, tokens in enumerate(sides):
             if place == 0 and self._divides_what_stood_last(tokens):
                 below = self.sides(tokens[1:])
-                above = self._last_sides() if self.links else self.past.side
-                quotients = (Side(Binary("/", a.tree, b.tree)) for a, b in product(above, below))
                 # ÷: tan θ = 3/4 says what is done, and not what is divided.
-                read.append((*quotients, *below))
+                read.append((*self.quotients(below), *below))
             elif tokens:
                 read.append(self.sides(tokens))
             elif place == 0 and (self.waiting or self.links or self.label or self.past.side):
@@ -409,6 +407,11 @@ class Chains:
         """Whether a side begins with its sign: ``loss = 1/16mu², /(1/2mu²) = 12.5%``."""
         begins = len(tokens) > 1 and tokens[0].kind == "/"
         return begins and bool(self.links or self.past.side)
+
+    def quotients(self, below: Sequence[Side]) -> tuple[Side, ...]:
+        """What stood last, or where the chain above it ended, divided."""
+        above = self._last_sides() if self.links else (*self.past.side, *self.past.earlier)
+        return tuple(Side(Binary("/", a.tree, b.tree)) for a, b in product(above, below))
 
     def with_owner(self, read: Sequence[tuple[Side, ...]]) -> list[tuple[Side, ...]]:
         """``KE of B = 4 > 0 = KE before``: what names no body may be of that of the chain."""

@@ -52,6 +52,8 @@ _OF_A_SHARE = re.compile(
     re.IGNORECASE,
 )
 _STAGED = re.compile(rf"\s*({'|'.join(sorted(STAGES))})\b\s*(?:,|;|and\b)", re.IGNORECASE)
+_DIVIDING = frozenset(("divide", "divided", "dividing"))
+_GIVING = frozenset(("gives", "giving", "get", "leaves", "leaving", "->", ":"))
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
 _OF_NUMBERS = frozenset(("number", "+", "-", "*", "/", "dot", "^", "(", ")"))
@@ -329,6 +331,10 @@ class _Reader(Chains):
             return
         if tokens[0].name in self.usage.spheres and self.velocities(tokens):
             return
+        if self._is_divisor(segment):
+            below = self.sides(tokens[1:] if tokens[0].kind == "/" else tokens)
+            self.waiting = self.quotients(below)
+            return
         sides = self.before = self.sides(tokens)
         if tokens[-1].kind == "measure" and tokens[-1].name == "s":
             self.before = ()  # 1 s later AB = 2i + j
@@ -377,6 +383,18 @@ class _Reader(Chains):
             self.statements.values += (sides[0].tree,)
             if not isinstance(sides[0].tree, Letter | Number):
                 self.worth = sides[:1]  # the next line may go on from it with a sign
+
+    def _is_divisor(self, segment: Segment) -> bool:
+        """Whether what stood last is divided, and what follows is all that it gives.
+
+        ``÷ ½mu² gives (1 - e²)sin²α`` and ``divide by m: 3u/2`` are equations.
+        """
+        behind = self.behind[0] if self.behind else None
+        if behind is None or behind.has_relation or not _GIVING & set(behind.before):
+            return False
+        signed = segment.tokens[0].kind == "/" and len(segment.tokens) > 1
+        spoken = segment.before[-1:] == ("by",) and bool(_DIVIDING & set(segment.before))
+        return (signed or spoken) and bool(self.links or self.past.side)
 
     def _becomes(self, label: Token) -> bool:
         """Whether an arrow leads from the value of a label to another: ``perp: 4 → 2``."""
