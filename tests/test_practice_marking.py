@@ -1015,9 +1015,7 @@ show energy_lost/energy(0) = (1 - e^2) sin(alpha)^2"""
 
 def test_what_is_divided_by_gives_the_printed_share() -> None:
     """What stood last is divided: ``÷ ½mu² gives …`` is an equation, and may be false."""
-    loss = (
-        "u cos α stays, u sin α → eu sin α\n½mu² - ½m(u²cos²α + e²u²sin²α) = ½mu²(1-e²)sin²α\n"
-    )
+    loss = "u cos α stays, u sin α → eu sin α\n½mu² - ½m(u²cos²α + e²u²sin²α) = ½mu²(1-e²)sin²α\n"
     for words in ("÷ ½mu² gives", "divide by ½mu²:"):
         assert set(states(SHARE_AT_A_WALL, f"{loss}{words} (1-e²)sin²α")) == {"earned"}
         solution = restitution.solve(restitution.parse(SHARE_AT_A_WALL))

@@ -25,7 +25,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.judgement import Use, Verdict
+from restitution.practice.judgement import Accuracy, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in, with_angles
 from restitution.practice.judging.bounds import bounded_by, conditions_of, rearranged_from
 from restitution.practice.judging.deduction import deduced_from
@@ -304,11 +304,30 @@ class Following(OwnValues):
 
         A letter whose lines are all below a mistake cannot be known from true values.
         """
+        adopted = self._adopted_in(self.students(), line, link) if self.wrong else None
+        if adopted is None:
+            return None
+        claim, grade, _ = adopted
+        return JudgedLink("follows", claim, grade, sources_of(claim, self.entries))
+
+    def _adopted_at_an_extreme(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A line with a letter without a meaning, of what is greatest or least: ``6t² = 2``."""
+        worlds = () if self.wrong else self.question.at_extremes
+        adopted = self._adopted_in(worlds, line, link) if worlds else None
+        if adopted is None:
+            return None
+        claim, grade, pair = adopted
+        return JudgedLink("true", claim, grade, meant=(pair,))
+
+    def _adopted_in(
+        self, worlds: Sequence[World], line: ScriptLine, link: Link
+    ) -> tuple[Claim, Accuracy, tuple[str, Expression]] | None:
+        """The reading that holds with a meaning of the only letter that has none, if one does."""
         claim = link.readings[0]
         names_in_claim = letters(claim.left) | letters(claim.right)
         known = self.meanings(line.number).keys() | self._base.letters.keys()
         names = [name for name in names_in_claim if name not in known]
-        if len(names) != 1 or claim.sign != "=" or not self.wrong or is_phrase(names[0]):
+        if len(names) != 1 or claim.sign != "=" or is_phrase(names[0]):
             return None
         (name,) = names
         usage = Usage(name, name in inside_angles(claim.left) | inside_angles(claim.right))
@@ -317,17 +336,18 @@ class Following(OwnValues):
             key=lambda each: each.cost,
         )
         for each in usual:
-            if each.start or each.cost > _USUAL or each.nature == "vector":
+            if each.nature == "vector":
+                continue
+            if each.kind != "tangent" and (each.start or each.cost > _USUAL):
                 continue
             self._meant[name] = each.quantity
             for reading in link.readings:
-                for world in self.students():
+                for world in worlds:
                     grade = self.accuracy(reading, world, line, link) or self._loosely(
                         reading, world, line, link
                     )
                     if grade is not None:
-                        sources = sources_of(reading, self.entries)
-                        return JudgedLink("follows", reading, grade, sources)
+                        return reading, grade, (name, each.quantity)
             del self._meant[name]
         return None
 
@@ -482,10 +502,13 @@ class Following(OwnValues):
         return None
 
     def _own_root(self, entry: Entry) -> int | None:
-        """The line that is not true and of which a value is a root."""
+        """The line that is not true and of which a value is a root, or both of ``x = 1 or 2``."""
+        claim = entry.claim
+        values = [replace(claim, right=right, others=()) for right in (claim.right, *claim.others)]
         for other in reversed(self.entries):
-            root = None if other.right else is_root_of(entry.claim, other)
-            if root is not None and self._valid(root, other):
+            roots = [] if other.right else [is_root_of(each, other) for each in values]
+            own = replace(other, decimals=(*other.decimals, *entry.decimals))
+            if roots and all(root is not None and self._valid(root, own) for root in roots):
                 return other.number
         return None
 
@@ -502,6 +525,18 @@ class Following(OwnValues):
                 continue
             for world in self.worlds:
                 if self._loosely(claim, world, line, link) is not None:
+                    return JudgedLink("true", claim, "coarse", remark=COARSE)
+        return None
+
+    def _by_rounded_lines(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A value from two rounded equations, v of v + w = 2.83 and w - v = 2.6: it may be far off.
+
+        It holds in the world of the lines above, all of which are true but for their rounding.
+        """
+        above = any(entry.decimals for entry in self.entries)
+        for claim in link.readings if above and link.decimals and not self.wrong else ():
+            for world in self.students():
+                if self.accuracy(claim, world, line, link) is not None:
                     return JudgedLink("true", claim, "coarse", remark=COARSE)
         return None
 

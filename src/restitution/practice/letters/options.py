@@ -114,7 +114,8 @@ def directions(problem: Problem, events: Sequence[Event], letter: str) -> Iterat
 def barred(usage: Usage, candidate: Candidate) -> bool:
     """Whether a letter cannot mean a known quantity: of the start, or of a velocity that is given.
 
-    Only u, u_A and angles may that have a known value from their first line; t may be a tangent.
+    Only u, u_A and angles may that have a known value from their first line, or stand in a sine
+    for an angle that the statement gives; t may be a tangent.
     Of a velocity after, letters of formulas may, and those that their first line gives a value.
     """
     if candidate.given and not (usage.defined or _is_of_velocities(usage.letter)):
@@ -123,7 +124,8 @@ def barred(usage: Usage, candidate: Candidate) -> bool:
         return False
     if candidate.kind == "tangent" and usage.letter in ("t", "T"):
         return False
-    return candidate.kind != "angle" or not usage.defined
+    known = usage.defined or (usage.in_angle and not candidate.varies)
+    return candidate.kind != "angle" or not known
 
 
 def _by_scope(scope: Scope, candidate: Candidate) -> float:

@@ -14,8 +14,6 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
-    Name,
-    Negate,
     Number,
     Quantity,
     Unit,
@@ -23,6 +21,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.reading.angles import angular, is_angle
+from restitution.practice.reading.bodies import vectors_of, worths_of
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.declarations import Declarations
@@ -155,41 +154,6 @@ def _is_lettered_sum(tree: Expression) -> bool:
     return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(letters(tree))
 
 
-def _vectors_of(body: str, problem: Problem) -> tuple[Side, ...]:
-    """What a vector behind the name of a sphere may be: its velocity, momentum or impulse.
-
-    Of one whose place is known it may be where it is.
-    """
-    phrases = (f"velocity of {body}", f"momentum of {body}", f"impulse on {body}")
-    momentum, impulse = (Quantity(kind, (Name(body),)) for kind in ("momentum", "impulse"))
-    velocity, *others = map(Letter, phrases)
-    trees = (velocity, *places_of(body, problem), *others, momentum, impulse, Negate(impulse))
-    return tuple(map(Side, trees))
-
-
-def _is_signed(tree: Expression) -> bool:
-    """Whether a value may be negative as it is typed: ``-2``, ``u(2 - 3e)``."""
-    return any(
-        isinstance(each, Negate) or (isinstance(each, Binary) and each.op == "-")
-        for each in walk(tree)
-    )
-
-
-def worths_of(body: str, value: Expression) -> tuple[Side, ...]:
-    """What a number behind the name of a sphere may be: its speed, or a component."""
-    phrases = [f"speed of {body}"]
-    phrases += [f"component of {body} along"] if _is_signed(value) else []
-    return tuple(Side(Letter(each)) for each in phrases)
-
-
-def places_of(body: str, problem: Problem) -> tuple[Expression, ...]:
-    """Where a sphere is at each event, if its place is known."""
-    if all(each.name != body or each.position is None for each in problem.spheres):
-        return ()
-    stages = range(len(problem.events) + 1)
-    return tuple(Quantity("position", (Name(body),), stage) for stage in stages)
-
-
 class Chains:
     """What the chains of a line state; `Statements` gathers it."""
 
@@ -293,7 +257,7 @@ class Chains:
         vector = is_vector(sides[0].tree, self.usage.vectors)
         return Letter(f"{'velocity' if vector else 'speed'} of {label.name}")
 
-    def further(self, sides: tuple[Side, ...]) -> bool:
+    def further(self, sides: tuple[Side, ...], tokens: Sequence[Token]) -> bool:
         """A second value of the last relation: ``x = 2 or 3``."""
         last = self.links[-1]
         first = last.readings[0]
@@ -303,7 +267,8 @@ class Chains:
             replace(each, others=(*each.others, *self.alike(each.left, sides[0].tree)))
             for each in last.readings
         )
-        self.links[-1] = replace(last, readings=readings)
+        figures = (*last.decimals, *decimals(tokens, readings))
+        self.links[-1] = replace(last, readings=readings, decimals=figures)
         return True
 
     def alike(self, left: Expression, right: Expression) -> tuple[Expression, ...]:
@@ -360,7 +325,7 @@ class Chains:
         name = sides[0][0] if len(sides[0]) == 1 else None
         of_body = name is not None and name.kind == "name" and self.body_of(name) is not None
         if name is not None and of_body and self._is_moving(read[1][0].tree):
-            read[0] = _vectors_of(name.name, self.problem)  # A = 3i - j
+            read[0] = vectors_of(name.name, self.problem)  # A = 3i - j
         elif name is not None and of_body and is_numeric(read[1][0].tree):
             read[0] = (*worths_of(name.name, read[1][0].tree), *read[0])  # B = 2/3 × 3 = 2
         elif name is not None and name.kind == "name" and is_numeric(read[1][0].tree):
@@ -517,7 +482,7 @@ class Chains:
         if label.kind == "name":
             product = isinstance(first, Binary) and first.op == "*"  # as mass × velocity is
             if evaluates and not product and self._is_moving(first) and self.body_of(label):
-                self.link(_vectors_of(label.name, self.problem), "=", read[0], sides[0], label)
+                self.link(vectors_of(label.name, self.problem), "=", read[0], sides[0], label)
             elif evaluates and _is_root(first) and self.body_of(label):
                 speed = Side(self.label_tree(label, read[0], sides[0]))
                 self.link((speed,), "=", read[0], sides[0], label)
@@ -591,7 +556,7 @@ class Chains:
         last = self.links[-1].readings[0]
         if last.sign != "=" or last.left != read[0][0].tree:
             return False
-        return self.further(read[1])
+        return self.further(read[1], sides_of(segment.tokens)[0][1])
 
     def link(
         self,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
@@ -20,7 +21,19 @@ from restitution.expression.tree import (
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 
+# Distance, speed and time, as books have them, with nothing put in: ``s = ut so 3 = 4t``.
+_OF_STEADY_MOTION = re.compile(
+    r"(?<![\w.])(?:[sd]\s*=\s*[usv]\s*[x×*]?\s*t|t\s*=\s*[sd]\s*/\s*[usv]|[usv]\s*=\s*[sd]\s*/\s*t)"
+    r"(?=\s*(?:$|[,;:)∴]|=>|so\b|hence\b|therefore\b))"
+)
 _NUMBERS_OF_FORMULAS = frozenset((Fraction(0), Fraction(1, 2), Fraction(1), Fraction(2)))
+
+
+def without_steady_motion(line: str, known: Collection[str]) -> str:
+    """A line with blanks for ``s = ut`` where the question has no letter for any of these."""
+    if not {"s", "d", "t", "u", "v"}.isdisjoint(known):
+        return line
+    return _OF_STEADY_MOTION.sub(lambda match: " " * len(match[0]), line)
 
 
 def has_data(line: ScriptLine) -> bool:

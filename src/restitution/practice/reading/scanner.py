@@ -282,11 +282,11 @@ class _Scanner:
         if plain in ("m", "s"):
             return (
                 (gap > 0 or plain == "s" or self._may_be_metres())
-                and self.token_list[-1].kind == "number"
+                and self.token_list[-1].kind in ("number", ")" if plain == "s" else "number")
                 and plain not in (known | self.usage.alone)
             )
         if plain in _SECONDS:
-            return self.token_list[-1].kind == "number"
+            return self.token_list[-1].kind in ("number", ")")
         if plain in ("Ns", "N/s"):
             return "N" not in known
         if plain == "J":

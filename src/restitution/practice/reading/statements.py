@@ -17,7 +17,8 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.reading.angles import without_marks
-from restitution.practice.reading.chains import Chains, Past, Statements, places_of, worths_of
+from restitution.practice.reading.bodies import places_of, worths_of
+from restitution.practice.reading.chains import Chains, Past, Statements
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.grammar import is_vector
@@ -357,7 +358,7 @@ class _Reader(Chains):
                 self.labelled(label, sides, tokens)
             return
         listed = words & {"or", ","} and not words - {"or", ",", "and", "either"}
-        if self.links and listed and self.further(sides):
+        if self.links and listed and self.further(sides, tokens):
             return
         waiting, sign = self._waiting(segment)
         if waiting:

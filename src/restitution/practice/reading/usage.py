@@ -65,13 +65,13 @@ _LATIN_FOR = {
 # Between these a letter is a unit: time = 4 s, and 1 m from W.
 _BEFORE_A_UNIT = re.compile(r"\d\s+$")
 _BEFORE_METRES = re.compile(r"(?:^|[=:,]|[a-z]{2} )[\s\d.+*×()-]*\d\s*$")
-_BEFORE_GLUED = re.compile(r"\d\s*$")
+_BEFORE_GLUED = re.compile(r"\d\)?\s*$")
 _BEHIND_A_UNIT = re.compile(r"$|[,;=)]|\.(?:\s|$)|[A-Za-z]{2,}")
 
 
 def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     """How the lines of a script (in plain characters) and its question use their letters."""
-    of_question = _letters(problem)
+    of_question = letters_of_question(problem)
     text = "\n".join(lines)
     runs = _RUN.findall(text)
     metres = all(each.mass and not letters(each.mass) for each in problem.spheres)
@@ -105,7 +105,8 @@ def with_angles(lines: Sequence[str], problem: Problem) -> list[str]:
     """The lines with the sign of an angle for an @ that stands for one: ``cos@``, ``@ = 30``."""
     if not any(_AT_AN_ANGLE.search(line) for line in lines):
         return list(lines)
-    signs = [sign for sign, name in GREEK_SIGNS.items() if name in GREEK_ANGLES & _letters(problem)]
+    angles = GREEK_ANGLES & letters_of_question(problem)
+    signs = [sign for sign, name in GREEK_SIGNS.items() if name in angles]
     sign = signs[0] if len(signs) == 1 else "θ"
     return [line.replace("@", sign) for line in lines]
 
@@ -128,7 +129,8 @@ def _squares(text: str, letters: frozenset[str] | set[str]) -> frozenset[str]:
     return frozenset(set("uvwVUWxyt") & letters - typed)
 
 
-def _letters(problem: Problem) -> frozenset[str]:
+def letters_of_question(problem: Problem) -> frozenset[str]:
+    """The letters of a question, e of an impact without a number among them."""
     names: set[str] = set()
     for tree in trees(problem):
         names |= letters(tree)

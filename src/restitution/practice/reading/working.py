@@ -26,13 +26,18 @@ from restitution.practice.reading.headings import (
 )
 from restitution.practice.reading.merging import with_phrases
 from restitution.practice.reading.owners import with_owners
-from restitution.practice.reading.quoted import without_quoted
+from restitution.practice.reading.quoted import without_quoted, without_steady_motion
 from restitution.practice.reading.scanner import scan
 from restitution.practice.reading.segments import segments
 from restitution.practice.reading.spoken import with_labels
 from restitution.practice.reading.statements import read_statements
 from restitution.practice.reading.tokens import Token, Usage
-from restitution.practice.reading.usage import GREEK_ANGLES, usage_of, with_angles
+from restitution.practice.reading.usage import (
+    GREEK_ANGLES,
+    letters_of_question,
+    usage_of,
+    with_angles,
+)
 from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS, STAGES
 from restitution.practice.script import ANYWHERE, LineKind, Scope, Script, ScriptLine
 from restitution.problem import Impact, Problem
@@ -58,7 +63,8 @@ def read_working(
     lines = text.splitlines() if isinstance(text, str) else [str(each) for each in text]
     typed = [(n, line) for n, line in enumerate(lines, 1) if line.strip()][: MAX_LINES + 1]
     texts = with_angles([line[: MAX_LENGTH + 1] for _, line in typed[:MAX_LINES]], problem)
-    plains = [plain(each) for each in texts]
+    of_question = {*letters_of_question(problem), *declared}
+    plains = [plain(without_steady_motion(each, of_question)) for each in texts]
     usage = usage_of([each.text for each in plains], problem)
     plains = list(with_owners(plains, problem, {*usage.letters, *declared}))
     aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}

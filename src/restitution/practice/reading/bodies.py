@@ -1,0 +1,42 @@
+"""What a value behind the name of a sphere may be: its velocity, its speed, or where it is."""
+
+from __future__ import annotations
+
+from restitution.expression.tree import Binary, Expression, Letter, Name, Negate, Quantity, walk
+from restitution.practice.reading.readings import Side
+from restitution.problem import Problem
+
+
+def vectors_of(body: str, problem: Problem) -> tuple[Side, ...]:
+    """What a vector behind the name of a sphere may be: its velocity, momentum or impulse.
+
+    Of one whose place is known it may be where it is.
+    """
+    phrases = (f"velocity of {body}", f"momentum of {body}", f"impulse on {body}")
+    momentum, impulse = (Quantity(kind, (Name(body),)) for kind in ("momentum", "impulse"))
+    velocity, *others = map(Letter, phrases)
+    trees = (velocity, *places_of(body, problem), *others, momentum, impulse, Negate(impulse))
+    return tuple(map(Side, trees))
+
+
+def _is_signed(tree: Expression) -> bool:
+    """Whether a value may be negative as it is typed: ``-2``, ``u(2 - 3e)``."""
+    return any(
+        isinstance(each, Negate) or (isinstance(each, Binary) and each.op == "-")
+        for each in walk(tree)
+    )
+
+
+def worths_of(body: str, value: Expression) -> tuple[Side, ...]:
+    """What a number behind the name of a sphere may be: its speed, or a component."""
+    phrases = [f"speed of {body}"]
+    phrases += [f"component of {body} along"] if _is_signed(value) else []
+    return tuple(Side(Letter(each)) for each in phrases)
+
+
+def places_of(body: str, problem: Problem) -> tuple[Expression, ...]:
+    """Where a sphere is at each event, if its place is known."""
+    if all(each.name != body or each.position is None for each in problem.spheres):
+        return ()
+    stages = range(len(problem.events) + 1)
+    return tuple(Quantity("position", (Name(body),), stage) for stage in stages)
