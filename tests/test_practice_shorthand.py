@@ -244,3 +244,74 @@ def test_the_end_of_a_range_may_be_a_decimal(answer: str, state: str) -> None:
 )
 def test_a_case_before_a_comma_and_a_time_that_counts_from_nowhere(line: str, verdict: str) -> None:
     assert verdicts(LEAST, "v + 2w = ½u", "w = v + ½eu", line)[-1] == verdict
+
+
+IN_U = (
+    "sphere A: mass 3m, velocity 2u i + u j\nsphere B: mass 2m, velocity -u i + 3u j\n"
+    "A hits B: along i\nfind velocity(A), velocity(B)\n"
+)
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ("let u = 5", "3(10) - 2(5) = 3v + 2w", "w - v = 15e", "v = 4 - 6e"),
+        ("3(2) - 2 = 3v + 2w where v, w are in terms of u", "w - v = 3e", "v = (4 - 6e)/5"),
+    ],
+)
+def test_a_letter_of_the_question_may_be_taken_for_a_number(lines: tuple[str, ...]) -> None:
+    assert set(verdicts(IN_U, *lines)) <= {"true", "remark"}
+    wrong = [each.replace("- 2", "+ 2") for each in lines]
+    assert "false" in verdicts(IN_U, *wrong)
+
+
+STRIP = (
+    "wall W: along i, through (0, 0)\nwall X: along i, through (0, 2)\n"
+    "sphere P: velocity 3i - 4j, at (0, 1)\nP hits W: e = 3/4\nP hits X: e = 1/2\n"
+    "find time(1), time(2)\n"
+)
+
+
+def test_the_formula_of_steady_motion_has_no_letters_of_the_script() -> None:
+    """The s of ``s = ut`` is no letter, so that behind a number it is a second."""
+    lines = "s=ut so 1=4t1, t1=¼s. Then 2 = 3t, t = ⅔ s", "total = 11/12 s"
+    assert verdicts(STRIP, *lines) == ["true", "true"]
+    assert verdicts(STRIP, "s=ut so 1=4t1, t1=½s") == ["false"]
+
+
+REACHED = (
+    "wall W: along i, through (0, 0)\npoint N: (10, 3)\nsphere P: velocity 4i - 3j, at (0, 3)\n"
+    "P hits W: e = 2/3\nP reaches N\nfind velocity(P)\n"
+)
+
+
+def test_a_vector_v_is_the_velocity_after_the_only_event_that_changes_it() -> None:
+    assert verdicts(REACHED, "v = 4i + 2j") == ["true"]
+    assert verdicts(REACHED, "v = 2.67i + 3j") == ["false"]
+
+
+GREATEST = (
+    "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+    "A hits B: along i, e = 1/3\nfind maximum of deflection(A) over alpha\n"
+)
+
+
+def test_a_letter_without_a_meaning_may_be_known_where_a_value_is_greatest() -> None:
+    lines = "2(1+3t²) - 2t(6t) = 0", "6t² = 2", "tan δ = 1/√3", "max δ = 30°"
+    assert verdicts(GREATEST, *lines) == ["true"] * 4
+    assert verdicts(GREATEST, lines[0], "6t² = 3") == ["true", "false"]
+    slip = lines[0], "2 + 6t² - 12t = 0", "t = 1.816 or 0.184"
+    assert verdicts(GREATEST, *slip) == ["true", "false", "follows"]
+
+
+OBLIQUE = (
+    "sphere A: mass 0.17, velocity 3.2 at 28°\nsphere B: mass 0.17, at rest\n"
+    "A hits B: along i, e = 0.92\nfind speed(A), speed(B)\n"
+)
+
+
+def test_letters_of_the_data_and_values_from_rounded_equations() -> None:
+    """The angle that the question gives in numbers may be θ; 2.83 and 2.60 move v by 2 %."""
+    lines = "u cosθ = 2.83", "v + w = 2.83", "w - v = 2.60", "w = 2.715, v = 0.115"
+    assert verdicts(OBLIQUE, *lines) == ["true"] * 4
+    assert verdicts(OBLIQUE, *lines[:3], "w = 2.715, v = 0.135")[-1] == "false"

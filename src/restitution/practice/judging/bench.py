@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -33,10 +33,19 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Bench:
-    """A part of a question with everything that judging needs from it, worked out once."""
+    """A part of a question with everything that judging needs from it, worked out once.
+
+    ``fixed`` are values that a script takes for letters of the question: ``take u = 1``.
+    """
 
     solution: Solution
     solved: PartSolution
+    fixed: Mapping[str, Fraction] = field(default_factory=dict)
+
+    def taking(self, fixed: Mapping[str, Fraction]) -> Bench:
+        """The same part where letters have these values; as it is where they cannot."""
+        own = replace(self, fixed=fixed) if fixed else self
+        return own if own.worlds else self
 
     @property
     def problem(self) -> Problem:
@@ -46,7 +55,7 @@ class Bench:
     @cached_property
     def worlds(self) -> tuple[World, ...]:
         """The true worlds, one for each admissible solution."""
-        return true_worlds(self.solution, self.solved)
+        return true_worlds(self.solution, self.solved, self.fixed)
 
     @cached_property
     def names(self) -> Names:

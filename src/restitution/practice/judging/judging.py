@@ -45,6 +45,7 @@ from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.letters.letters import meanings_of
+from restitution.practice.letters.surroundings import all_fixed, letters_of
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Link, Script, ScriptLine
 from restitution.practice.worlds.effort import ExhaustedError, effort
@@ -76,6 +77,7 @@ def judge(
     """
     bench = bench_of(question, part)
     own = script.of(part)
+    bench = bench.taking(all_fixed(own, letters_of(bench.problem, bench.solved.part)))
     if not bench.worlds:
         return Judgement(tuple(JudgedLine(each, "remark") for each in own.lines), ())
     judgement = _judged(bench, own, part, letters)

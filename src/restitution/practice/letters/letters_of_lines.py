@@ -34,7 +34,7 @@ from restitution.practice.letters.surroundings import (
 from restitution.practice.letters.trial import Frame, inside_angles, resolved_in
 from restitution.practice.reading.angles import is_angle
 from restitution.practice.script import Claim, Link, Scope, Script
-from restitution.problem import Impact
+from restitution.problem import Event, Impact, Kick
 from restitution.vector import Vector
 
 _VELOCITIES = frozenset("vVwW")
@@ -235,6 +235,8 @@ class LettersOfLines:
         if self._is_velocity(name):
             moving = [each for each in self.around.candidates if each.kind == "velocity"]
             after = [each for each in moving if each.event and scope.event in (None, each.event)]
+            changed = [x for x in after if isinstance(self._event_of(x), Impact | Kick)]
+            after = changed or after  # where a body only arrives, it moves as before
             if earlier(name):
                 after = [each for each in moving if each.event == 0]
             own = [each for each in after if each.body == suffix(name)]
@@ -251,6 +253,10 @@ class LettersOfLines:
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
         known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
         return known or self._by_shape(name)
+
+    def _event_of(self, candidate: Candidate) -> Event | None:
+        """The event after which a quantity is taken."""
+        return self.around.events[candidate.event - 1] if candidate.event else None
 
     def _vector_impulse(self, name: str, scope: Scope) -> Candidate | None:
         """The impulse in the only impact, or in that of a heading, that a vector is."""

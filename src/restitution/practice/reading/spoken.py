@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.reading.characters import Plain
+from restitution.practice.reading.usage import letters_of_question
 from restitution.problem import Find, Problem, trees_of_step
 
 Put = Callable[[re.Match[str], Problem], str]
@@ -94,6 +95,12 @@ _REBOUNDS = re.compile(
 )
 _SQUARE_ROOT = re.compile(r"\bsq(?:uare)?\.?\s?(?:root|rt)\s*(?:of\s+)?(?=[\d(a-z])", re.IGNORECASE)
 _IN_ALL = re.compile(r"(?<!\w)(total|altogether)(?=\s*[=:])", re.IGNORECASE)
+_NAME = r"[A-Za-z](?:_?\w)?"
+_IN_UNITS = re.compile(
+    rf"(?:[;,(]\s*)?\b(?:where|with|taking)\s+{_NAME}(?:\s*(?:,|and\b|&)\s*{_NAME}){{0,3}}\s+"
+    r"(?:(?:are|is|both|all)\s+){0,2}"
+    r"(?:in\s+terms\s+of|in\s+units\s+of|(?:as\s+)?multiples\s+of)\s+([A-Za-z])\b\)?"
+)
 _CHANGE = re.compile(r"\bchange\s+in\s+v(?:_?([A-Z]))?(?=\s*=)")
 
 
@@ -128,6 +135,11 @@ def _turned(match: re.Match[str], problem: Problem) -> str:
     """The deflection of the sphere that is named, or of one."""
     spheres = {each.name for each in problem.spheres}
     return f" deflection of {match[1]} = " if match[1] in spheres else " deflection = "
+
+
+def _unit_of_letters(match: re.Match[str], problem: Problem) -> str:
+    """A letter of the question as the unit of others: ``where v, w are in terms of u``."""
+    return f"; take {match[1]} = 1" if match[1] in letters_of_question(problem) else match[0]
 
 
 def _after(match: re.Match[str], problem: Problem) -> str:
@@ -256,5 +268,6 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_SQUARE_ROOT, lambda _, __: "root "),
     (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),
+    (_IN_UNITS, _unit_of_letters),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )
