@@ -400,6 +400,13 @@ show angle(velocity(P), W) <= alpha
         ),
         ["δ = 180° − arctan(17/7) ≈ 112°, as tan δ < 0"],
     ),
+    "an angle of deflection is between the velocities before and after": (
+        (
+            "wall W: along i\nsphere P: mass 1, velocity 5i - 3j\nP hits W: e = 1/3\n"
+            "find deflection(P)"
+        ),
+        ["Angle between the velocities before and after, by the scalar product:"],
+    ),
     "velocities of a scalar product are written out": (
         (
             "sphere A: mass 2m, velocity u i + 2u j\nsphere B: mass 3m, velocity -2u i - u j\n"
@@ -451,7 +458,7 @@ show angle(velocity(P), W) <= alpha
             "sphere A: mass m, velocity 2u i + u j\nsphere B: mass 2m, velocity -u i + 2u j\n"
             "A hits B\ngiven impulse(A) = -lambda m u (i + j), e = 1/2\nfind lambda"
         ),
-        ["A and B approach each other along 𝐢 + 𝐣:"],
+        ["As ((2u𝐢 + u𝐣) − (−u𝐢 + 2u𝐣)) · (𝐢 + 𝐣) = 2u > 0, A and B approach each other"],
     ),
     "a direction that is shown has its sense by an acute angle": (
         (

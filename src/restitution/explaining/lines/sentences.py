@@ -591,6 +591,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}. {wall} is parallel to {vector}, so the scalar product is zero:"
     ),
     "sense.approach": "{one} and {other} approach each other along {vector}:",
+    "sense.approach-as": "As {reason}, {one} and {other} approach each other along {vector}:",
     "sense.opposite": (
         "The impulse on {body} acts away from {other}, and the direction from {body} to {other} is "
         "opposite to it:"
@@ -1297,7 +1298,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "direction, and of those at right angles to it. It is a number, and no vector."
     ),
     "derived-between.title-of": "Angle between {one} and {other}, by the scalar product:",
-    "derived-between.title": "Angle between two directions, by the scalar product",
+    "derived-between.title-turned": (
+        "Angle between the velocities before and after, by the scalar product:"
+    ),
+    "derived-between.title": "By the scalar product",
     "derived-between.why": (
         "The scalar product of two vectors is the product of their sizes and of the cosine of the "
         "angle between them. So the cosine is the scalar product divided by both sizes."

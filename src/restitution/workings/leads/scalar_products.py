@@ -15,10 +15,10 @@ from restitution.workings.reasons.grounds import meant_by
 
 
 def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
-    """The title of the cosine of the angle between two velocities.
+    """The title of the cosine of an angle of deflection, or of the angle between two velocities.
 
-    A velocity of which only components stand is written out. None of another angle, and where a
-    velocity stands in no such way.
+    Of the latter a velocity of which only components stand is written out. None of another angle,
+    and where a velocity stands in no such way.
     """
     match line.relation:
         case Relation(((Link(Apply("cos", Letter() as angle), "="), *_),)):
@@ -26,6 +26,8 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
         case _:
             return None
     match asked:
+        case Quantity("deflection"):
+            return say("derived-between.title-turned")
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity")) as pair):
             sides = []
             for velocity in pair:

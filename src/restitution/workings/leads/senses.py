@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Derivation, Event, Fact, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Expression, Quantity, letters
+from restitution.expression.tree import Binary, Expression, Quantity, letters
+from restitution.planning.writing.forms import ZERO, tree_of
+from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import vector_worth
@@ -36,16 +36,21 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
     if towards != (body == event.bodies[0]):
         return None
-    if not event.wall and _approach(derivation, event, before, one):
-        first, second = event.bodies
-        return say("sense.approach", one=first, other=second, vector=naming.side(own))
+    if not event.wall and (sides := _approaching(derivation, event, before, one)) is not None:
+        slots = {"one": event.bodies[0], "other": event.bodies[1], "vector": naming.side(own)}
+        reason = _closing(derivation, naming, sides, own)
+        if reason is None:
+            return say("sense.approach", **slots)
+        return say("sense.approach-as", reason=reason, **slots)
     opposite = "sense.opposite-wall" if event.wall else "sense.opposite"
     name = opposite if towards else "sense.away"
     return say(name, body=pushed, other=from_)
 
 
-def _approach(derivation: Derivation, event: Event, impulse: Expression, line: Vector) -> bool:
-    """Whether two spheres are seen to approach along a line, where an impulse holds a new letter.
+def _approaching(
+    derivation: Derivation, event: Event, impulse: Expression, line: Vector
+) -> tuple[Expression, Expression] | None:
+    """The velocities of two spheres that approach along a line, where an impulse has a new letter.
 
     Its sign is not known then, and the velocities of the data tell the sense.
     """
@@ -53,15 +58,30 @@ def _approach(derivation: Derivation, event: Event, impulse: Expression, line: V
     sides = [each.relation.only[-1].right for each in facts if each is not None]
     names = {name for each in derivation.facts if each.kind == "data" for name in _letters(each)}
     if len(sides) != 2 or event.number != 1 or letters(impulse) <= names:
-        return False
-    try:
-        one, other = (in_letters(each, positive=True) for each in sides)
-    except RestitutionError:
-        return False
-    if not isinstance(one, Vector) or not isinstance(other, Vector):
-        return False
-    closing = sp.expand(Vector(one.x - other.x, one.y - other.y).dot(line))
-    return bool(closing.is_positive)
+        return None
+    one, other = sides
+    vectors = vector_worth(one), vector_worth(other)
+    if vectors[0] is None or vectors[1] is None:
+        return None
+    closing = sp.expand((vectors[0] - vectors[1]).dot(line))
+    return (one, other) if closing.is_positive else None
+
+
+def _closing(
+    derivation: Derivation, naming: Naming, sides: tuple[Expression, Expression], line: Expression
+) -> lay.Layout | None:
+    """``(4𝐢 − (−2𝐢 + 3𝐣)) · (𝐢 − 𝐣) = 9 > 0``: that spheres approach along a line.
+
+    None where a letter of the working, of which the sign is open, is in the line.
+    """
+    one, other = sides
+    first, second, along = map(vector_worth, (one, other, line))
+    if first is None or second is None or along is None or letters(line) & set(derivation.meanings):
+        return None
+    value = tree_of(sp.factor((first - second).dot(along)))
+    relative = one if (second.x, second.y) == (0, 0) else Binary("-", one, other)
+    product = Quantity("dot", (relative, line))
+    return naming.relation(Relation(((Link(product, "=", value), Link(value, ">", ZERO)),)))
 
 
 def _letters(fact: Fact) -> frozenset[str]:
