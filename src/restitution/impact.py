@@ -176,8 +176,8 @@ class Hit:
 
     def _name(self, body: str | Body) -> str:
         name = body if isinstance(body, str) else body.name
-        if name not in (each.name for each in self.before):
-            known = " and ".join(each.name for each in self.before)
+        if name not in (value.name for value in self.before):
+            known = " and ".join(value.name for value in self.before)
             raise StatementError(f"{name} takes no part in this impact of {known}")
         return name
 
@@ -298,7 +298,10 @@ class _Reader:
         if isinstance(value, tuple) and len(value) == 2:
             # An array in it is a component for many impacts, even if it is of two.
             return Vector(
-                *(each if _is_array(each) else self._value(each, what, known) for each in value)
+                *(
+                    component if _is_array(component) else self._value(component, what, known)
+                    for component in value
+                )
             )
         if isinstance(value, Expression):
             from restitution.expression.evaluate import Angle, Evaluator, Symbolic
@@ -341,7 +344,7 @@ def _tree(value: Any, what: str, names: dict[str, str]) -> Any:
     if isinstance(value, (tuple, list)):
         if len(value) != 2:
             raise StatementError(f"{what} has {len(value)} components where it needs two")
-        return tuple(_tree(each, what, names) for each in value)
+        return tuple(_tree(other, what, names) for other in value)
     return value
 
 
@@ -608,8 +611,8 @@ def _size(value: Any) -> Any:
 
 def _angle(first: Vector, second: Vector) -> Any:
     """The angle between two vectors, from 0 to π; exact ones without common factors."""
-    cross, dot = (_tidied(each) for each in (first.cross(second), first.dot(second)))
-    if not any(hasattr(each, "free_symbols") for each in (cross, dot)):
+    cross, dot = (_tidied(value) for value in (first.cross(second), first.dot(second)))
+    if not any(hasattr(value, "free_symbols") for value in (cross, dot)):
         return measure.angle_between(first, second)
     import sympy
 

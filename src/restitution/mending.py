@@ -64,7 +64,7 @@ def mended(text: str, fix: Fix) -> str:
     def offset(line: int, column: int) -> int:
         return min(starts[min(line, len(starts)) - 1] + column - 1, len(text))
 
-    for edit in sorted(fix.edits, key=lambda each: (each.line, each.column), reverse=True):
+    for edit in sorted(fix.edits, key=lambda edit: (edit.line, edit.column), reverse=True):
         start, end = offset(edit.line, edit.column), offset(edit.end_line, edit.end_column)
         text = text[:start] + edit.text + text[end:]
     return text

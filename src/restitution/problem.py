@@ -421,9 +421,9 @@ class Problem:
     def _names_used(self, last: int) -> tuple[Let, ...]:
         """The names that earlier labelled parts gave and this one uses, without naming anew."""
         named: dict[str, Let] = {}
-        for each in self.parts[:last]:
-            if each.label is not None:
-                named |= {step.letter: step for step in each.steps if isinstance(step, Let)}
+        for part in self.parts[:last]:
+            if part.label is not None:
+                named |= {step.letter: step for step in part.steps if isinstance(step, Let)}
         if not named:
             return ()
         own = self.parts[last].steps
@@ -518,7 +518,9 @@ def comparisons(problem: Problem) -> Iterator[Compare]:
     for _, step in problem.steps():
         match step:
             case Given():
-                yield from (each for each in step.relations if isinstance(each, Compare))
+                yield from (
+                    relation for relation in step.relations if isinstance(relation, Compare)
+                )
             case Show(Compare() as relation):
                 yield relation
 

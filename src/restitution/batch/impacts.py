@@ -97,7 +97,7 @@ def impacts(
         raise StatementError(f"threads = {threads}: at least one is needed")
     kind = _kind_of_number(given)
     data = [np.asarray(each, dtype=kind) for each in given]
-    shape = _common_shape([each.shape for each in data])
+    shape = _common_shape([array.shape for array in data])
     results = _room(out, data, shape, kind)
     with np.errstate(all="ignore"):  # as compiled code does; what is not a number stays so
         if kind == np.float64 and math.prod(shape) >= LARGE and find_spec("numba"):
@@ -199,8 +199,8 @@ def _in_the_way(result: _Array, data: Sequence[_Array]) -> bool:
         return array.ctypes.data, array.shape, array.strides
 
     return any(
-        np.may_share_memory(result, each) and not (k < 2 and place(each) == place(result))
-        for k, each in enumerate(data)
+        np.may_share_memory(result, array) and not (k < 2 and place(array) == place(result))
+        for k, array in enumerate(data)
     )
 
 
@@ -222,7 +222,8 @@ def _chunks(data: Sequence[_Array], shape: tuple[int, ...]) -> Iterator[tuple[An
     """Which rows, and the data of these: vectors by components, all broadcast."""
     size = math.prod(shape)
     whole = [
-        np.broadcast_to(each, (*shape, 2) if k < _VECTORS else shape) for k, each in enumerate(data)
+        np.broadcast_to(array, (*shape, 2) if k < _VECTORS else shape)
+        for k, array in enumerate(data)
     ]
     if size <= CHUNK:
         parts: list[Any] = [...]
@@ -230,8 +231,8 @@ def _chunks(data: Sequence[_Array], shape: tuple[int, ...]) -> Iterator[tuple[An
         step = max(1, CHUNK * shape[0] // size)
         parts = [slice(start, start + step) for start in range(0, shape[0], step)]
     for rows in parts:
-        vectors = [Vector(each[rows][..., 0], each[rows][..., 1]) for each in whole[:_VECTORS]]
-        yield rows, [*vectors, *(each[rows] for each in whole[_VECTORS:])]
+        vectors = [Vector(array[rows][..., 0], array[rows][..., 1]) for array in whole[:_VECTORS]]
+        yield rows, [*vectors, *(array[rows] for array in whole[_VECTORS:])]
 
 
 def _by_kernel(
@@ -241,19 +242,21 @@ def _by_kernel(
     from restitution.batch.fused import fused
 
     count = math.prod(shape)
-    flat = [_flat(each, shape, vectors=k < _VECTORS) for k, each in enumerate(data)]
+    flat = [_flat(array, shape, vectors=k < _VECTORS) for k, array in enumerate(data)]
     pairs = [result.reshape(count, 2) for result in results]
     # The results are written line by line of the cache: the first row starts one.
     first = min(count, -pairs[0].ctypes.data % _LINE // _ROW)
     steps = (count - first) // _KERNEL
-    strides = [0 if same else each.strides[0] * _KERNEL for each, same in flat]
+    strides = [0 if same else array.strides[0] * _KERNEL for array, same in flat]
 
     def work(part: int) -> bool:
         start, stop = (steps * end // threads for end in (part, part + 1))
         row = first + start * _KERNEL
         return bool(
             fused(
-                tuple(each.ctypes.data + (not same) * row * each.strides[0] for each, same in flat),
+                tuple(
+                    array.ctypes.data + (not same) * row * array.strides[0] for array, same in flat
+                ),
                 tuple(strides),
                 tuple(pair.ctypes.data + row * _ROW for pair in pairs),
                 stop - start,
@@ -266,7 +269,7 @@ def _by_kernel(
         with ThreadPoolExecutor(threads) as pool:
             good = all(pool.map(work, range(threads)))
     for start, stop in (0, first), (first + steps * _KERNEL, count):
-        edge = [each[: stop - start] if same else each[start:stop] for each, same in flat]
+        edge = [array[: stop - start] if same else array[start:stop] for array, same in flat]
         good = good and _by_numpy(edge, [pair[start:stop] for pair in pairs], (stop - start,))
     return good
 
@@ -311,7 +314,7 @@ def _reason(w1: Any, w2: Any, c: Vector, e: Any) -> str:
 
 def _by_another_library(given: Sequence[Any], sample: Any) -> tuple[Any, Any]:
     data = [each if _is_foreign(each) else np.asarray(each) for each in given]
-    _common_shape([each.shape for each in data])
+    _common_shape([array.shape for array in data])
     u1, u2, c = (Vector(_number(v[..., 0]), _number(v[..., 1])) for v in data[:_VECTORS])
     w1, w2, e = map(_number, data[_VECTORS:])
     v1, v2 = law.impact(u1, u2, w1, w2, c, e)

@@ -42,7 +42,7 @@ def allocated_letters(problem: Problem, taken: set[str]) -> dict[tuple[int, str]
     """A letter for each component that an impact changes, the same in all parts."""
     spheres = {sphere.name for sphere in problem.spheres}
     given = _named_by_let(problem, spheres)
-    impacts = [(n, each) for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
+    impacts = [(n, event) for n, event in enumerate(problem.events, 1) if isinstance(event, Impact)]
     struck = [(n, tuple(b for b in (e.first, e.second) if b in spheres)) for n, e in impacts]
     of_spheres = [each for each in struck if len(each[1]) > 1]
     pool = [c for c in _COMPONENTS if c not in taken]

@@ -219,7 +219,7 @@ class Model:
         """
         points: list[Mapping[str, Any]] = [self.sample]
         whole = [self.in_data(part) for part in parts]
-        sizes = {each.args[0] for x in whole for each in x.atoms(sp.Abs)}
+        sizes = {size.args[0] for x in whole for size in x.atoms(sp.Abs)}
         for x in (*whole, *sorted(sizes, key=sp.default_sort_key)):
             sign = self.sign(x)
             if x.is_positive or x.is_negative or not x.free_symbols:

@@ -138,7 +138,7 @@ def without_bars(model: Model, value: sp.Expr) -> sp.Expr:
         return value
     cosines: dict[sp.Expr, sp.Expr] = {}
     for root in value.atoms(sp.Pow):
-        for angle in {each.args[0] for each in root.base.atoms(sp.sin)}:
+        for angle in {sine.args[0] for sine in root.base.atoms(sp.sin)}:
             is_cosine = root.exp == sp.S.Half and sp.expand(root.base + sp.sin(angle) ** 2 - 1) == 0
             if is_cosine and proved_sign(model.inside, sp.cos(angle)) == 1:
                 cosines[root] = sp.cos(angle)
@@ -291,7 +291,7 @@ def _letter_of_an_angle(
 ) -> sp.Symbol:
     """A letter that the question does not use, for an angle with that value."""
     unknowns = model.unknowns
-    name = next(each for each in names if each not in unknowns.roles)
+    name = next(name for name in names if name not in unknowns.roles)
     unknowns.roles = {**unknowns.roles, name: role}
     letter = role.symbol(name)
     model.final[letter] = tidy_angle(value)

@@ -144,8 +144,8 @@ def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
         known = ", ".join(str(label) for label in solution.parts)
         raise KeyError(f"there is no part {part!r}; parts: {known}")
     parts = [each for label, each in solution.parts.items() if part in (None, label)]
-    solved = [each for each in parts if each.branches]
-    errors = [each.error for each in parts if each.error is not None]
+    solved = [part for part in parts if part.branches]
+    errors = [part.error for part in parts if part.error is not None]
     if errors and not solved:
         raise errors[0]
     return solved
@@ -171,7 +171,9 @@ def _pictures(
             continue
         numbers = motion(solution, part, branch)
         question_words = sayings(numbers, letters)
-        possible = all(is_possible(numbers, each.number) for each in numbers.story.happenings)
+        possible = all(
+            is_possible(numbers, happening.number) for happening in numbers.story.happenings
+        )
         if possible and _says_more(solution, part):
             plan = path_scene(solution, part, branch, numbers)
             if plan is not None:

@@ -76,7 +76,7 @@ def distances(plan: Plan, story: Story, branch: Branch) -> list[Distance]:
         if layout is None:
             continue
         if not plan.in_line and any(
-            layout == each.label and _alike(each, start, end) for each in distances_
+            layout == distance.label and _alike(distance, start, end) for distance in distances_
         ):
             continue
         labelled.add(wanted.what)

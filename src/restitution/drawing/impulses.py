@@ -35,7 +35,7 @@ def put_impulses(view: View, drawing: Drawing) -> None:
     side = directions[0].turned_left()
     sides = [side, -side]
     if angle is not None:  # whose arc is to be on the far side of the arrow
-        sides = [each for each in sides if each.dot(angle.reference) > 0] or sides
+        sides = [side for side in sides if side.dot(angle.reference) > 0] or sides
     room, placed = _beside_all(view.bodies, directions, sides, drawing)
     if room < 1.0:
         placed = [

@@ -86,7 +86,7 @@ class Known:
         if self.sayings is not None:
             normal = stop.normal.turned_left() if stop.normal is not None else Vector(0.0, 0.0)
             angles = self.sayings.of(body, stop.number - 1).angles if before else []
-            given = [each for each in angles if abs(each.reference.cross(normal)) < _SAME]
+            given = [angle for angle in angles if abs(angle.reference.cross(normal)) < _SAME]
             if not given or stop.kind != "wall":
                 return None
             size = _angle(self.motion.story, body, stop, before)

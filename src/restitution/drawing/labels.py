@@ -108,8 +108,8 @@ def place(scene: Scene) -> Placed:
         message = "no room for the labels of a picture"
         raise AssertionError(message)
     labels = tuple(
-        PlacedLabel(label, each.box, _baseline(label, each), each.size, each.leader)
-        for label, each in zip(scene.labels, chosen, strict=True)
+        PlacedLabel(label, offer.box, _baseline(label, offer), offer.size, offer.leader)
+        for label, offer in zip(scene.labels, chosen, strict=True)
     )
     scene = _trimmed(grown, scene, labels)
     drawn = [
@@ -201,7 +201,7 @@ def _fixed(scene: Scene, pieces: Sequence[Piece], solid: Sequence[Box]) -> dict[
     for index, label in enumerate(scene.labels):
         if label.fixed:
             box = _beside(label.at, label.sides[0], label.gap, _extent(label, label.size))
-            others = [*solid, *(each.box for each in offers.values())]
+            others = [*solid, *(offer.box for offer in offers.values())]
             if _Ground(box, pieces, others).is_free(box):
                 offers[index] = _offered(box, label.size, 0.0)
     return offers
@@ -220,7 +220,7 @@ def _offers(label: Label, ground: _Ground, enough: int = _ENOUGH) -> list[_Offer
     ):
         offers = _on_sides(label, ground, label.size * share, sides, enough)
         if offers:
-            return sorted(offers, key=lambda each: each.cost)
+            return sorted(offers, key=lambda offer: offer.cost)
     return []
 
 
@@ -338,7 +338,7 @@ def _placed(
     everything = [*pieces, *(each for panel in scene.panels for each in _frame(panel))]
     solid = [heading.box for heading in headings]
     fixed = _fixed(scene, everything, solid)
-    solid += [each.box for each in fixed.values()]
+    solid += [offer.box for offer in fixed.values()]
     discs = [shape for shape in scene.shapes if isinstance(shape, Disc) and not shape.ghost]
     grounds = [_Ground(_region(label, scene), everything, solid, discs) for label in scene.labels]
     offers = {
@@ -347,7 +347,7 @@ def _placed(
         if index not in fixed
     }
     chosen: dict[int, _Offer] = {}
-    for index in sorted(offers, key=lambda each: (len(offers[each]), each)):
+    for index in sorted(offers, key=lambda number: (len(offers[number]), number)):
         if _settle(index, offers, chosen):
             continue
         offers[index] = _offers(scene.labels[index], grounds[index], _ALL)
@@ -428,7 +428,7 @@ def _move(
         for other in offers[rival]:
             if loss + other.cost - chosen[rival].cost >= gain - 1e-9:
                 return False  # offers come best first
-            if not any(_clash(other, each) for each in trial.values()):
+            if not any(_clash(other, offer) for offer in trial.values()):
                 loss += other.cost - chosen[rival].cost
                 trial[rival] = other
                 break
@@ -505,7 +505,7 @@ def _heading(panel: Panel, pieces: Sequence[Piece]) -> PlacedLabel:
 
 def _line(content: Layout, at: Vector, size: float, share: float = 0.0) -> PlacedLabel:
     """Words on a baseline, with the point so far along them: at their start, or in the middle."""
-    left, bottom, right, top = (size * each for each in outline(content).box)
+    left, bottom, right, top = (size * number for number in outline(content).box)
     x = at.x - left - share * (right - left)
     label = Label(content, at, ("centre",), 0.0, size, fixed=True)
     box = (x + left, at.y + bottom, x + right, at.y + top)

@@ -183,7 +183,7 @@ class _Drawing:
 
     def corners(self) -> None:
         """The angles at which walls meet, where they are given by angles."""
-        directions = {each.name: each.along for each in self.values.solution.problem.walls}
+        directions = {wall.name: wall.along for wall in self.values.solution.problem.walls}
         for wall in self.plan.walls:
             for other in self.plan.walls:
                 one, two = directions.get(wall.name), directions.get(other.name)
@@ -195,7 +195,7 @@ class _Drawing:
 
     def _corner(self, wall: Straight, other: Straight, tree: Expression) -> None:
         ends = [(a, b) for a in (wall.start, wall.end) for b in (other.start, other.end)]
-        corner, same = min(ends, key=lambda each: length(each[0] - each[1]))
+        corner, same = min(ends, key=lambda end: length(end[0] - end[1]))
         if length(corner - same) > _NEAR:
             return
         directions = [
@@ -227,7 +227,7 @@ class _Drawing:
         """The radius of an arc that no arc at another corner or impact meets."""
         others = [end for wall in self.plan.walls for end in (wall.start, wall.end)]
         others += [centre for stop in self.plan.stops for centre in stop.centres.values()]
-        apart = (length(each - vertex) for each in others)
+        apart = (length(vector - vertex) for vector in others)
         return max(_LEAST_ARC, 0.45 * min((x for x in apart if x > _NEAR), default=math.inf))
 
     def _wall_name(self, wall: Straight) -> None:
@@ -446,7 +446,7 @@ class _Drawing:
 
     def _alternate(self, body: str, stop: Stop) -> bool:
         """Whether an angle is that with the parallel wall before, where it is shown already."""
-        own = [each for each in self.plan.stops if body in each.centres]
+        own = [stop for stop in self.plan.stops if body in stop.centres]
         last = own[own.index(stop) - 1] if own.index(stop) else None
         return (
             last is not None

@@ -282,7 +282,7 @@ class _Reader:
             return
         key, reference, line = place
         angles = self.words(key).angles
-        if any(_alike(each.reference, reference) for each in angles):
+        if any(_alike(angle.reference, reference) for angle in angles):
             return
         label = self.letter_of_angle(key, reference) if label is None else label
         if label is not None:
@@ -344,7 +344,7 @@ class _Reader:
 
     def letter(self, names: Iterable[str]) -> lay.Letter | None:
         """A letter that the statement and the working do not use."""
-        name = next((each for each in names if each not in self.taken), None)
+        name = next((name for name in names if name not in self.taken), None)
         if name is None:
             return None
         self.taken.add(name)

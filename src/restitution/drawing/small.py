@@ -33,7 +33,7 @@ _SHOWN_ROLES = {"velocity", "path", "line_of_centres"}
 
 def small(scene: Scene) -> Scene:
     """The walls, spheres, paths and velocities of a picture, in a box of one size for all."""
-    shapes = [each for each in scene.shapes if _is_shown(each)]
+    shapes = [shape for shape in scene.shapes if _is_shown(shape)]
     shapes += [
         Line(
             "frame", Vector(right.box[0] - 1, right.box[1]), Vector(right.box[0] - 1, right.box[3])

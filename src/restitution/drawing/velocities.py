@@ -187,7 +187,7 @@ def _beside_narrow(
     The end is the one away from the sphere.
     """
     tail, tip = arrow
-    end = max(arrow, key=lambda each: math.hypot(*(each - body.centre)))
+    end = max(arrow, key=lambda vector: math.hypot(*(vector - body.centre)))
     beyond = 1.0 if end is tip else -1.0
     legs = [(view.t, parts.y, labels[1]), (view.n, parts.x, labels[0])]
     for (axis, value, part), (other, across, _) in zip(legs, reversed(legs), strict=True):
@@ -296,7 +296,7 @@ def _in_letters(view: View, x: Any) -> Any:
     It introduces those of two spheres where it is not known, and calls what a wall changes by name.
     """
     model = view.motion.model
-    own = {each.symbol: each for each in model.components.values()}
+    own = {component.symbol: component for component in model.components.values()}
     given = {step.letter for _, step in model.problem.steps() if isinstance(step, Let)}
     known = given if view.letters is None else given | {*view.letters.values()}
     present = symbols_in(x)

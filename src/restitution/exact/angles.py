@@ -62,12 +62,12 @@ def _tidy_angle(value: Expr) -> Expr:
         direction = direction_of(value)
         if direction is None:
             return tidy_parts(value)
-        cosine, sine = (tidy_number(each) for each in direction)
+        cosine, sine = (tidy_number(component) for component in direction)
         turns = _nice(size, cosine, sine)
         if turns is not None:
             return turns * sympy.pi
         candidates = _candidates(cosine, sine)
-    best = min(candidates, key=lambda each: each[0])
+    best = min(candidates, key=lambda candidate: candidate[0])
     pi = sympy.pi
     whole = Integer(sympy.floor((size - best[1].evalf(40)) / (2 * pi) + HALF))
     form = best[1] + 2 * pi * whole
@@ -151,7 +151,7 @@ def _of_plain_angles(tangent: Expr) -> Rational | None:
     count = (sympy.atan(tangent) / sympy.pi / unit).evalf(30)
     nearest = int(sympy.floor(count + HALF))
     counts = (*(turn / unit for turn in turns), nearest)
-    if abs(count - nearest) > Float("1e-20") or any(abs(each) > 40 for each in counts):
+    if abs(count - nearest) > Float("1e-20") or any(abs(count) > 40 for count in counts):
         return None
     c, s = sympy.symbols("c s")
 
@@ -176,15 +176,15 @@ def _of_plain_angles(tangent: Expr) -> Rational | None:
 def _with_plain_angles(value: Expr) -> Expr:
     """An angle in which each arctangent that is a plain angle is written as that angle."""
     plain = {}
-    for each in value.atoms(sympy.atan):
-        if each.free_symbols or not each.args[0]:
+    for atom in value.atoms(sympy.atan):
+        if atom.free_symbols or not atom.args[0]:
             continue
-        turns = _of_plain_angles(each.args[0])
-        if turns is None and (rest := _of_plain_angles(1 / each.args[0])) is not None:
+        turns = _of_plain_angles(atom.args[0])
+        if turns is None and (rest := _of_plain_angles(1 / atom.args[0])) is not None:
             # arctan(1/tan 10°) = 90° − 10°
             turns = (HALF if rest > 0 else -HALF) - rest
         if turns is not None:
-            plain[each] = turns * sympy.pi
+            plain[atom] = turns * sympy.pi
     return value.xreplace(plain) if plain else value
 
 
@@ -239,7 +239,7 @@ def _of_half_an_angle(tangent: Expr) -> Expr | None:
 
     So it is with 90° − a: cos a/(1 + sin a) is the tangent of 45° − a/2.
     """
-    angles = {each.args[0] for each in tangent.atoms(sympy.sin, sympy.cos)}
+    angles = {sine.args[0] for sine in tangent.atoms(sympy.sin, sympy.cos)}
     if len(angles) != 1 or not tangent.free_symbols <= (whole := angles.pop()).free_symbols:
         return None
     if not _acute(whole):

@@ -104,8 +104,8 @@ def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
             continue
         quotient = Add(
             *[
-                sympy.expand(each) * Mul(*[x**p for x, p in zip(letters, powers, strict=True)])
-                for each, powers in zip(parts, poly.monoms(), strict=True)
+                sympy.expand(part) * Mul(*[x**p for x, p in zip(letters, powers, strict=True)])
+                for part, powers in zip(parts, poly.monoms(), strict=True)
             ]
         )
         more, inner = quotient.primitive()
@@ -115,9 +115,9 @@ def _primitive(total: Add) -> tuple[Expr, list[tuple[Expr, Expr]]]:
         options.append((tidy_number(value * more * split[0]), factors))
     return min(
         options,
-        key=lambda each: (
-            (cost(each[0]) if each[0] is not S.One else 0.0)
-            + sum(cost(f) + (0.5 if p == 1 else 1.0) for f, p in each[1])
+        key=lambda option: (
+            (cost(option[0]) if option[0] is not S.One else 0.0)
+            + sum(cost(f) + (0.5 if p == 1 else 1.0) for f, p in option[1])
         ),
     )
 

@@ -42,7 +42,7 @@ def merged(value: Expr) -> Expr:
 
 def has_plain_angles(value: Expr) -> bool:
     """Whether there are cosines or sines of numbers, such as cos 35°."""
-    return any(not each.free_symbols for each in value.atoms(sympy.sin, sympy.cos))
+    return any(not sine.free_symbols for sine in value.atoms(sympy.sin, sympy.cos))
 
 
 @remembered(2048)
@@ -85,8 +85,8 @@ def _of_number(value: Expr) -> Expr:
 
 def _in_ratios_of(value: Expr, form: Expr) -> Expr:
     """A form with the ratios that a number has where both are the same: cos 50° for sin 40°."""
-    ratios = {_cosine_of(each): each for each in value.atoms(sympy.sin, sympy.cos)}
-    own = {each: ratios.get(_cosine_of(each), each) for each in form.atoms(sympy.sin, sympy.cos)}
+    ratios = {_cosine_of(sine): sine for sine in value.atoms(sympy.sin, sympy.cos)}
+    own = {sine: ratios.get(_cosine_of(sine), sine) for sine in form.atoms(sympy.sin, sympy.cos)}
     return form.xreplace(own)
 
 
@@ -100,8 +100,8 @@ def _acute_angles(value: Expr) -> set[Fraction]:
     """The angles of the ratios in a number as multiples of π, each as the one below 45° that has
     the same ratios. Raises _OtherError where one is no rational multiple.
     """
-    turns = (_turns(each.args[0]) % _RIGHT for each in value.atoms(sympy.sin, sympy.cos))
-    return {min(each, _RIGHT - each) for each in turns}
+    turns = (_turns(sine.args[0]) % _RIGHT for sine in value.atoms(sympy.sin, sympy.cos))
+    return {min(turn, _RIGHT - turn) for turn in turns}
 
 
 def _is_linear(value: Expr) -> bool:
@@ -120,12 +120,12 @@ def _cancelled(value: Expr) -> Expr:
     plain = value.xreplace(put)
     if not plain.is_rational_function(*put.values()):
         return value
-    sums = (each for each in sympy.preorder_traversal(plain) if isinstance(each, Add))
+    sums = (node for node in sympy.preorder_traversal(plain) if isinstance(node, Add))
     is_one_quotient = not any(
-        sympy.fraction(each)[1].free_symbols for sum_ in sums for each in sum_.args
+        sympy.fraction(argument)[1].free_symbols for sum_ in sums for argument in sum_.args
     )
-    sides = (each.atoms(Rational) for each in sympy.fraction(plain))
-    if is_one_quotient and any(not each.is_Integer for side in sides for each in side):
+    sides = (value.atoms(Rational) for value in sympy.fraction(plain))
+    if is_one_quotient and any(not value.is_Integer for side in sides for value in side):
         return value  # (3.6 sin 25°)/0.58 would become a quotient of whole numbers
     above, below = sympy.fraction(sympy.cancel(plain))
     back = {letter: ratio for ratio, letter in put.items()}

@@ -21,8 +21,8 @@ def over_surds(value: Expr) -> Expr:
 
     A value that has no such factor comes back as it is.
     """
-    surds = {each for each in value.atoms(Pow) if is_surd(each)}
-    plain = all(each.exp.q == 2 and each.base.is_Integer for each in surds)
+    surds = {power for power in value.atoms(Pow) if is_surd(power)}
+    plain = all(surd.exp.q == 2 and surd.base.is_Integer for surd in surds)
     if not plain or not 0 < len(surds) <= _SURDS or len(value.free_symbols) > _LETTERS:
         return value
     above, below = sympy.fraction(value)
@@ -60,10 +60,10 @@ def _have_a_common_root(a: Add, b: Add) -> bool:
 
 def _vanish_together(a: Add, b: Add, letter: Symbol) -> bool:
     others = sorted((a.free_symbols | b.free_symbols) - {letter}, key=sympy.default_sort_key)
-    put = {each: Rational(7 * n + 11, 13 + n) for n, each in enumerate(others)}
+    put = {value: Rational(7 * n + 11, 13 + n) for n, value in enumerate(others)}
     roots = []
-    for each in (a, b):
-        coefficients = sympy.Poly(each.xreplace(put), letter).all_coeffs()
+    for value in (a, b):
+        coefficients = sympy.Poly(value.xreplace(put), letter).all_coeffs()
         numbers = [mpmath.mpf(str(number.evalf(40))) for number in coefficients]
         try:
             roots.append(mpmath.polyroots(numbers, maxsteps=80, extraprec=80))

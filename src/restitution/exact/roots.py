@@ -89,7 +89,7 @@ def over_a_square(inside: Expr) -> Expr:
         for base, power in below.as_coeff_Mul()[1].as_powers_dict().items():
             powers[base] = max(powers.get(base, S.Zero), power)
     powers.pop(S.One, None)
-    if not (powers or number > 1) or any(not each.is_even for each in powers.values()):
+    if not (powers or number > 1) or any(not value.is_even for value in powers.values()):
         return inside
     if not sympy.sqrt(number).is_Integer:
         return inside
@@ -163,7 +163,7 @@ def unrooted(value: Expr, back: dict[Symbol, Expr]) -> Expr:
             if inside.free_symbols & back.keys():
                 continue
             above, below = sympy.fraction(sympy.together(value))
-            above, below = (_reduce_square(each, symbol, inside) for each in (above, below))
+            above, below = (_reduce_square(value, symbol, inside) for value in (above, below))
             value = above / below
     return value
 

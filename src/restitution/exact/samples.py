@@ -76,9 +76,9 @@ def _of_an_angle(masked: list[Symbol], generator: random.Random) -> dict[Symbol,
     several = len({x.name for x in masked}) < len(masked)
     angle = generator.uniform(0.05, 1.5)
     values = {}
-    for each in masked:
+    for value in masked:
         angle = generator.uniform(0.05, 1.5) if several else angle
-        values[each] = Float(getattr(math, each.name)(angle))
+        values[value] = Float(getattr(math, value.name)(angle))
     return values
 
 

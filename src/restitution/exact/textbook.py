@@ -192,7 +192,9 @@ def _oriented(value: Expr) -> Expr:
 
 def _over_its_own_root(factors: list[Expr]) -> list[Expr]:
     """−1/√(k² − 1) for √(k² − 1)/(1 − k²)."""
-    bases = {each.base: n for n, each in enumerate(factors) if each.is_Pow and each.exp == -1}
+    bases = {
+        factor.base: n for n, factor in enumerate(factors) if factor.is_Pow and factor.exp == -1
+    }
     for n, root in enumerate(factors):
         base, power = root.as_base_exp()
         if power == S.Half and base.is_Add and (below := bases.get(-base)) is not None:
@@ -204,7 +206,7 @@ def _without_minuses_below(factors: list[Expr]) -> list[Expr]:
     """A sum of negative terms below a line changes its sign with a sum above the line."""
     for n, below in enumerate(factors):
         base, power = below.as_base_exp()
-        above = [m for m, each in enumerate(factors) if isinstance(each, Add)]
+        above = [m for m, factor in enumerate(factors) if isinstance(factor, Add)]
         if (
             above
             and power == -1
@@ -243,7 +245,7 @@ def _tidy_letters(expression: Expr) -> Expr:
     masks: dict[Expr, Symbol] = {}
     masked = _mask(expression, angles, masks)
     core = _core(masked, tuple(angles.values()))
-    back: dict[Symbol, Expr] = {symbol: each for each, symbol in masks.items()}
+    back: dict[Symbol, Expr] = {symbol: value for value, symbol in masks.items()}
     for angle in angles.values():
         back[angle.sine] = with_ratio(sympy.sin, angle.argument)
         back[angle.cosine] = with_ratio(sympy.cos, angle.argument)
@@ -279,14 +281,14 @@ def _mask(value: Expr, angles: dict[Expr, MaskedAngle], masks: dict[Expr, Symbol
                 sympy.csc: 1 / angle.sine,
             }[function_of(value)]
     if isinstance(value, Add | Mul):
-        return value.func(*[_mask(each, angles, masks) for each in value.args])
+        return value.func(*[_mask(argument, angles, masks) for argument in value.args])
     if isinstance(value, Pow) and isinstance(value.exp, Rational):
         return Pow(_mask(value.base, angles, masks), value.exp)
     if not value.free_symbols and all(
         isinstance(x, Rational | Add | Mul | Pow) for x in sympy.preorder_traversal(value)
     ):
         return value
-    arguments = [tidy(each) for each in value.args]
+    arguments = [tidy(argument) for argument in value.args]
     whole = value.func(*arguments) if tuple(arguments) != value.args else value
     if isinstance(whole, Add | Mul | Pow) or whole.is_Atom:
         return whole
@@ -332,7 +334,7 @@ def _core(value: Expr, angles: tuple[MaskedAngle, ...]) -> Expr:
         square = square_of_root(back[symbol], back)
         if square is not None:
             candidates.append(factored(Mul(above, symbol) / (square * (below / symbol))))
-    best = min(candidates, key=lambda each: _cost_restored(each, back))
+    best = min(candidates, key=lambda candidate: _cost_restored(candidate, back))
     restored = _restore(best, back)
     for angle in present:
         restored = into_root(restored, angle)
@@ -371,7 +373,7 @@ def _tidy_roots(value: Expr, angles: tuple[MaskedAngle, ...]) -> Expr:
 def _tidy_set(value: Any) -> Any:
     """A set of numbers with its ends in textbook form."""
     if isinstance(value, sympy.Interval):
-        low, high = (tidy(each) for each in (value.start, value.end))
+        low, high = (tidy(end) for end in (value.start, value.end))
         return sympy.Interval(low, high, value.left_open, value.right_open)
     if isinstance(value, sympy.FiniteSet):
         return sympy.FiniteSet(*[tidy(argument) for argument in value.args])

@@ -64,7 +64,7 @@ def _with_angle(best: Expr, angle: MaskedAngle) -> Expr:
     if len(Add.make_args(above)) > TERMS or len(Add.make_args(below)) > TERMS:
         return best
     try:
-        pair = [sympy.Poly(each, s, c) for each in (above, below)]
+        pair = [sympy.Poly(value, s, c) for value in (above, below)]
     except sympy.PolynomialError:
         return best
     degrees = [poly.total_degree() for poly in pair]
@@ -133,11 +133,11 @@ def _in_tangent(form: tuple[Expr, Expr], angle: MaskedAngle) -> Expr | None:
     """A quotient of homogeneous polynomials in sine and cosine, in the tangent."""
     s, c, t = angle.sine, angle.cosine, angle.tangent
     degrees = []
-    for each in form:
-        terms = sympy.Poly(each, s, c).monoms()
+    for value in form:
+        terms = sympy.Poly(value, s, c).monoms()
         totals = {sum(powers) for powers in terms}
         if len(totals) != 1:
             return None
         degrees.append(totals.pop())
-    above, below = (each.xreplace({s: t, c: S.One}) for each in form)
+    above, below = (value.xreplace({s: t, c: S.One}) for value in form)
     return above / below * c ** (degrees[0] - degrees[1])

@@ -78,8 +78,8 @@ def svg_of(drawn: Canvas, title: str, description: str) -> str:
         raw, format="svg", bbox_inches="tight", pad_inches=0.03, metadata={"Date": None}
     )
     root = ET.fromstring(raw.getvalue())
-    x, y, width, height = (float(each) * POINT for each in root.get("viewBox", "").split())
-    view = " ".join(f"{each / POINT:.2f}" for each in (x, y, width, height))
+    x, y, width, height = (float(word) * POINT for word in root.get("viewBox", "").split())
+    view = " ".join(f"{number / POINT:.2f}" for number in (x, y, width, height))
     body = "".join(_written(each) for each in root if each.tag not in (_METADATA,))
     text = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'

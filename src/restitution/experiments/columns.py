@@ -20,7 +20,7 @@ VELOCITIES = ("u_A", "u_B", "v_A", "v_B")
 SPHERES = (
     "m_A",
     "m_B",
-    *(f"{each}{part}" for each in VELOCITIES for part in ("", "_angle", "_x", "_y")),
+    *(f"{velocity}{part}" for velocity in VELOCITIES for part in ("", "_angle", "_x", "_y")),
     "line",
 )
 DIMENSIONS: dict[str, Dimension] = {

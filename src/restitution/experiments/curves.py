@@ -35,7 +35,7 @@ class Readings:
         """The same readings with all errors multiplied by a factor."""
         square = factor**2
         errors = (self.x_variance, self.y_variance, self.covariance)
-        return Readings(self.x, self.y, *(each * square for each in errors))
+        return Readings(self.x, self.y, *(error * square for error in errors))
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ def nearest(readings: Readings, law: Law, e: Array | float) -> Array:
     """
     shape = np.broadcast_shapes(np.shape(e), readings.x.shape)
     parts = (readings.x, readings.y, *_weights(readings), np.asarray(e, dtype=np.float64))
-    rows = np.stack([np.broadcast_to(each, shape).ravel() for each in parts])
+    rows = np.stack([np.broadcast_to(part, shape).ravel() for part in parts])
     x = rows[0].copy()
     here = _distances(rows, law, x)
     active = np.arange(x.size)  # those that are not there yet

@@ -50,4 +50,6 @@ def mixed(text: str) -> Inline:
     Raises KeyError for a name that FORMULAS does not have.
     """
     pieces = _NAME.split(text)
-    return tuple(FORMULAS[each] if index % 2 else each for index, each in enumerate(pieces) if each)
+    return tuple(
+        FORMULAS[piece] if index % 2 else piece for index, piece in enumerate(pieces) if piece
+    )

@@ -49,15 +49,15 @@ class Frame:
 def frame_of(experiment: Experiment) -> Frame:
     """The frame of the law: all readings, but for a few that would squeeze the others."""
     points = experiment.points
-    right = 1.07 * outlying([each.x for each in points], _SQUEEZED, least=1e-3)
-    along = [each for each in points if each.x <= right]
-    ends = [each.y + min(each.y_error, 0.5 * abs(each.y) + 0.1 * right) for each in along]
+    right = 1.07 * outlying([point.x for point in points], _SQUEEZED, least=1e-3)
+    along = [point for point in points if point.x <= right]
+    ends = [point.y + min(point.y_error, 0.5 * abs(point.y) + 0.1 * right) for point in along]
     usual = max(1.6 * experiment.e * right, 1.2 * right)
-    ends = [each for each in ends if each <= usual] or [usual]
+    ends = [end for end in ends if end <= usual] or [usual]
     top = 1.07 * max(*ends, experiment.e * right, 0.03 * right)
-    lowest = min((each.y for each in along), default=0.0)
+    lowest = min((point.y for point in along), default=0.0)
     bottom = 0.0 if lowest >= 0 else 1.1 * max(lowest, min(-top, 1.6 * experiment.e * right))
-    left = min(0.0, *(1.1 * max(each.x, -right) for each in points))
+    left = min(0.0, *(1.1 * max(point.x, -right) for point in points))
     return Frame(left, right, bottom, top)
 
 
@@ -67,7 +67,7 @@ def outlying(values: Sequence[float], times: float, least: float = 0.0) -> float
     That is the largest of all, unless it is so many ``times`` the middle one, and leaving out no
     more than two fifths helps.
     """
-    ordered = sorted(each for each in values if math.isfinite(each) and each < _BOUNDLESS)
+    ordered = sorted(value for value in values if math.isfinite(value) and value < _BOUNDLESS)
     if not ordered:
         return 1.0
     kept = list(ordered)

@@ -93,7 +93,7 @@ class Impact:
         if self.trial.A.m is None or self.trial.B.m is None:
             return None
         a, b = self.trial.A.m, self.trial.B.m
-        jacobian = np.hstack([_scaled(each) for each in (a.value, -a.value, b.value, -b.value)])
+        jacobian = np.hstack([_scaled(number) for number in (a.value, -a.value, b.value, -b.value)])
         covariance = jacobian @ self.covariance @ jacobian.T
         for mass, change in ((a, self.change_of_A), (b, self.change_of_B)):
             covariance += (mass.error or 0.0) ** 2 * np.outer(change, change)
@@ -111,7 +111,7 @@ class Impact:
 
 def impact_of(trial: SpheresTrial, covariance: Array) -> Impact | None:
     """The trial along its line of centres; None where no velocity changes and no line is given."""
-    z = np.array([each for sphere in (trial.A, trial.B) for each in _components(sphere)])
+    z = np.array([component for sphere in (trial.A, trial.B) for component in _components(sphere)])
     if trial.line_of_centres is None:
         return _with_line_of_impulse(trial, z, covariance)
     angle = math.radians(trial.line_of_centres.value)
@@ -162,7 +162,7 @@ def _components(sphere: MeasuredSphere) -> tuple[float, ...]:
 
 def _of_spheres(u_A: float, v_A: float, u_B: float, v_B: float, along: Array) -> Array:
     """The row whose product with z is (u_A **u**_A + …) · along."""
-    return np.concatenate([each * along for each in (u_A, v_A, u_B, v_B)])
+    return np.concatenate([number * along for number in (u_A, v_A, u_B, v_B)])
 
 
 def _scaled(factor: float) -> Array:

@@ -84,7 +84,7 @@ class Kink:
 
 def _velocity_columns(bodies: int, *, meeting: bool) -> list[int]:
     size, first = (6, 2) if meeting else (8, 4)
-    return [size * body + first + each for body in range(bodies) for each in range(4)]
+    return [size * body + first + index for body in range(bodies) for index in range(4)]
 
 
 # --- the search for the time ------------------------------------------------------------------
@@ -176,11 +176,11 @@ def _merged(paths: Paths, times: list[float]) -> list[float]:
     Two such are a kink that was sought from either side, in halves that part beside it.
     """
     result: list[float] = []
-    for each in times:
-        if result and any(len(path.between(result[-1], each)) < _APART for path in paths):
-            result[-1] = (result[-1] + each) / 2
+    for time in times:
+        if result and any(len(path.between(result[-1], time)) < _APART for path in paths):
+            result[-1] = (result[-1] + time) / 2
         else:
-            result.append(each)
+            result.append(time)
     return result
 
 
@@ -288,9 +288,9 @@ def _design(paths: Paths, tau: float, before: Array, after: Array, *, meeting: b
     rows = 2 * sum(map(len, paths))
     result = np.zeros((rows, width * len(paths) + meeting))
     row = 0
-    for body, (path, each) in enumerate(zip(paths, columns)):
+    for body, (path, array) in enumerate(zip(paths, columns)):
         end = row + 2 * len(path)
-        result[row:end, body * width : (body + 1) * width] = np.kron(each, np.eye(2))
+        result[row:end, body * width : (body + 1) * width] = np.kron(array, np.eye(2))
         if meeting:
             early = (path.t < tau)[:, None]
             result[row:end, -1] = -np.where(early, before[body], after[body]).ravel()
@@ -307,13 +307,13 @@ def without_outliers(kink: Kink) -> tuple[Kink, Paths]:
     outliers = tuple(path.only(np.zeros(len(path), bool)) for path in kink.paths)
     for _ in range(_ROUNDS):
         far = _far(kink)
-        if not any(each.any() for each in far):
+        if not any(array.any() for array in far):
             return kink, outliers
-        if sum(each.sum() for each in far) + sum(map(len, outliers)) > _SHARE * sum(
+        if sum(array.sum() for array in far) + sum(map(len, outliers)) > _SHARE * sum(
             map(len, kink.paths)
         ):
             return kink, outliers
-        kept = tuple(path.only(~each) for path, each in zip(kink.paths, far))
+        kept = tuple(path.only(~array) for path, array in zip(kink.paths, far))
         again = best_kink(kept)
         if again is None:
             return kink, outliers
@@ -451,7 +451,7 @@ def decelerated(kink: Kink, rate: float) -> tuple[Kink, Array]:
         shifts = np.split(
             rate * column.reshape(-1, 2), np.cumsum([len(path) for path in original])[:-1]
         )
-        paths = tuple(replace(path, xy=path.xy - each) for path, each in zip(original, shifts))
+        paths = tuple(replace(path, xy=path.xy - array) for path, array in zip(original, shifts))
         tau = _best_time(paths) if kink.meeting else kink.t
         kink = kink_at(paths, kink.t if tau is None else tau, meeting=kink.meeting)
     column = slowing_column(kink)
@@ -509,5 +509,5 @@ _CLEARLY = 0.2
 
 
 def _pushed(kink: Kink) -> bool:
-    before, after = (float(np.linalg.norm(each)) for each in (kink.before, kink.after))
+    before, after = (float(np.linalg.norm(array)) for array in (kink.before, kink.after))
     return after > 1.2 * before

@@ -62,24 +62,25 @@ def decided(
 ) -> tuple[Check, ...]:
     """The verdicts on all patterns, in the order of their titles."""
     tested = sorted(
-        (each for each in patterns if isinstance(each, Pattern)), key=lambda each: each.p_value
+        (pattern for pattern in patterns if isinstance(pattern, Pattern)),
+        key=lambda pattern: pattern.p_value,
     )
     checks = {}
     seeing = True
-    for rank, each in enumerate(tested):
+    for rank, pattern in enumerate(tested):
         threshold = FAMILY / (len(tested) - rank)
-        seeing = seeing and each.p_value < threshold
-        checks[each.id] = Check(
-            each.id,
-            titles[each.id],
+        seeing = seeing and pattern.p_value < threshold
+        checks[pattern.id] = Check(
+            pattern.id,
+            titles[pattern.id],
             "seen" if seeing else "not seen",
-            each.seen if seeing else each.not_seen,
-            each.statistic,
-            each.p_value,
+            pattern.seen if seeing else pattern.not_seen,
+            pattern.statistic,
+            pattern.p_value,
             threshold,
-            each.estimate,
-            each.estimate_error,
-            each.unit,
+            pattern.estimate,
+            pattern.estimate_error,
+            pattern.unit,
         )
     for other in patterns:
         if isinstance(other, Untested):

@@ -51,15 +51,15 @@ def _square_of_tangent(degrees: float) -> float:
 
 
 def _table(plan: PlanContent) -> Iterator[str]:
-    longest = max(len(each.title) for each in plan.designs)
+    longest = max(len(design.title) for design in plan.designs)
     yield f"    {'angles α':<{longest}}   error of e   95% interval   turn seen"
-    for each in plan.designs:
-        sign = "*" if each.id == plan.recommended else " "
-        turn = _turn(each.smallest_turn)
-        places = decimals(each.half_width)
+    for design in plan.designs:
+        sign = "*" if design.id == plan.recommended else " "
+        turn = _turn(design.smallest_turn)
+        places = decimals(design.half_width)
         yield (
-            f"  {sign} {each.title:<{longest}}   {_size(each.simulated_error, places):>10}   "
-            f"{_size(each.half_width, places):>12}   {turn:>9}"
+            f"  {sign} {design.title:<{longest}}   {_size(design.simulated_error, places):>10}   "
+            f"{_size(design.half_width, places):>12}   {turn:>9}"
         )
 
 
@@ -93,7 +93,7 @@ def _below(plan: PlanContent, width: int) -> Iterator[str]:
 def _angles(design: Design) -> str:
     if len(set(design.angles)) == 1:
         return f"α = {design.angles[0]:g}° each time"
-    shown = [f"{each:g}°" for each in design.angles[:_MOST_ANGLES]]
+    shown = [f"{angle:g}°" for angle in design.angles[:_MOST_ANGLES]]
     rest = len(design.angles) - len(shown)
     return "α = " + (", ".join(shown) + f" and {rest} more" if rest else listed(shown))
 

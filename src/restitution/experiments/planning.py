@@ -56,7 +56,7 @@ def planned(e: float, angle_error: float, trials: int, seed: int) -> Plan:
     designs = tuple(
         _judged(name, title, angles, e, sigma, count, rng) for name, title, angles in chosen
     )
-    recommended = "even" if any(each.id == "even" for each in designs) else "best"
+    recommended = "even" if any(design.id == "even" for design in designs) else "best"
     plan = Plan(e, angle_error, trials, seed, count, best_angle(e), designs, recommended, ())
     return dataclasses.replace(plan, trials_for=_trials_for(plan.design(recommended)))
 

@@ -52,8 +52,8 @@ def law_plot(experiment: Experiment) -> str:
     """
     frame, total = frame_of(experiment), len(experiment.points)
     experiment = _thinned(experiment)
-    inside = [each for each in experiment.points if frame.holds(each.x, each.y)]
-    outside = [each for each in experiment.points if not frame.holds(each.x, each.y)]
+    inside = [point for point in experiment.points if frame.holds(point.x, point.y)]
+    outside = [point for point in experiment.points if not frame.holds(point.x, point.y)]
     with canvas(WIDTH, HEIGHT) as drawn:
         axes = drawn.axes
         axes.set_xlim(frame.left, frame.right)
@@ -69,7 +69,7 @@ def law_plot(experiment: Experiment) -> str:
         _legend(axes, above=9.5 if walls else 2.0)
         _edge_marks(axes, outside, frame)
         _note(drawn, _outside_words(outside), _thin_words(experiment, total))
-        named = [(each.line, each.x, each.y, each.residual) for each in inside]
+        named = [(point.line, point.x, point.y, point.residual) for point in inside]
         lines = [(experiment.e, 0.0), (1.0, 0.0)]
         _name_far_ones(drawn, named, _error_pieces(inside, frame), lines)
         return svg_of(drawn, "The law of restitution", _law_words(experiment, total, len(outside)))
@@ -84,8 +84,10 @@ def residual_plot(experiment: Experiment) -> str:
     experiment = _thinned(experiment)
     points = experiment.points
     walls = _walls(experiment)
-    x = [_angle_or_speed(each) for each in points]
-    highest = max(FAR * 1.15, outlying([abs(each.residual) for each in all_points], 4 * FAR) * 1.1)
+    x = [_angle_or_speed(point) for point in points]
+    highest = max(
+        FAR * 1.15, outlying([abs(point.residual) for point in all_points], 4 * FAR) * 1.1
+    )
     with canvas(WIDTH, 0.55 * HEIGHT) as drawn:
         axes = drawn.axes
         axes.set_xlim(*_around(x))
@@ -94,7 +96,7 @@ def residual_plot(experiment: Experiment) -> str:
         axes.axhline(0, color=INK, linewidth=0.9)
         for level in (-2, 2):
             axes.axhline(level, color=INK, linewidth=0.5, linestyle=(0, (4, 3)))
-        shown = [abs(each.residual) <= highest for each in points]
+        shown = [abs(point.residual) <= highest for point in points]
         _marks(axes, [(a, p.residual) for a, p, s in zip(x, points, shown) if s])
         beyond = [(a, p) for a, p, s in zip(x, points, shown) if not s]
         for a, point in beyond:
@@ -110,7 +112,7 @@ def residual_plot(experiment: Experiment) -> str:
         _note(drawn, _list_sentence("Outside the frame", words), thin)
         named = [(p.line, a, p.residual, p.residual) for a, p, s in zip(x, points, shown) if s]
         _name_far_ones(drawn, named, [], [(0.0, 0.0), (0.0, 2.0), (0.0, -2.0)])
-        far = sum(abs(each.residual) > 2 for each in all_points)
+        far = sum(abs(point.residual) > 2 for point in all_points)
         return svg_of(
             drawn,
             "Distances from the fit",
@@ -124,19 +126,19 @@ def speed_plot(experiment: Experiment) -> str | None:
 
     None where the speeds are not known. Raises UnsupportedError where Matplotlib is not installed.
     """
-    if any(each.speed is None for each in experiment.points):
+    if any(point.speed is None for point in experiment.points):
         return None
     total = len(experiment.points)
     experiment = _thinned(experiment)
-    points = [each for each in experiment.points if each.x > 0]
+    points = [point for point in experiment.points if point.x > 0]
     if not points:
         return None
-    rows = [_Ratio.of(each) for each in points]
-    high = max(outlying([each.high for each in rows], 2.5), 1.25 * experiment.e, 0.1) * 1.05
-    low = min(0.0, *(each.value for each in rows if each.value > -high))
+    rows = [_Ratio.of(point) for point in points]
+    high = max(outlying([row.high for row in rows], 2.5), 1.25 * experiment.e, 0.1) * 1.05
+    low = min(0.0, *(row.value for row in rows if row.value > -high))
     with canvas(WIDTH, 0.62 * HEIGHT) as drawn:
         axes = drawn.axes
-        speeds = [each.speed for each in rows]
+        speeds = [row.speed for row in rows]
         left, right = _around(speeds)
         axes.set_xlim(left, right)
         axes.set_ylim(1.1 * low, high)
@@ -155,18 +157,18 @@ def speed_plot(experiment: Experiment) -> str | None:
                 1, color=INK, linewidth=0.6, linestyle=(0, (5, 3)), label="e = 1", zorder=1
             )
         _trend(axes, experiment, rows)
-        inside = [each for each in rows if each.value <= high]
-        for each in inside:
-            ends = max(each.low, 2 * low - high), min(each.high, 2 * high)
-            axes.vlines([each.speed], *ends, color=INK, lw=0.6, alpha=_strength(len(rows)))
-        _marks(axes, [(each.speed, each.value) for each in inside])
-        beyond = [each for each in rows if each.value > high]
+        inside = [row for row in rows if row.value <= high]
+        for ratio in inside:
+            ends = max(ratio.low, 2 * low - high), min(ratio.high, 2 * high)
+            axes.vlines([ratio.speed], *ends, color=INK, lw=0.6, alpha=_strength(len(rows)))
+        _marks(axes, [(ratio.speed, ratio.value) for ratio in inside])
+        beyond = [row for row in rows if row.value > high]
         for each in beyond:
             axes.plot([each.speed], [high], **_edge("^"))
         axes.set_xlabel(f"speed before the impact, in {_unit(experiment)}", labelpad=3)
         axes.set_ylabel(_ratio_name(experiment), labelpad=3)
         _legend(axes, above=2.0)
-        words = [f"line {each.line} ({each.value:.3g})" for each in beyond]
+        words = [f"line {ratio.line} ({ratio.value:.3g})" for ratio in beyond]
         _note(drawn, _list_sentence("Outside the frame", words), _thin_words(experiment, total))
         return svg_of(
             drawn,
@@ -181,8 +183,8 @@ def _thinned(experiment: Experiment) -> Experiment:
     points = experiment.points
     if len(points) <= MOST_DRAWN:
         return experiment
-    far = sorted(points, key=lambda each: -abs(each.residual))[:_NAMED]
-    kept = {each.line: each for each in (*points[:: math.ceil(len(points) / MOST_DRAWN)], *far)}
+    far = sorted(points, key=lambda point: -abs(point.residual))[:_NAMED]
+    kept = {point.line: point for point in (*points[:: math.ceil(len(points) / MOST_DRAWN)], *far)}
     return replace(experiment, points=tuple(kept[line] for line in sorted(kept)))
 
 
@@ -215,9 +217,9 @@ def _readings(axes: Any, points: Sequence[Point], frame: Frame) -> None:
     axes.add_collection(
         collections.LineCollection(bars, colors=INK, linewidths=0.6, alpha=strength, zorder=2.5)
     )
-    errors = any(each.x_error or each.y_error for each in points)
+    errors = any(point.x_error or point.y_error for point in points)
     label = "readings, with standard errors" if errors else "readings"
-    _marks(axes, [(each.x, each.y) for each in points], label)
+    _marks(axes, [(point.x, point.y) for point in points], label)
 
 
 def _marks(axes: Any, places: Sequence[tuple[float, float]], label: str | None = None) -> None:
@@ -312,7 +314,7 @@ def _angle_ticks(low: float, high: float, length: float, apart: float) -> list[i
         at = math.tan(math.radians(angle))
         near = apart * (high - low) / length
         if low <= at <= high and all(
-            abs(at - math.tan(math.radians(each))) >= near for each in chosen
+            abs(at - math.tan(math.radians(number))) >= near for number in chosen
         ):
             chosen.append(angle)
     return sorted(chosen)
@@ -341,7 +343,7 @@ def _name_far_ones(
 
     ``readings`` are line, x, y and residual; ``lines`` slope and height of what is drawn across.
     """
-    far = [each for each in readings if abs(each[3]) > FAR]
+    far = [reading for reading in readings if abs(reading[3]) > FAR]
     far = sorted(far, key=lambda each: -abs(each[3]))[:_NAMED]
     if not far:
         return
@@ -424,8 +426,8 @@ def _bars(point: Point, frame: Frame) -> list[tuple[_Place, _Place]]:
     """The error bars of a reading: from α − σ to α + σ and so for β, where these are known."""
     x_ends = _ends(point.x, point.x_error, point.alpha, point.alpha_error)
     y_ends = _ends(point.y, point.y_error, point.beta, point.beta_error)
-    x_low, x_high = (min(max(each, frame.left), frame.right) for each in x_ends)
-    y_low, y_high = (min(max(each, frame.bottom), frame.top) for each in y_ends)
+    x_low, x_high = (min(max(end, frame.left), frame.right) for end in x_ends)
+    y_low, y_high = (min(max(end, frame.bottom), frame.top) for end in y_ends)
     return [
         ((x_low, point.y), (x_high, point.y)),
         ((point.x, y_low), (point.x, y_high)),
@@ -476,12 +478,14 @@ class _Ratio:
 
 def _trend(axes: Any, experiment: Experiment, rows: Sequence[_Ratio]) -> None:
     """The line of e that the check found to change with the speed."""
-    checks = [each for each in experiment.checks if each.id == "speed" and each.verdict == "seen"]
+    checks = [
+        check for check in experiment.checks if check.id == "speed" and check.verdict == "seen"
+    ]
     if not checks or checks[0].estimate is None:
         return
-    speeds = [each.speed for each in rows]
+    speeds = [row.speed for row in rows]
     low, high = min(speeds), max(speeds)
-    weights = [1 / max(each.error, 1e-9) ** 2 for each in rows]
+    weights = [1 / max(row.error, 1e-9) ** 2 for row in rows]
     middle = sum(w * s for w, s in zip(weights, speeds)) / sum(weights)
     ends = [experiment.e + checks[0].estimate * (s - middle) / (high - low) for s in (low, high)]
     axes.plot(
@@ -522,17 +526,19 @@ def _fit_label(experiment: Experiment) -> str:
 def _band_label(experiment: Experiment) -> str:
     low, high = _band(experiment)
     places = decimals(experiment.standard_error)
-    ends = [fixed(each, places) if math.isfinite(each) else "any value" for each in (low, high)]
+    ends = [
+        fixed(number, places) if math.isfinite(number) else "any value" for number in (low, high)
+    ]
     return f"{100 * experiment.interval.level:.0f}%: e from {ends[0]} to {ends[1]}"
 
 
 def _outside_words(outside: Sequence[Point]) -> str:
     words = []
-    for each in outside:
-        if each.alpha is not None and each.beta is not None:
-            words.append(f"line {each.line} ({_degrees(each.alpha)}, {_degrees(each.beta)})")
+    for point in outside:
+        if point.alpha is not None and point.beta is not None:
+            words.append(f"line {point.line} ({_degrees(point.alpha)}, {_degrees(point.beta)})")
         else:
-            words.append(f"line {each.line} ({each.x:.3g}, {each.y:.3g})")
+            words.append(f"line {point.line} ({point.x:.3g}, {point.y:.3g})")
     return _list_sentence("Outside the frame", words)
 
 

@@ -105,7 +105,7 @@ def _tracks(experiment: Experiment) -> Iterator[Block]:
 
 def _checks(experiment: Experiment) -> Iterator[Block]:
     yield Heading("Check of the model")
-    rows = tuple((each.title, _verdict(each), _sentence(each)) for each in experiment.checks)
+    rows = tuple((check.title, _verdict(check), _sentence(check)) for check in experiment.checks)
     yield Table(("pattern", "verdict", "what the readings say"), rows, "lcl")
 
 
@@ -139,7 +139,7 @@ def _notes(experiment: Experiment) -> Iterator[Block]:
     yield Heading("Notes")
     method = experiment.interval.method
     words = [f"The interval: {method}", *experiment.notes]
-    yield Listing(tuple(Item(_full_sentence(each)) for each in words if each))
+    yield Listing(tuple(Item(_full_sentence(word)) for word in words if word))
 
 
 def _full_sentence(words: str) -> str:
@@ -158,7 +158,7 @@ def _readings(experiment: Experiment) -> Iterator[Block]:
     yield Heading("Readings")
     points = experiment.points[:MOST_ROWS]
     columns = list(_columns(experiment))
-    rows = tuple(tuple(cell(each) for _, cell in columns) for each in points)
+    rows = tuple(tuple(cell(point) for _, cell in columns) for point in points)
     yield Table(tuple(head for head, _ in columns), rows, "r" * len(columns))
     if len(experiment.points) > MOST_ROWS:
         more = len(experiment.points) - MOST_ROWS
@@ -174,7 +174,7 @@ def _columns(experiment: Experiment) -> Iterator[tuple[Inline, _Cell]]:
     """The heads of the table of readings, each with what it says of one."""
     yield "line", lambda point: str(point.line)
     points = experiment.points
-    if any(each.label for each in points):
+    if any(point.label for point in points):
         yield "trial", lambda point: point.label
     if _walls(experiment):
         yield ALPHA, lambda point: _number(point.alpha, 1, "°")
@@ -186,7 +186,7 @@ def _columns(experiment: Experiment) -> Iterator[tuple[Inline, _Cell]]:
         yield "approach", lambda point: _number(point.x)
         yield "separation", lambda point: _number(point.y)
         yield "ratio", _ratio
-    if any(each.speed is not None for each in points):
+    if any(point.speed is not None for point in points):
         yield "speed", lambda point: _number(point.speed)
     yield "distance", lambda point: _number(point.residual, 1)
 
@@ -207,7 +207,7 @@ def _left_out(experiment: Experiment) -> Iterator[Block]:
         return
     yield Heading("Left out")
     rows = tuple(
-        (str(each.line), each.column, each.value, each.rule) for each in faults[:MOST_ROWS]
+        (str(fault.line), fault.column, fault.value, fault.rule) for fault in faults[:MOST_ROWS]
     )
     yield Table(("line", "column", "value", "why"), rows, "rlll")
     if len(faults) > MOST_ROWS:

@@ -91,7 +91,7 @@ def _of_columns(data: Mapping[str, Sequence[object]]) -> list[Row]:
         raise _too_many()
     rows = [Row(1, tuple(columns))]
     for line, values in enumerate(zip(*columns.values()), 2):
-        rows.append(Row(line, tuple("" if each is None else str(each) for each in values)))
+        rows.append(Row(line, tuple("" if value is None else str(value) for value in values)))
     return rows
 
 
@@ -163,11 +163,11 @@ def _split(lines: list[str], first: int, separator: str) -> Iterator[Row]:
         except csv.Error as error:
             raise StatementError(f"this line is no row of cells: {error}", number) from None
         if number == first + 1:
-            long = next((each for each in cells if len(each) > MAX_CELL), None)
+            long = next((cell for cell in cells if len(cell) > MAX_CELL), None)
             if long is not None:
                 rule = f"a name of a column has at most {MAX_CELL} characters"
                 raise StatementError(f"{_cut(long)!r}: {rule}", number)
-        yield Row(number, tuple(each.strip() for each in cells))
+        yield Row(number, tuple(cell.strip() for cell in cells))
 
 
 def _too_many() -> StatementError:

@@ -72,7 +72,7 @@ class Spheres:
 
     @property
     def places(self) -> tuple[str, ...]:
-        return tuple(place_of(each.trial) for each in self.impacts)
+        return tuple(place_of(impact.trial) for impact in self.impacts)
 
 
 def spheres_of(trials: tuple[SpheresTrial, ...], unit: str) -> Spheres:
@@ -144,11 +144,13 @@ def _velocities(trial: SpheresTrial) -> Iterator[Velocity]:
 
 def _usual_error(trials: tuple[SpheresTrial, ...]) -> tuple[float | None, tuple[str, ...]]:
     """The error of a component that has none of its own; None where none has any."""
-    components = [each.error for trial in trials for v in _velocities(trial) for each in (v.x, v.y)]
-    given = [each for each in components if each]
+    components = [
+        component.error for trial in trials for v in _velocities(trial) for component in (v.x, v.y)
+    ]
+    given = [component for component in components if component]
     if not given:
         return None, ()
-    missing = sum(each is None for each in components)
+    missing = sum(component is None for component in components)
     middle = statistics.median(given)
     if not missing:
         return middle, ()
@@ -168,17 +170,20 @@ def _covariance(trial: SpheresTrial, usual: float) -> Array:
 def _of_sphere(sphere: MeasuredSphere, usual: float) -> Array:
     result = np.zeros((4, 4))
     for place, velocity in ((0, sphere.u), (2, sphere.v)):
-        errors = [usual if each.error is None else each.error for each in (velocity.x, velocity.y)]
+        errors = [
+            usual if component.error is None else component.error
+            for component in (velocity.x, velocity.y)
+        ]
         result[place, place], result[place + 1, place + 1] = errors[0] ** 2, errors[1] ** 2
         result[place, place + 1] = result[place + 1, place] = velocity.covariance
     return result
 
 
 def _readings(impacts: list[Impact]) -> Readings:
-    covariances = np.array([each.along() for each in impacts])
+    covariances = np.array([impact.along() for impact in impacts])
     return Readings(
-        np.array([each.approach for each in impacts]),
-        np.array([each.separation for each in impacts]),
+        np.array([impact.approach for impact in impacts]),
+        np.array([impact.separation for impact in impacts]),
         covariances[:, 0, 0],
         covariances[:, 1, 1],
         covariances[:, 0, 1],
@@ -187,7 +192,7 @@ def _readings(impacts: list[Impact]) -> Readings:
 
 def component_error(spheres: Spheres) -> float | None:
     """The error of one component of a velocity where it is the same for all, else None."""
-    diagonals = np.concatenate([np.diag(each.covariance) for each in spheres.impacts])
+    diagonals = np.concatenate([np.diag(impact.covariance) for impact in spheres.impacts])
     measured = diagonals[diagonals > 0]
     if measured.max() > measured.min() * (1 + 1e-9):
         return None
@@ -283,7 +288,7 @@ def _turned_back(spheres: Spheres, sample: Sample) -> Sample:
     offset = _across(spheres, sample)[0]
     if not isinstance(offset, Pattern) or offset.p_value >= STRICT or offset.estimate is None:
         return sample
-    turned = [each.turned(-math.radians(offset.estimate)) for each in spheres.impacts]
+    turned = [impact.turned(-math.radians(offset.estimate)) for impact in spheres.impacts]
     return replace(sample, readings=_readings(turned))
 
 
@@ -300,19 +305,19 @@ def _across(spheres: Spheres, sample: Sample) -> list[Pattern | Untested]:
     alone, the other beside it, so that one of them does not show as both.
     """
     words = spheres.words
-    if not all(each.given for each in spheres.impacts):
+    if not all(impact.given for impact in spheres.impacts):
         reason = (
             f"Untested: {words.line} was found from the velocities, as the line along which they "
             f"change; give a column {words.column}."
         )
         return [Untested("offset", reason), Untested("friction", reason)]
-    gains, variances, means = np.array([each.across() for each in spheres.impacts]).T
+    gains, variances, means = np.array([impact.across() for impact in spheres.impacts]).T
     columns = {"offset": sample.readings.x + sample.readings.y, "friction": -means}
     if float(np.mean(means**2)) < _OBLIQUE**2 * float(np.mean(variances)) * sample.factor**2:
         del columns["friction"]
 
     def fitted(names: Iterable[str]) -> Regression | None:
-        chosen = [columns[each] for each in names]
+        chosen = [columns[name] for name in names]
         freedom = sample.freedom
         return regression(gains, variances, chosen, known=sample.known, freedom=freedom)
 
@@ -352,7 +357,9 @@ def _alike(words: Words) -> str:
 
 
 def _offset(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
-    angle, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
+    angle, error, p = (
+        float(array[index]) for array in (fit.coefficients, fit.errors, fit.p_values)
+    )
     angle, error = math.degrees(angle), math.degrees(error)
     sense = "anticlockwise" if angle > 0 else "clockwise"
     seen = (
@@ -369,7 +376,9 @@ def _offset(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
 
 
 def _friction(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
-    share, error, p = (float(each[index]) for each in (fit.coefficients, fit.errors, fit.p_values))
+    share, error, p = (
+        float(array[index]) for array in (fit.coefficients, fit.errors, fit.p_values)
+    )
     size = f"{percent(abs(share))} ± {percent(error)}"
     pace = "slower" if share > 0 else "faster"
     seen = (

@@ -284,7 +284,7 @@ def _unreadable(faults: list[Fault]) -> StatementError:
     first, *others = faults
     place = f"column {first.column}: {first.value!r}: " if first.column else ""
     error = StatementError(f"no row can be read; {place}{first.rule}", first.line)
-    error.others = tuple(StatementError(str(each)) for each in others[:5])
+    error.others = tuple(StatementError(str(fault)) for fault in others[:5])
     return error
 
 
@@ -334,7 +334,7 @@ def _require_degrees(sheet: _Sheet, readings: tuple[WallReading, ...]) -> None:
     column = sheet.values["alpha"][1]
     if column.stated or not readings:
         return
-    if all(0 < each.alpha.value < 1.6 and each.beta.value < 1.6 for each in readings):
+    if all(0 < reading.alpha.value < 1.6 and reading.beta.value < 1.6 for reading in readings):
         raise StatementError(
             f"column {shown(column.header)!r}: all angles are less than 1.6, which as degrees is "
             "nearly nothing: write alpha (rad) in the header, or alpha (deg)"
@@ -447,11 +447,11 @@ def _tracks(sheet: _Sheet, rows: list[Row]) -> Table:
     tracks = tuple(
         Track(
             *key,
-            _in_order(sheet, each),
+            _in_order(sheet, position),
             _wall_of(key, walls.get(key)),
             _mass_of(key, masses.get(key)),
         )
-        for key, each in positions.items()
+        for key, position in positions.items()
     )
     return Table(
         "tracks",
@@ -465,13 +465,13 @@ def _tracks(sheet: _Sheet, rows: list[Row]) -> Table:
 def _in_order(sheet: _Sheet, positions: list[Position]) -> tuple[Position, ...]:
     """In order of time; of two at one time the first is kept."""
     ordered: list[Position] = []
-    for each in sorted(positions, key=lambda position: position.t):
-        if ordered and each.t - ordered[-1].t <= SAME_TIME * max(1.0, abs(each.t)):
+    for position in sorted(positions, key=lambda position: position.t):
+        if ordered and position.t - ordered[-1].t <= SAME_TIME * max(1.0, abs(position.t)):
             rule = "a body is at one place at a time; give a column trial, or body"
             header = sheet.values["t"][1].header
-            sheet.faults.append(Fault(each.line, shown(header), f"{each.t:g}", rule))
+            sheet.faults.append(Fault(position.line, shown(header), f"{position.t:g}", rule))
         else:
-            ordered.append(each)
+            ordered.append(position)
     return tuple(ordered)
 
 
@@ -485,7 +485,7 @@ def _wall_of(key: tuple[str, str], walls: list[float] | None) -> float | None:
 def _mass_of(key: tuple[str, str], masses: list[Measured] | None) -> Measured | None:
     if not masses:
         return None
-    _require_one(key, "m", [each.value for each in masses], "a body has one mass in a trial")
+    _require_one(key, "m", [mass.value for mass in masses], "a body has one mass in a trial")
     return masses[0]
 
 

@@ -52,7 +52,7 @@ def interval_sentence(interval: Interval, error: float) -> str:
     level = f"{100 * interval.level:.0f}%"
     if interval.possible is None:
         return f"The interval of {level} lies outside 0 to 1: see the check of the model."
-    low, high = (fixed(each, places) for each in interval.possible)
+    low, high = (fixed(number, places) for number in interval.possible)
     return f"With {level} confidence e lies from {low} to {high}."
 
 
@@ -80,7 +80,7 @@ def _size_of_error(experiment: ExperimentContent) -> str:
 
 def _readings(experiment: ExperimentContent) -> Iterator[str]:
     points = experiment.points
-    name, width = _place_column([each.label for each in points])
+    name, width = _place_column([point.label for point in points])
     unit = experiment.speed_unit
     if points[0].alpha is None:
         yield f"  {name}   approach  separation   ratio   distance from the law"
@@ -99,7 +99,7 @@ def _place_column(labels: list[str]) -> tuple[str, int]:
     """The head of the column that names readings, and its width."""
     if not any(labels):
         return "line", 4
-    width = max(len("trial"), *(len(each[:MAX_LABEL]) for each in labels))
+    width = max(len("trial"), *(len(label[:MAX_LABEL]) for label in labels))
     return f"{'trial':>{width}}", width
 
 
@@ -125,8 +125,8 @@ def _tracks(experiment: ExperimentContent) -> Iterator[str]:
         return
     unit = experiment.speed_unit
     yield f"Straight lines, uniform in time (speeds in {unit}, directions in degrees from x)"
-    name, width = _place_column([each.trial for each in tracks])
-    names = [each.body[:MAX_LABEL] for each in tracks]
+    name, width = _place_column([track.trial for track in tracks])
+    names = [track.body[:MAX_LABEL] for track in tracks]
     bodies = max(len("body"), *map(len, names)) + 2 if any(names) else 0
     head = f"  {name}  {'body' if bodies else '':<{bodies}}impact at"
     yield f"{head}      speed before   →      speed after   →"

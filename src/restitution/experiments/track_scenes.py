@@ -48,20 +48,20 @@ _NARROW = math.radians(2)  # an angle that is too narrow for an arc
 
 def track_scenes(experiment: Experiment) -> tuple[Scene, ...]:
     """A picture of each trial, in the order of the trials; none where there are no tracks."""
-    trials = dict.fromkeys(each.trial for each in experiment.tracks)
+    trials = dict.fromkeys(track.trial for track in experiment.tracks)
     return tuple(_scene(experiment, trial) for trial in trials)
 
 
 def track_scene(experiment: Experiment, trial: str) -> Scene:
     """The picture of one trial. Raises KeyError where there is none of that name."""
-    if not any(each.trial == trial for each in experiment.tracks):
-        known = ", ".join(dict.fromkeys(each.trial for each in experiment.tracks)) or "none"
+    if not any(track.trial == trial for track in experiment.tracks):
+        known = ", ".join(dict.fromkeys(track.trial for track in experiment.tracks)) or "none"
         raise KeyError(f"there is no trial {trial!r}; trials: {known}")
     return _scene(experiment, trial)
 
 
 def _scene(experiment: Experiment, trial: str) -> Scene:
-    fits = [each for each in experiment.tracks if each.trial == trial]
+    fits = [track for track in experiment.tracks if track.trial == trial]
     tracks = [
         _Drawn(fit, track)
         for fit in fits
@@ -108,7 +108,7 @@ class _Drawn:
     def places(self) -> list[Vector]:
         positions = self.track.positions
         step = max(1, math.ceil(len(positions) / MOST_DOTS))
-        return [Vector(each.x, each.y) for each in positions[::step]]
+        return [Vector(position.x, position.y) for position in positions[::step]]
 
 
 def _at(line: StraightLine, t: float) -> Vector:
@@ -125,7 +125,9 @@ class _Scale:
 
     @classmethod
     def of(cls, tracks: Sequence[_Drawn]) -> _Scale:
-        places = [p for each in tracks for p in (*each.places, each.impact, each.start, each.end)]
+        places = [
+            p for track in tracks for p in (*track.places, track.impact, track.start, track.end)
+        ]
         xs, ys = [p.x for p in places], [p.y for p in places]
         width, height = max(xs) - min(xs), max(ys) - min(ys)
         room = WIDTH - 2 * _MARGIN, _HEIGHT - 2 * _MARGIN
@@ -154,11 +156,11 @@ class _Drawing:
 
     def everything(self) -> None:
         """Draws all of it."""
-        for each in self.tracks:
+        for track in self.tracks:
             if not self.pair:
-                self._wall(each)
-            self._path(each)
-            self._angles(each)
+                self._wall(track)
+            self._path(track)
+            self._angles(track)
         if self.pair:
             self._line_of_centres()
 
@@ -167,15 +169,17 @@ class _Drawing:
         middle = (min(xs) + max(xs)) / 2
         half = max((max(xs) - min(xs)) / 2 + _MARGIN, WIDTH / 2)
         box = middle - half, min(ys) - _MARGIN / 2, middle + half, max(ys) + _MARGIN / 2
-        names = listed([each.fit.body or "the body" for each in self.tracks])
-        count = counted(sum(len(each.track.positions) for each in self.tracks), "position")
+        names = listed([track.fit.body or "the body" for track in self.tracks])
+        count = counted(sum(len(track.track.positions) for track in self.tracks), "position")
         description = f"{count} of {names}, to scale. " + " ".join(self.words)
         note = None if self.pair else Words(_NOTE)
         return Scene(title, description, box, tuple(self.shapes), tuple(self.labels), note=note)
 
     def _corners(self) -> Iterable[Vector]:
-        for each in self.tracks:
-            yield from map(self.scale.on_paper, (*each.places, each.impact, each.start, each.end))
+        for track in self.tracks:
+            yield from map(
+                self.scale.on_paper, (*track.places, track.impact, track.start, track.end)
+            )
         for shape in self.shapes:
             if isinstance(shape, StraightWall | Line):
                 yield from (shape.start, shape.end)
@@ -194,12 +198,12 @@ class _Drawing:
         self.shapes.append(StraightWall("", impact + along * low, impact + along * high, far))
 
     def _line_of_centres(self) -> None:
-        one, other = (self.scale.on_paper(each.impact) for each in self.tracks)
+        one, other = (self.scale.on_paper(track.impact) for track in self.tracks)
         across = _unit(self.tracks[0].fit.wall).turned_left()
         apart = (other - one).dot(across)
         direction = across if apart > 0 else -across
         beyond = max(
-            [_CENTRES, *(each.radius + 2.0 for each in self.shapes if isinstance(each, Arc))]
+            [_CENTRES, *(shape.radius + 2.0 for shape in self.shapes if isinstance(shape, Arc))]
         )
         self.shapes.append(
             Line(
@@ -207,9 +211,9 @@ class _Drawing:
             )
         )
         if abs(apart) > 2.0:
-            for each in self.tracks:
-                centre = self.scale.on_paper(each.impact)
-                self.shapes.append(Disc(each.fit.body, centre, abs(apart) / 2, ghost=True))
+            for track in self.tracks:
+                centre = self.scale.on_paper(track.impact)
+                self.shapes.append(Disc(track.fit.body, centre, abs(apart) / 2, ghost=True))
 
     # --- paths and angles ---------------------------------------------------------------------
 
@@ -233,7 +237,7 @@ class _Drawing:
             self.labels.append(label)
 
     def _largest_speed(self) -> float:
-        return max(length(v) for each in self.tracks for v in each.velocities) or 1.0
+        return max(length(v) for track in self.tracks for v in track.velocities) or 1.0
 
     def _speed(self, start: Vector, end: Vector, velocity: Vector) -> None:
         across = direction(end - start).turned_left()

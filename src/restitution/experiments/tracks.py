@@ -87,10 +87,10 @@ def tracks_of(table: Table) -> Tracks:
         raise MissingError(f"no impact is seen in any track: {faults[0]}")
     unit = table.units["x"]
     slowing, rate, rate_variance = _slowing(trials, unit)
-    slopes = [np.zeros(4 * len(each.tracks)) for each in trials]
+    slopes = [np.zeros(4 * len(trial.tracks)) for trial in trials]
     if rate:
-        pairs = [decelerated(each.kink, rate) for each in trials]
-        trials = [replace(each, kink=kink) for each, (kink, _) in zip(trials, pairs)]
+        pairs = [decelerated(trial.kink, rate) for trial in trials]
+        trials = [replace(trial, kink=kink) for trial, (kink, _) in zip(trials, pairs)]
         slopes = [slope for _, slope in pairs]
     variances, freedom, more = _variances(trials)
     notes += more
@@ -98,11 +98,11 @@ def tracks_of(table: Table) -> Tracks:
     # in each, as if they did not share it, it is as large there.
     rate_variance *= len(trials)
     covariances = [
-        _of_two(variance * each.kink.covariance() + rate_variance * np.outer(slope, slope))
-        for each, variance, slope in zip(trials, variances, slopes)
+        _of_two(variance * trial.kink.covariance() + rate_variance * np.outer(slope, slope))
+        for trial, variance, slope in zip(trials, variances, slopes)
     ]
     spheres = impacts_of(
-        tuple(_impact(each) for each in trials),
+        tuple(_impact(trial) for trial in trials),
         f"{unit}/s",
         covariances,
         known=freedom > 0,
@@ -119,8 +119,8 @@ def tracks_of(table: Table) -> Tracks:
 def _trials(tracks: tuple[Track, ...]) -> tuple[list[Trial], list[Fault], list[str]]:
     """The trials with an impact; as many bodies in each, since e is of one pair of materials."""
     together: dict[str, list[Track]] = {}
-    for each in tracks:
-        together.setdefault(each.trial, []).append(each)
+    for track in tracks:
+        together.setdefault(track.trial, []).append(track)
     trials, faults = [], []
     notes: list[str] = []
     for group in together.values():
@@ -128,7 +128,7 @@ def _trials(tracks: tuple[Track, ...]) -> tuple[list[Trial], list[Fault], list[s
             trials.append(_trial(tuple(group), notes))
         except _NoImpactError as error:
             faults.append(_fault(group[0], str(error)))
-    pairs = sum(len(each.tracks) == 2 for each in trials)
+    pairs = sum(len(trial.tracks) == 2 for trial in trials)
     usual = 2 if 2 * pairs >= len(trials) else 1
     for trial in trials:
         if len(trial.tracks) != usual:
@@ -136,7 +136,7 @@ def _trials(tracks: tuple[Track, ...]) -> tuple[list[Trial], list[Fault], list[s
             other = ("one", "two")[usual - 1]
             rule = f"{number}, and most trials have {other}; put them into a table of their own"
             faults.append(_fault(trial.tracks[0], rule))
-    return [each for each in trials if len(each.tracks) == usual], faults, notes
+    return [trial for trial in trials if len(trial.tracks) == usual], faults, notes
 
 
 def _fault(track: Track, rule: str) -> Fault:
@@ -151,10 +151,10 @@ def _named(track: Track) -> str:
 def _trial(group: tuple[Track, ...], notes: list[str]) -> Trial:
     """The first impact of one trial. Raises _NoImpactError."""
     if len(group) > 2:
-        names = ", ".join(_named(each) for each in group[:6])
+        names = ", ".join(_named(track) for track in group[:6])
         raise _NoImpactError(f"{len(group)} bodies, {names}: an impact has one, or two")
     parted = [without_jumps(_path(track)) for track in group]
-    paths, jumps = tuple(each for each, _ in parted), tuple(each for _, each in parted)
+    paths, jumps = tuple(path for path, _ in parted), tuple(path for _, path in parted)
     for track, path in zip(group, paths):
         if len(path) < 2 * LEAST:
             raise _NoImpactError(
@@ -189,8 +189,8 @@ _LONGEST = 1e6
 
 
 def _path(track: Track) -> Path:
-    rows = np.array([(each.t, each.x, each.y) for each in track.positions])
-    lines = np.array([each.line for each in track.positions], dtype=np.int64)
+    rows = np.array([(position.t, position.x, position.y) for position in track.positions])
+    lines = np.array([position.line for position in track.positions], dtype=np.int64)
     return Path(rows[:, 0], rows[:, 1:], lines)
 
 
@@ -238,7 +238,7 @@ def _others(paths: Paths, times: tuple[float, ...], kink: Kink) -> int:
 
 
 def _no_kink(group: tuple[Track, ...]) -> str:
-    names = " and ".join(_named(each) for each in group)
+    names = " and ".join(_named(track) for track in group)
     verb = "moves" if len(group) == 1 else "move"
     return f"{names} {verb} on without a kink: no impact is seen"
 
@@ -286,13 +286,13 @@ def _left_out(name: str, kink: Kink, jumps: Paths, outliers: Paths) -> list[str]
 
 def _slowing(trials: list[Trial], unit: str) -> tuple[Pattern | Untested, float, float]:
     """The test of a deceleration; the rate to be used, and its variance, 0 where none is seen."""
-    rates = [deceleration(each.kink) for each in trials]
+    rates = [deceleration(trial.kink) for trial in trials]
     variances, freedom, _ = _variances(trials, more=1)
     rows = [(*rate, variance) for rate, variance in zip(rates, variances) if rate is not None]
     if not rows or not freedom:
         reason = "Untested: the positions lie on straight lines exactly."
         return Untested("slowing", reason), 0.0, 0.0
-    values, variances_of_rates = np.array([(rate, own * each) for rate, own, each in rows]).T
+    values, variances_of_rates = np.array([(rate, own * number) for rate, own, number in rows]).T
     weights = 1 / variances_of_rates
     mean, error = float(weights @ values / weights.sum()), float(weights.sum() ** -0.5)
     p = 2 * upper_tail(abs(mean) / error, freedom)
@@ -331,9 +331,9 @@ def _variances(trials: list[Trial], more: int = 0) -> tuple[list[float], int, li
     ``more`` are parameters in each trial beside those of the kink. The degrees of freedom are 0
     where the positions lie on the lines exactly.
     """
-    squares = np.array([each.kink.sum_of_squares for each in trials])
-    freedoms = np.array([max(each.kink.freedom - more, 1) for each in trials])
-    sizes = [float(np.ptp(path.xy, axis=0).max()) for each in trials for path in each.kink.paths]
+    squares = np.array([trial.kink.sum_of_squares for trial in trials])
+    freedoms = np.array([max(trial.kink.freedom - more, 1) for trial in trials])
+    sizes = [float(np.ptp(path.xy, axis=0).max()) for trial in trials for path in trial.kink.paths]
     pooled = float(squares.sum() / freedoms.sum())
     if pooled <= (1e-8 * max(sizes)) ** 2:
         return [1.0] * len(trials), 0, []
@@ -379,7 +379,7 @@ def _impact(trial: Trial) -> SpheresTrial:
     ]
     if len(bodies) == 1:
         bodies.append(MeasuredSphere(_AT_REST, _AT_REST))
-    walls = [each.wall for each in trial.tracks if each.wall is not None]
+    walls = [track.wall for track in trial.tracks if track.wall is not None]
     line = Measured(walls[0] + 90) if walls else None
     first = trial.tracks[0]
     return SpheresTrial(first.positions[0].line, bodies[0], bodies[1], line, first.trial)
@@ -392,7 +392,7 @@ def _velocity(components: Array) -> Velocity:
 def _fitted(
     trials: list[Trial], spheres: Spheres, variances: list[float], covariances: list[Array]
 ) -> tuple[FittedTrack, ...]:
-    normals = {each.trial.line: each.n for each in spheres.impacts}
+    normals = {impact.trial.line: impact.n for impact in spheres.impacts}
     result = []
     for trial, variance, covariance in zip(trials, variances, covariances):
         n = normals.get(trial.tracks[0].positions[0].line)
@@ -402,7 +402,7 @@ def _fitted(
         kink = trial.kink
         for body, track in enumerate(trial.tracks):
             blocks = [covariance[i : i + 2, i : i + 2] for i in (4 * body, 4 * body + 2)]
-            errors = [math.sqrt(float(np.trace(each)) / 2) for each in blocks]
+            errors = [math.sqrt(float(np.trace(block)) / 2) for block in blocks]
             times = kink.paths[body].t
             result.append(
                 FittedTrack(

@@ -52,9 +52,9 @@ def sample_of(
     freedom: int | None = None,
 ) -> Sample:
     """The sample of readings in degrees, with errors of α and β in degrees."""
-    alpha, beta = np.radians([[each.alpha.value, each.beta.value] for each in readings]).T
+    alpha, beta = np.radians([[reading.alpha.value, reading.beta.value] for reading in readings]).T
     variances = np.radians(np.array(errors)).T ** 2
-    covariance = np.array([each.covariance for each in readings]) * math.radians(1) ** 2
+    covariance = np.array([reading.covariance for reading in readings]) * math.radians(1) ** 2
     arrays = Readings(alpha, beta, variances[0], variances[1], covariance)
     return Sample(arrays, WALL, known, freedom)
 
@@ -63,13 +63,18 @@ def _errors(
     readings: tuple[WallReading, ...],
 ) -> tuple[list[tuple[float, float]] | None, tuple[str, ...]]:
     """The errors of α and β; where some are missing, what stands in for them."""
-    given = [error for each in readings for error in (each.alpha.error, each.beta.error) if error]
+    given = [
+        error
+        for reading in readings
+        for error in (reading.alpha.error, reading.beta.error)
+        if error
+    ]
     if not given:
         return None, ()
     middle = statistics.median(given)
     pairs, shared, missing = [], 0, 0
-    for each in readings:
-        alpha, beta = each.alpha.error, each.beta.error
+    for reading in readings:
+        alpha, beta = reading.alpha.error, reading.beta.error
         shared += (alpha is None) != (beta is None)
         missing += alpha is None and beta is None
         pairs.append((alpha or beta or middle, beta or alpha or middle))
@@ -163,7 +168,7 @@ def _degrees(angle: float) -> str:
 def patterns(wall: Wall) -> list[Pattern | Untested]:
     """The patterns of a wall."""
     sample = wall.sample
-    places = tuple(place_of(each) for each in wall.readings)
+    places = tuple(place_of(reading) for reading in wall.readings)
     turned = _turned(wall, sample)
     trend, trend_fit = _trend(wall, sample, turned)
     spread = scatter(sample, [fit for fit in (trend_fit, turned) if fit], places, "readings")
@@ -204,9 +209,9 @@ _NO_SPEEDS = "Untested: no column u has the speed before each impact."
 
 
 def _speeds(wall: Wall) -> Array | None:
-    if any(each.u is None for each in wall.readings):
+    if any(reading.u is None for reading in wall.readings):
         return None
-    return np.array([each.u.value for each in wall.readings if each.u])
+    return np.array([reading.u.value for reading in wall.readings if reading.u])
 
 
 def _turned(wall: Wall, sample: Sample) -> Fit | None:
@@ -256,7 +261,7 @@ def _friction(wall: Wall, turn: Measured) -> Pattern | Untested:
     if not wall.wall_known:
         reason = "Untested: the wall was taken along what does not change; give it as wall."
         return Untested("friction", reason)
-    if any(each.u is None or each.v is None for each in wall.readings):
+    if any(reading.u is None or reading.v is None for reading in wall.readings):
         reason = "Untested: it takes the speeds before and after, columns u and v."
         return Untested("friction", reason)
     arrays = wall.sample.readings
@@ -286,10 +291,10 @@ def _friction(wall: Wall, turn: Measured) -> Pattern | Untested:
 def _by_components(wall: Wall, turn: float) -> str:
     """The value of e from the speeds at right angles to the wall, turned by degrees."""
     ratios = [
-        each.v.value * math.sin(math.radians(each.beta.value + turn))
-        / (each.u.value * math.sin(math.radians(each.alpha.value - turn)))
-        for each in wall.readings
-        if each.u and each.v
+        reading.v.value * math.sin(math.radians(reading.beta.value + turn))
+        / (reading.u.value * math.sin(math.radians(reading.alpha.value - turn)))
+        for reading in wall.readings
+        if reading.u and reading.v
     ]  # fmt: skip
     mean = statistics.fmean(ratios)
     error = statistics.stdev(ratios) / math.sqrt(len(ratios)) if len(ratios) > 1 else None
@@ -299,8 +304,8 @@ def _by_components(wall: Wall, turn: float) -> str:
 def _losses(wall: Wall, usable: NDArray[np.bool_], turn: float) -> tuple[Array, Array | None]:
     """ln(v cos β / u cos α), with variances where all errors are known."""
     arrays = wall.sample.readings
-    u = np.array([_pair(each.u) for each in wall.readings])[usable]
-    v = np.array([_pair(each.v) for each in wall.readings])[usable]
+    u = np.array([_pair(reading.u) for reading in wall.readings])[usable]
+    v = np.array([_pair(reading.v) for reading in wall.readings])[usable]
     alpha, beta = arrays.x[usable] - turn, arrays.y[usable] + turn
     logs = np.log(v[:, 0] * np.cos(beta)) - np.log(u[:, 0] * np.cos(alpha))
     ta, tb = np.tan(alpha), np.tan(beta)

@@ -231,14 +231,14 @@ def _grid(grid: _Grid) -> Scene:
 
 def _questions() -> Iterator[Block]:
     yield Heading("Questions")
-    items = tuple(Item(mixed(each.words), each.room) for each in questions.QUESTIONS)
+    items = tuple(Item(mixed(question.words), question.room) for question in questions.QUESTIONS)
     yield Listing(items, numbered=True)
 
 
 def _solutions(plan: Plan) -> Iterator[Block]:
     yield NewPage()
     yield Heading("For the teacher: answers")
-    answers = tuple(Item(mixed(each.answer)) for each in questions.QUESTIONS)
+    answers = tuple(Item(mixed(question.answer)) for question in questions.QUESTIONS)
     yield Listing(answers, numbered=True)
     yield Heading("For the teacher: what to expect")
     yield from _expected(plan)

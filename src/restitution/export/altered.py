@@ -102,7 +102,7 @@ def _table(items: Iterable[ChangedItem], units: Units, columns: int) -> Iterator
             yield f"  {label}{item.text}: {_value(item.altered)}"
             continue
         unit = units.of(item.true)
-        altered_, true = (_with_unit(each, unit) for each in (item.altered, item.true))
+        altered_, true = (_with_unit(result, unit) for result in (item.altered, item.true))
         rows.append((f"{label}{item.text}", altered_, true))
     first = max((width(row[0]) for row in rows), default=0)
     second = max((width(row[1]) for row in rows), default=0)
@@ -132,4 +132,4 @@ def _value(item: ItemResult) -> str:
         return f"{first.display} (impossible)"
     if item.holds is not None:
         return "true" if item.holds else "not true"
-    return " or ".join(each.display for each in item.distinct) or "no answer"
+    return " or ".join(answer.display for answer in item.distinct) or "no answer"

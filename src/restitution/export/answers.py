@@ -89,9 +89,9 @@ def _pieces(item: ItemResult, unit: str) -> Iterator[str | _Piece]:
         yield f"no answer: {item.error.message}"
     elif item.holds is not None:
         yield "shown" if item.holds else "not true"
-        for number, each in enumerate(instances(item.counterexample or {})):
+        for number, instance in enumerate(instances(item.counterexample or {})):
             yield ", " if number else ", for instance with "
-            yield _Piece(each, to_text(each))
+            yield _Piece(instance, to_text(instance))
         if item.answers:
             yield ": "
     elif item.undecided:
@@ -121,8 +121,8 @@ def _answer(item: ItemResult, answer: Answer | Rejected, unit: str) -> Iterator[
         # The words stand outside the mathematics, so that a line may end between them.
         yield _Piece(layout, to_text(layout), unit)
         yield ", for "
-        for each in condition:
-            yield each if isinstance(each, str) else _Piece(each, to_text(each))
+        for word in condition:
+            yield word if isinstance(word, str) else _Piece(word, to_text(word))
 
 
 def is_equal(item: ItemResult) -> bool:
@@ -166,10 +166,10 @@ def _apart(layout: Layout) -> Iterator[str | Layout]:
     if not isinstance(layout, Phrase):
         yield layout
         return
-    for number, each in enumerate(layout.items):
+    for number, item in enumerate(layout.items):
         if number:
             yield layout.separator
-        yield from _apart(each)
+        yield from _apart(item)
 
 
 def _text(title: str | None, lines: list[_Line]) -> str:
@@ -194,7 +194,7 @@ def _text(title: str | None, lines: list[_Line]) -> str:
 def _room(texts: Iterable[str]) -> int:
     """The width of a column: that of the widest text, the very wide ones apart."""
     widths = [width(text) for text in texts]
-    return max((each for each in widths if each <= _WIDE), default=0)
+    return max((number for number in widths if number <= _WIDE), default=0)
 
 
 def _markdown(title: str | None, lines: list[_Line]) -> str:
@@ -268,8 +268,8 @@ def _joined(
     mathematics: Callable[[Layout, str], str],
 ) -> str:
     return "".join(
-        words(each)
-        if isinstance(each, str)
-        else mathematics(each.layout, each.text) + words(_behind(each.unit))
-        for each in pieces
+        words(piece)
+        if isinstance(piece, str)
+        else mathematics(piece.layout, piece.text) + words(_behind(piece.unit))
+        for piece in pieces
     )

@@ -257,7 +257,7 @@ def _exact_of(values: Mapping[str, str] | None) -> dict[str, str] | None:
 
 def _decimal(value: float | tuple[float, float] | None) -> float | list[float] | None:
     numbers = value if isinstance(value, tuple) else (value,)
-    finite = [float(each) for each in numbers if each is not None and math.isfinite(each)]
+    finite = [float(number) for number in numbers if number is not None and math.isfinite(number)]
     if len(finite) < len(numbers):
         return None  # JSON knows no infinity
     return finite if isinstance(value, tuple) else finite[0]

@@ -55,7 +55,7 @@ def to_typst(rows: Sequence[SchemeRow]) -> str:
     for row, new in _with_parts(rows):
         label = f"({row.part})" if new and row.part is not None else ""
         line = f" #linebreak() {_typst_line(row)}" if row.line else ""
-        notes = " #linebreak() ".join(words(each) for each in row.notes)
+        notes = " #linebreak() ".join(words(note) for note in row.notes)
         cells += [f"[{words(label)}]"] * parted
         cells += [
             f"[#strong[{words(' '.join(row.marks))}]]",
@@ -75,11 +75,11 @@ def to_typst(rows: Sequence[SchemeRow]) -> str:
 def _typst_line(row: SchemeRow) -> str:
     """The line as it is set in the worked solution."""
     pieces = []
-    for each in row.line:
-        if isinstance(each, str | Words):
-            pieces.append(words(each if isinstance(each, str) else each.text))
+    for word in row.line:
+        if isinstance(word, str | Words):
+            pieces.append(words(word if isinstance(word, str) else word.text))
         else:
-            pieces.append(equation(each))
+            pieces.append(equation(word))
     return "".join(pieces)
 
 

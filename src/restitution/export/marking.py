@@ -168,7 +168,7 @@ def _require_part(solution: Solution, part: str) -> None:
 
 def _of_answers(answers: Sequence[AnswerMark], form: Form) -> str:
     if form == "json":
-        return "".join(json.dumps(each.json(), ensure_ascii=False) + "\n" for each in answers)
+        return "".join(json.dumps(answer.json(), ensure_ascii=False) + "\n" for answer in answers)
     from restitution.practice.marking.showing import answer_line
 
-    return "".join(f"{answer_line(each)}\n" for each in answers)
+    return "".join(f"{answer_line(answer)}\n" for answer in answers)

@@ -117,7 +117,9 @@ def _velocity(tree: Any) -> VelocityObject | None:
             "text": _text(tree),
         }
     if isinstance(tree, Pair):
-        zero = all(isinstance(each, Number) and not each.value for each in (tree.x, tree.y))
+        zero = all(
+            isinstance(component, Number) and not component.value for component in (tree.x, tree.y)
+        )
         if zero:
             return {"way": "rest"}
         return {"way": "components", "x": _text(tree.x), "y": _text(tree.y)}

@@ -43,7 +43,7 @@ def asked(wanted: object) -> Object:
         level = LEVELS[0] if name != following.topic else level
     if "level" in fields:
         level = _whole(fields["level"], "the level", LEVELS[0], LEVELS[-1])
-    tried = sum(_is_of(each, name, level) for each in attempts)
+    tried = sum(_is_of(attempt, name, level) for attempt in attempts)
     seed = _whole(fields.get("seed", tried + 1), "the seed", 0, _LARGEST_SEED)
     mistake = following.mistake if name == following.topic else None
     drawn = practice_question(name, level, seed, None if "seed" in fields else mistake)

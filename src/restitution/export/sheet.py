@@ -82,7 +82,7 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     rooms = [_room(part, options) for part in asked.parts]
     if options.marks == "none":
         explanation = explanation.without_marks()
-        asked = replace(asked, parts=tuple(replace(each, marks=None) for each in asked.parts))
+        asked = replace(asked, parts=tuple(replace(part, marks=None) for part in asked.parts))
     explained = replace(explanation, title=None)
     if options.diagrams and options.solutions:
         explained = illustrated(explained)
@@ -186,7 +186,7 @@ def _typst_question(question: Question, figure: str | None, rooms: Sequence[floa
     from restitution.wording import typst
 
     opening = typst.opening(question)
-    parts = [typst.part(each) for each in question.parts]
+    parts = [typst.part(part) for part in question.parts]
     first = parts[0] if parts else ""
     short = len(opening) + len(first) < _LONG
     if figure is not None:
@@ -263,10 +263,10 @@ def _html_question(question: Question, figure: str | None, rooms: Sequence[float
     blocks = html.opening(question)
     if figure is not None:
         blocks.append(f'<div class="figure">{figure}</div>')
-    for index, each in enumerate(question.parts):
+    for index, part in enumerate(question.parts):
         if index:
             blocks.append(_html_room(rooms[index - 1]))
-        blocks.append(html.part(each))
+        blocks.append(html.part(part))
     return '<article class="question">' + "\n".join(blocks) + "</article>"
 
 

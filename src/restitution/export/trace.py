@@ -118,8 +118,8 @@ def _of_part(problem: Problem, part: Part) -> Iterator[str]:
                 after = happening.after[body]
                 x, y = (to_text(from_sympy(each)) for each in after)
                 yield f"{_STEP}velocity of {body} after event {happening.number}: ({x}, {y})"
-    for each in (*story.equations, *story.conditions, *needs):
-        yield f"{_STEP}{_demand(each)}"
+    for condition in (*story.equations, *story.conditions, *needs):
+        yield f"{_STEP}{_demand(condition)}"
 
 
 def _demand(demand: Equation | Condition | AnyOf) -> str:

@@ -316,7 +316,7 @@ def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
     if condition is None:
         return value
     # The words stand outside the mathematics, so that a line may end between them.
-    pieces = (each if isinstance(each, str) else tree(to_mathml(each)) for each in condition)
+    pieces = (word if isinstance(word, str) else tree(to_mathml(word)) for word in condition)
     return ["span", {}, value, ["span", {"class": "condition"}, ", for\u00a0", *pieces]]
 
 

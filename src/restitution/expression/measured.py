@@ -98,7 +98,9 @@ def without_units(
             if isinstance(stage, AtTime):
                 stage = AtTime(inside(stage.time, Slot(TIME, "a time")))
             return replace(
-                tree, arguments=tuple(inside(each, NOWHERE) for each in arguments), stage=stage
+                tree,
+                arguments=tuple(inside(argument, NOWHERE) for argument in arguments),
+                stage=stage,
             )
     raise AssertionError(f"nothing with a unit stands in {tree!r}")
 

@@ -284,7 +284,7 @@ def dimension_of(
             if kind in ("along", "across"):
                 return dimension_of(arguments[0], of_letters)
             if kind == "dot":
-                first, second = (dimension_of(each, of_letters) for each in arguments)
+                first, second = (dimension_of(argument, of_letters) for argument in arguments)
                 return times(first, second, 1)
             return KINDS[kind].dimension if kind in KINDS else NONE
         case Letter(name) if name in of_letters:

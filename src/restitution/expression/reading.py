@@ -559,7 +559,7 @@ def _meant(
     if token.type == "LETTER" and "NAME" in expected and named:
         return unknown_name(word, names), meant_name(word, names)
     if expected & {"MASS", "THROUGH", "OFFSET"} and "NUMBER" not in expected:
-        meant = near(word, [each for each in PROPERTY_WORDS if each.upper() in expected])
+        meant = near(word, [word for word in PROPERTY_WORDS if word.upper() in expected])
         return _unknown(word, meant, "property")
     if previous is None and "FIND" in expected:
         meant = MEANT.get(word)

@@ -336,7 +336,7 @@ def letters(node: Expression) -> frozenset[str]:
     try:
         return node._letters  # type: ignore[no-any-return, union-attr]
     except AttributeError:
-        names = frozenset(each.name for each in walk(node) if isinstance(each, Letter))
+        names = frozenset(tree.name for tree in walk(node) if isinstance(tree, Letter))
         object.__setattr__(node, "_letters", names)
         return names
 
@@ -346,7 +346,7 @@ def has_quantity(node: Expression) -> bool:
     try:
         return node._quantity  # type: ignore[no-any-return, union-attr]
     except AttributeError:
-        has_one = any(isinstance(each, Quantity) for each in walk(node))
+        has_one = any(isinstance(tree, Quantity) for tree in walk(node))
         object.__setattr__(node, "_quantity", has_one)
         return has_one
 

@@ -223,7 +223,7 @@ def guess(word: str) -> str | None:
     """The word of the language that was probably meant by ``word``, or None."""
     if word in MEANT:
         return MEANT[word]
-    slips = [each for each in sorted(WORDS) if len(each) > 2 and one_slip(word, each)]
+    slips = [other for other in sorted(WORDS) if len(other) > 2 and one_slip(word, other)]
     return slips[0] if len(slips) == 1 else near(word, slips or sorted(WORDS))
 
 

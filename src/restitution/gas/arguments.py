@@ -35,7 +35,7 @@ def both(periodic: Any) -> tuple[bool, bool]:
     if (
         not isinstance(axes, tuple | list)
         or len(axes) != 2
-        or not all(isinstance(each, bool | np.bool_) for each in axes)
+        or not all(isinstance(axis, bool | np.bool_) for axis in axes)
     ):
         raise StatementError(f"periodic is True, False or a pair of them, not {periodic!r}")
     return bool(axes[0]), bool(axes[1])

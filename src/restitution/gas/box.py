@@ -275,7 +275,7 @@ class Gas:
         row, small = self._discs.row, self._discs.small
         x, y = self._places()
         resolution = self.box.resolution
-        row[:, k.X], row[:, k.Y] = (np.round(each / resolution) * resolution for each in (x, y))
+        row[:, k.X], row[:, k.Y] = (np.round(array / resolution) * resolution for array in (x, y))
         row[:, k.T] = self._discs.now
         row[:, k.VX] *= -1
         row[:, k.VY] *= -1

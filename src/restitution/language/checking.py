@@ -341,10 +341,10 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
                 _place_of(node.right) or node.place,
             )
         elif isinstance(node, Pair):
-            for each in filter(_holds_unit, (node.x, node.y)):
+            for component in filter(_holds_unit, (node.x, node.y)):
                 yield _error(
                     "expected a number in (x, y), not a vector: write (3, 4) or 3i + 4j",
-                    _place_of(each),
+                    _place_of(component),
                 )
         pending.extend((child, _allowed(node, child), node) for child in reversed(children(node)))
 

@@ -226,7 +226,7 @@ def _with_a_capital(text: str, line: Line) -> Iterator[Fix]:
     known = declared_names(lines)
     small = [
         name
-        for name in dict.fromkeys(name for each in lines for name in _small_names(each))
+        for name in dict.fromkeys(name for line in lines for name in _small_names(line))
         if _capital(name) not in known
     ]
     if not set(small) & set(_small_names(line)):

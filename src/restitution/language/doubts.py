@@ -210,7 +210,9 @@ def _idle_facts(problem: Problem) -> Iterator[Note]:
     ]
     if not facts:
         return
-    used = _tied(set(_used(problem, [each for fact in facts for each in fact.operands])), facts)
+    used = _tied(
+        set(_used(problem, [operand for fact in facts for operand in fact.operands])), facts
+    )
     for fact in facts:
         named = _letters_of(fact.operands) - used
         if not named:

@@ -124,7 +124,7 @@ def like_units(problem: Problem) -> frozenset[str]:
     if not fit:
         return frozenset()
     used = Counter(
-        each.name for tree in trees(problem) for each in walk(tree) if isinstance(each, Letter)
+        node.name for tree in trees(problem) for node in walk(tree) if isinstance(node, Letter)
     )
     used.update(_listed(problem))
     return frozenset(letter for letter, count in fit.items() if count == used[letter])
@@ -234,7 +234,7 @@ def _dimensions_of_letters(problem: Problem) -> dict[str, Dimension]:
             dimension = dimension_of(step.expression)
             if dimension is not None:
                 dimensions.setdefault(step.letter, dimension)
-    for node in (each for tree in trees(problem) for each in walk(tree)):
+    for node in (node for tree in trees(problem) for node in walk(tree)):
         if isinstance(node, Quantity) and isinstance(node.stage, AtTime):
             for letter in _alone(node.stage.time, angle=False):
                 dimensions.setdefault(letter, TIME)

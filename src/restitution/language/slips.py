@@ -61,7 +61,7 @@ def with_guess(
         kind = "other"
     start_of_line = source.place(len(source.text) - len(source.text.lstrip()))
     if (mistake.line, mistake.column) == (start_of_line.line, start_of_line.column) and (
-        mistake.message.endswith(tuple(f"did you mean '{each}'?" for each in LINE_WORDS))
+        mistake.message.endswith(tuple(f"did you mean '{word}'?" for word in LINE_WORDS))
     ):
         return mistake  # the first word is known already
     before: list[tuple[_Slip, re.Match[str], int, int]] = []

@@ -49,15 +49,16 @@ def overlaps(motion: Motion, extent: float) -> list[Overlap]:
     contacts += [(at.time, {at.body, at.target}) for at in motion.reached if at.target]
     moment = AT_ONCE * (motion.end - motion.start)
     pairs = [
-        each
-        for each in overlaps_
-        if each.end > motion.start + moment  # what begins in contact may part
+        overlap
+        for overlap in overlaps_
+        if overlap.end > motion.start + moment  # what begins in contact may part
         and not any(
-            names == {each.first, each.second} and each.start - moment <= time <= each.end + moment
+            names == {overlap.first, overlap.second}
+            and overlap.start - moment <= time <= overlap.end + moment
             for time, names in contacts
         )
     ]
-    return sorted(pairs, key=lambda each: each.start)
+    return sorted(pairs, key=lambda pair: pair.start)
 
 
 def _of_spheres(tracks: Sequence[Track], tolerance: float) -> Iterator[Overlap]:

@@ -346,7 +346,7 @@ class _Course:
 
     def refuse_collapse(self, due: _Due, e: Any, *, faint: bool, slides: bool) -> None:
         """Raise a CollapseError where bodies that touch already strike each other for ever."""
-        balls = [each for each in (due.first, due.second) if each < len(self.balls)]
+        balls = [number for number in (due.first, due.second) if number < len(self.balls)]
         row = max(self.in_a_row[ball] for ball in balls)
         names = self.name(due.first), self.name(due.second)
         if slides and (due.first, due.second) in self.inside:
@@ -428,7 +428,7 @@ class Run:
         """Every impact: time, bodies, place, line of centres, impulse, velocities."""
         if not self._kind.exact:
             return self._struck
-        return tuple(_with_numbers(each, self._kind.shown) for each in self._struck)
+        return tuple(_with_numbers(hit, self._kind.shown) for hit in self._struck)
 
     @cached_property
     def events(self) -> np.ndarray[Any, Any]:
@@ -463,7 +463,7 @@ class Run:
         if kind.exact and isinstance(given(time, "the time"), float):
             motion = self.motion()
             _check_within(float(time), motion.end)
-            return {name: State(*each) for name, each in motion.at(float(time)).items()}
+            return {name: State(*vector) for name, vector in motion.at(float(time)).items()}
         moment = kind.later(kind.start, kind.number(time, "the time"))
         _check_within(kind.time(moment), kind.time(self._end))
         return {
@@ -483,13 +483,13 @@ class Run:
             )
             for ball, stretches in zip(self.table.layout.balls, self._stretches)
         )
-        struck = tuple(_with_numbers(each, float) for each in self._struck)
+        struck = tuple(_with_numbers(hit, float) for hit in self._struck)
         return Motion(tracks, struck, tuple(_walls(self.table, tracks)), 0.0, end)
 
     def _pieces(self, stretches: tuple[_Stretch, ...], end: float) -> Iterator[Piece]:
         starts = [float(self._kind.time(stretch.start)) for stretch in stretches]
-        for start, stop, each in zip(starts, [*starts[1:], end], stretches):
-            yield Piece(start, stop, _floats(each.place), _floats(each.velocity))
+        for start, stop, stretch in zip(starts, [*starts[1:], end], stretches):
+            yield Piece(start, stop, _floats(stretch.place), _floats(stretch.velocity))
 
     def __repr__(self) -> str:
         count = len(self._struck)
@@ -521,7 +521,9 @@ def _check_within(time: Any, end: Any) -> None:
 def _state(stretches: tuple[_Stretch, ...], moment: Any, kind: Arithmetic) -> State:
     # By the time that a user sees: a moment may lie a little behind its own.
     time = kind.time(moment)
-    latest = stretches[bisect_right(stretches, time, key=lambda each: kind.time(each.start)) - 1]
+    latest = stretches[
+        bisect_right(stretches, time, key=lambda stretch: kind.time(stretch.start)) - 1
+    ]
     elapsed = max(kind.since(moment, latest.start), 0)
     place = latest.place + latest.velocity * elapsed
     shown = kind.shown

@@ -202,13 +202,13 @@ def _performed(stage: Stage, *, short: bool) -> tuple[Motion, str | None]:
     events = [event for _, event in numbered(stage)]
     motion = Motion(
         tracks,
-        tuple(each for each in events if isinstance(each, Struck)),
+        tuple(event for event in events if isinstance(event, Struck)),
         (*(_as_wall(line, scale) for line in lines), *_circles(given)),
         start,
         end,
         tuple(_notes(stage, tracks)),
-        tuple(each for each in events if isinstance(each, Blow)),
-        tuple(each for each in events if isinstance(each, Reached)),
+        tuple(event for event in events if isinstance(event, Blow)),
+        tuple(event for event in events if isinstance(event, Reached)),
         dict(given.points),
     )
     return motion, stopped

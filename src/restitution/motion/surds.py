@@ -41,7 +41,7 @@ class Root:
         self.below = below
         self.new = new
         self.depth: int = 1 + max(
-            (each.depth for _, roots in terms(square) for each in roots), default=0
+            (root.depth for _, roots in terms(square) for root in roots), default=0
         )
         self._bits = 0
         self._bounds = (0, 0)
@@ -179,7 +179,7 @@ def compare(x: Exact, y: Exact) -> int:
         if y_high < x_low:
             return 1
         if bits >= _BITS_OF_A_TIE:
-            tower = Tower(next(each.root.below for each in (x, y) if isinstance(each, Surd)))
+            tower = Tower(next(value.root.below for value in (x, y) if isinstance(value, Surd)))
             return compare(tower.lifted(x), tower.lifted(y))
     raise AssertionError  # pragma: no cover - the bits do not end
 
@@ -187,7 +187,8 @@ def compare(x: Exact, y: Exact) -> int:
 def _one_tower(x: Exact, y: Exact) -> bool:
     """Whether both are in unique form over roots of one tower."""
     roots = sorted(
-        (each.root for each in (x, y) if isinstance(each, Surd)), key=lambda root: len(root.below)
+        (value.root for value in (x, y) if isinstance(value, Surd)),
+        key=lambda root: len(root.below),
     )
     return all(root.new for root in roots) and (
         len(roots) < 2 or roots[0] is roots[1] or roots[0] in roots[1].below
@@ -284,7 +285,8 @@ def _square_out(x: Exact) -> tuple[Fraction, Exact]:
     """X as outside² × inside, with small whole numbers inside."""
     numbers = [number for number, _ in terms(x)]
     content = Fraction(
-        gcd(*(each.numerator for each in numbers)), lcm(*(each.denominator for each in numbers))
+        gcd(*(number.numerator for number in numbers)),
+        lcm(*(number.denominator for number in numbers)),
     )
     outside, left = Fraction(1, content.denominator), content.numerator * content.denominator
     for factor in range(2, _SMALL_FACTORS):

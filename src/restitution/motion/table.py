@@ -257,7 +257,7 @@ def _ball(sphere: Sphere, kind: Arithmetic) -> Ball:
 def _shape(wall: Wall, kind: Arithmetic) -> tuple[Face | Ring, tuple[Vector, ...]]:
     """Where a wall is, with the points at which it ends."""
     name = wall.name
-    shapes = {each for each in _SHAPES for part in each if getattr(wall, part) is not None}
+    shapes = {shape for shape in _SHAPES for part in shape if getattr(wall, part) is not None}
     if len(shapes) > 1:
         raise StatementError(
             f"the wall {name} is told in two ways: it is a segment (start, end), a whole line "

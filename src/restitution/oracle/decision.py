@@ -112,21 +112,21 @@ def _condition(world: Polynomials, relation: Relation) -> _Tree:
     if not rest and not zero:
         return _settled(relation.operator, sign, defined)
     product = world.ring.ground_new(QQ(sign))
-    for each in rest:
-        product = world._product(product, each)
-    touching = [*([_Condition(each, "=") for each in rest]), *zero]
-    touching = [each for each in touching if _Condition(each.polynomial, "!=") not in defined]
-    apart = [_Condition(each.polynomial, "!=") for each in zero]
+    for value in rest:
+        product = world._product(product, value)
+    touching = [*([_Condition(value, "=") for value in rest]), *zero]
+    touching = [value for value in touching if _Condition(value.polynomial, "!=") not in defined]
+    apart = [_Condition(value.polynomial, "!=") for value in zero]
     match relation.operator:
         case "=":
             own: _Tree = ("or", touching)
         case "!=":
-            own = ("and", [_Condition(each.polynomial, "!=") for each in touching])
+            own = ("and", [_Condition(value.polynomial, "!=") for value in touching])
         case ">":
             own = ("and", [_Condition(product, ">"), *apart] if rest else [sign > 0, *apart])
         case _:
             inner = _Condition(product, ">=") if rest else sign > 0
-            own = ("or", [inner, *[each for each in zero if each in touching]])
+            own = ("or", [inner, *[value for value in zero if value in touching]])
     return ("and", [*defined, own])
 
 
@@ -160,7 +160,7 @@ def _polynomials(tree: _Tree) -> list[PolyElement]:
         return [tree.polynomial]
     if isinstance(tree, bool):
         return []
-    return [each for part in tree[1] for each in _polynomials(part)]
+    return [polynomial for part in tree[1] for polynomial in _polynomials(part)]
 
 
 def _names(world: Polynomials, polynomial: PolyElement) -> set[str]:
@@ -178,8 +178,8 @@ def _used(world: Polynomials, tree: _Tree) -> list[str]:
         used |= _names(world, polynomial)
     while True:
         before = len(used)
-        for each in (*world.relations, *(bound.polynomial for bound in world.bounds)):
-            names = _names(world, each)
+        for value in (*world.relations, *(bound.polynomial for bound in world.bounds)):
+            names = _names(world, value)
             if names & used:
                 used |= names
         if len(used) == before:
@@ -228,20 +228,20 @@ def _joined(world: Polynomials, used: Sequence[str], tree: _Tree) -> dict[str, l
     The root of a product of seven primes is one letter then, and not seven.
     """
     own = {}
-    for each in world.relations:
-        names = _names(world, each)
-        if len(names) == 1 and set(each.degrees()) <= {0, 2} and len(each) == 2:
+    for relation in world.relations:
+        names = _names(world, relation)
+        if len(names) == 1 and set(relation.degrees()) <= {0, 2} and len(relation) == 2:
             (name,) = names
             if name not in world.letters.values() and world.senses[name] == "0+":
-                own[name] = each
-    own = {name: each for name, each in own.items() if name in used and name not in world.between}
-    others = [each for each in world.relations if each not in own.values()]
+                own[name] = relation
+    own = {name: value for name, value in own.items() if name in used and name not in world.between}
+    others = [relation for relation in world.relations if relation not in own.values()]
     every = [*_polynomials(tree), *others, *(bound.polynomial for bound in world.bounds)]
-    monomials = [each for polynomial in every for each in polynomial.monoms()]
+    monomials = [value for polynomial in every for value in polynomial.monoms()]
     groups: dict[tuple[int, ...], list[str]] = {}
     for name in own:
         n = world.names.index(name)
-        groups.setdefault(tuple(each[n] for each in monomials), []).append(name)
+        groups.setdefault(tuple(monomial[n] for monomial in monomials), []).append(name)
     return {group[0]: group for group in groups.values() if len(group) > 1}
 
 
@@ -402,7 +402,7 @@ class _Question:
         if isinstance(tree, _Condition):
             return _related(self.value(tree.polynomial), tree.operator)
         join = z3.And if tree[0] == "and" else z3.Or
-        return join(*[self.statement(each) for each in tree[1]])
+        return join(*[self.statement(value) for value in tree[1]])
 
     def definitions(self, names: Iterable[str], known: Iterable[str]) -> list[Any]:
         """What these generators are, by their signs, bounds and relations among the known ones."""
@@ -425,9 +425,9 @@ class _Question:
         grouped = {name for group in self.joined.values() for name in group}
         for first, group in self.joined.items():
             square = QQ(1)
-            for each in world.relations:
-                if len(own := _names(world, each)) == 1 and own <= set(group):
-                    square *= -each.coeff(1) / each.LC
+            for relation in world.relations:
+                if len(own := _names(world, relation)) == 1 and own <= set(group):
+                    square *= -relation.coeff(1) / relation.LC
             formulas.append(self.numbers[first] * self.numbers[first] == self._number(square))
         for polynomial, operator in defining:
             own = _names(world, polynomial)
@@ -452,7 +452,8 @@ def _exact(number: Any) -> sp.Expr:
         return sp.Rational(number.numerator_as_long(), number.denominator_as_long())
     x = sp.Dummy("x")
     coefficients = [
-        sp.Rational(each.numerator_as_long(), each.denominator_as_long()) for each in number.poly()
+        sp.Rational(value.numerator_as_long(), value.denominator_as_long())
+        for value in number.poly()
     ]
     polynomial = sp.Poly(list(reversed(coefficients)), x)
     roots = polynomial.real_roots(multiple=False)

@@ -179,7 +179,7 @@ class Oracle:
             return open_.verdict
 
     def _decide_some(self, claim: Formula, free: frozenset[str]) -> Verdict:
-        formulas = [without_numbers(each) for each in (*self.facts, claim)]
+        formulas = [without_numbers(fact) for fact in (*self.facts, claim)]
         values = [relation.value for relation in relations(joined(formulas))]
         try:
             world = Polynomials([sine_of_share(value, self.roles) for value in values], self.roles)
@@ -328,11 +328,11 @@ class Oracle:
 
     def _asked(self, more: Sequence[Formula]) -> tuple[decision.Reply, Polynomials | None]:
         spend(_QUESTION)
-        formulas = [without_numbers(each) for each in (*self.facts, *more)]
-        values = [each.value for formula in formulas for each in relations(formula)]
+        formulas = [without_numbers(formula) for formula in (*self.facts, *more)]
+        values = [relation.value for formula in formulas for relation in relations(formula)]
         try:
             world = Polynomials([sine_of_share(value, self.roles) for value in values], self.roles)
-            prepared = [with_sines(each, self.roles) for each in formulas]
+            prepared = [with_sines(formula, self.roles) for formula in formulas]
             reply = decision.satisfy(world, prepared)
             if "memory" in reply.reason:
                 _OPEN.count = broken_off() + 1
@@ -368,7 +368,7 @@ class Oracle:
         """A point of the same kind in plainer numbers."""
         if not self._plain:
             return dict(point)
-        testers = [tester_of(each) for each in against]
+        testers = [tester_of(formula) for formula in against]
 
         def serves(candidate: Point) -> bool:
             return (
@@ -385,10 +385,10 @@ def _is_a_root(x: sp.Expr, roles: Mapping[str, Role]) -> bool:
 
     The root is the longest one in it: what stands under that has roots of its own.
     """
-    roots = [each for each in x.atoms(sp.Pow) if each.exp == sp.S.Half and each.free_symbols]
+    roots = [power for power in x.atoms(sp.Pow) if power.exp == sp.S.Half and power.free_symbols]
     if not roots:
         return False
-    root, letter = max(roots, key=lambda each: (sp.count_ops(each), str(each))), sp.Dummy()
+    root, letter = max(roots, key=lambda root: (sp.count_ops(root), str(root))), sp.Dummy()
     own = x.xreplace({root: letter})
     rest, factor = own.xreplace({letter: sp.S.Zero}), sp.diff(own, letter)
     if factor == 0 or factor.has(letter) or rest.has(sp.nan, sp.zoo):

@@ -488,7 +488,7 @@ def _ball_function(operation: str, x: Ball) -> Ball:
     if operation == "atan":
         return math.atan(middle), error + 4 * _EPSILON
     if operation in ("tan", "sec", "cot", "csc"):
-        cosine, sine = (_ball_function(each, x) for each in ("cos", "sin"))
+        cosine, sine = (_ball_function(ratio, x) for ratio in ("cos", "sin"))
         below = cosine if operation in ("tan", "sec") else sine
         above = {"tan": sine, "cot": cosine}.get(operation, (1.0, 0.0))
         return _ball_product(above, _ball_power(below, -1))
@@ -500,7 +500,7 @@ def _ball_function(operation: str, x: Ball) -> Ball:
 
 def ends_of(interval: Interval) -> tuple[Fraction, Fraction]:
     """The two ends of an interval, exactly."""
-    low, high = (Fraction(*to_rational(each)) for each in interval)
+    low, high = (Fraction(*to_rational(value)) for value in interval)
     return low, high
 
 

@@ -71,14 +71,14 @@ class Polynomials:
             _algebraic(sp.sympify(expression, strict=True)) for expression in expressions
         ]
         self._bases: list[sp.Rational] = []
-        self._bases = bases_of({x for each in expressions for x in self._plain_angles(each)})
+        self._bases = bases_of({x for value in expressions for x in self._plain_angles(value)})
         for expression in expressions:
             self._divide(expression)
-        ends = [end for each in list(self._divisors) for end in self._ends(each)]
+        ends = [end for divisor in list(self._divisors) for end in self._ends(divisor)]
         for end in ends:
             self._divide(end)
-        for each in (*ends, *expressions):
-            self._collect(each)
+        for value in (*ends, *expressions):
+            self._collect(value)
         for atom in list(self._divisors):
             self._collect_atom(atom)
         self.ring = PolyRing([name for _, name in self._order] or ["_"], QQ)
@@ -211,7 +211,7 @@ class Polynomials:
             return
         if x in self._divisors:
             self.loose = True  # an angle outside a sine as well
-        low, high = (_rational_or_none(each) for each in (role.low, role.high))
+        low, high = (_rational_or_none(value) for value in (role.low, role.high))
         if (role.low is not None and low is None) or (role.high is not None and high is None):
             low = low if role.low is None else _below(role.low)
             high = high if role.high is None else _above(role.high)
@@ -651,7 +651,7 @@ _TRIED = 10_000  # primes up to this are sought in what stands under a root
 def _algebraic(x: sp.Expr) -> sp.Expr:
     """Floats as the fractions that they are written as."""
     floats = x.atoms(sp.Float)
-    return x.xreplace({each: sp.Rational(str(each)) for each in floats}) if floats else x
+    return x.xreplace({value: sp.Rational(str(value)) for value in floats}) if floats else x
 
 
 def _radicands(x: sp.Pow) -> list[sp.Expr]:

@@ -37,11 +37,11 @@ def _candidates(value: Value, role: Role) -> list[Value]:
     if role.kind == "angle":
         degrees = number * 180 / math.pi
         steps = (15, 5, 1, Fraction(1, 10), Fraction(1, 1000), Fraction(1, 10**6))
-        nearest = [Fraction(each) for each in _PLAIN_DEGREES]
+        nearest = [Fraction(number) for number in _PLAIN_DEGREES]
         nearest += [round(degrees / float(step)) * Fraction(step) for step in steps]
         return [
-            sp.Rational(each.numerator, each.denominator * 180) * sp.pi
-            for each in dict.fromkeys(nearest)
+            sp.Rational(number.numerator, number.denominator * 180) * sp.pi
+            for number in dict.fromkeys(nearest)
         ]
     plain: list[Value] = [Fraction(1), Fraction(2), Fraction(1, 2), Fraction(0)]
     for power in range(1, 7):

@@ -121,7 +121,7 @@ def _by_ratio(terms: Sequence[sp.Expr], roles: Mapping[str, Role]) -> sp.Expr | 
         sense, atom = term.as_coeff_Mul()
         if abs(sense) != 1 or not isinstance(atom, sp.asin | sp.acos) or not term.free_symbols:
             continue
-        others = [each for each in terms if each != term]
+        others = [other for other in terms if other != term]
         rest = _extent(others, roles)
         (ratio,) = atom.args
         if rest is None or not is_never_negative(1 - ratio**2, roles):

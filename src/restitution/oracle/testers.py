@@ -76,8 +76,8 @@ def _holds(tree: _Tree, signs: Sequence[int | None]) -> bool | None:
         sign = signs[kind]
         return None if sign is None else sign in inner
     open_ = False
-    for each in inner:
-        truth = _holds(each, signs)
+    for value in inner:
+        truth = _holds(value, signs)
         if truth is (not kind):
             return truth
         open_ = open_ or truth is None

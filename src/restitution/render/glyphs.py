@@ -178,5 +178,5 @@ def _numbers(*values: float) -> str:
 
 
 def _placed(extent: Box, mark: Mark) -> Box:
-    left, bottom, right, top = (mark.scale * each / UNITS for each in extent)
+    left, bottom, right, top = (mark.scale * number / UNITS for number in extent)
     return mark.x + left, mark.y + bottom, mark.x + right, mark.y + top

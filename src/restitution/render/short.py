@@ -42,7 +42,7 @@ def is_short(x: Any) -> bool:
         return False
     if any(len(sp.Add.make_args(_base(each).args[0])) > 2 for each in turned):
         return False
-    numbers = {abs(n) for each in x.atoms(sp.Rational) for n in (int(each.p), int(each.q))}
+    numbers = {abs(n) for number in x.atoms(sp.Rational) for n in (int(number.p), int(number.q))}
     small = all(number < 1000 for number in numbers)
     return small and _digits(x) <= _MOST_DIGITS and len(x.free_symbols) <= _MOST_LETTERS
 

@@ -200,7 +200,7 @@ def _sum(terms: tuple[tuple[str, Layout], ...]) -> str:
 
 
 def _product(layout: Product) -> str:
-    texts = [_factor(each, layout.sign) for each in layout.factors]
+    texts = [_factor(factor, layout.sign) for factor in layout.factors]
     if layout.sign:
         return f" {layout.sign} ".join(texts)
     out = texts[0]
@@ -237,8 +237,8 @@ def _slash(fraction: Fraction) -> str:
         return f"d/d{_text(fraction.below.factors[1])}"  # a rate of change
     # A fraction in a fraction is written once: to write it twice takes ages where it is deep.
     above, below = (
-        _slash(each) if isinstance(each, Fraction) else _text(each)
-        for each in (fraction.above, fraction.below)
+        _slash(side) if isinstance(side, Fraction) else _text(side)
+        for side in (fraction.above, fraction.below)
     )
     simple = isinstance(fraction.below, Number | Letter | Brackets | Power | Bold | Function | Root)
     if not simple:

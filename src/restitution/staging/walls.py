@@ -86,7 +86,7 @@ def trim(lines: list[Line], legs: Sequence[Leg], reach: float, successive: set[A
         far = [gap for gap in gaps if gap is not None]
         if len(far) == 2 and _clear(one, where[0], legs) and _clear(other, where[1], legs):
             meetings.append((max(far), one, other, *where))
-    for gap, one, other, first, second in sorted(meetings, key=lambda each: each[0]):
+    for gap, one, other, first, second in sorted(meetings, key=lambda meeting: meeting[0]):
         sides = _side_of(one, first, other), _side_of(other, second, one)
         if gap > reach or sides[0] in one.corners or sides[1] in other.corners:
             continue

@@ -45,7 +45,7 @@ async def asked(
     for name, value in fields.items():
         wanted = kinds.get(name)
         if wanted is None:
-            known = ", ".join(f'"{each}"' for each in kinds)
+            known = ", ".join(f'"{kind}"' for kind in kinds)
             raise RefusedError(400, "malformed", f"{_short(name)} is not known; known: {known}")
         if isinstance(wanted, tuple):
             if value not in wanted:

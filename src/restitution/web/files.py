@@ -82,6 +82,6 @@ def imported(files: Mapping[str, Stored], path: str) -> list[str]:
 def digest(files: Mapping[str, Stored]) -> str:
     """A name for just these files: what it names can be kept for ever."""
     seen = hashlib.sha256()
-    for path, each in files.items():
-        seen.update(f"{path} {each.tag}\n".encode())
+    for path, file in files.items():
+        seen.update(f"{path} {file.tag}\n".encode())
     return seen.hexdigest()[:12]

@@ -339,7 +339,7 @@ def _towards(
         case Quantity("velocity", (Name(body),), stage) if between is not None and (
             isinstance(stage, int | None)
         ):
-            own = [_is_own_place(scene, each, body, scene.stage(stage, body)) for each in between]
+            own = [_is_own_place(scene, tree, body, scene.stage(stage, body)) for tree in between]
             if own[0] == own[1]:
                 return None
             other = between[1] if own[0] else between[0]

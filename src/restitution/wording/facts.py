@@ -69,7 +69,7 @@ def _relations(problem: Problem) -> Iterator[Compare]:
                     isinstance(relation, Compare)
                     and is_letter_fact(relation)
                     and not letters_of(relation) & lets
-                    and not any(relation is each for each in later)
+                    and not any(relation is other for other in later)
                 ):
                     yield relation
 
@@ -79,11 +79,11 @@ def _chained(relations: Iterable[Compare]) -> Iterator[Compare]:
     rest = list(relations)
     while rest:
         relation = rest.pop(0)
-        for each in rest:
-            low, high = _upwards(relation), _upwards(each)
+        for comparison in rest:
+            low, high = _upwards(relation), _upwards(comparison)
             low, high = (low, high) if _ends_alike(low, high) else (high, low)
             if _ends_alike(low, high):
-                rest.remove(each)
+                rest.remove(comparison)
                 operands = (*low.operands, *high.operands[1:])
                 relation = replace(
                     low, operands=operands, operators=(*low.operators, *high.operators)
@@ -122,7 +122,7 @@ def with_facts(
 ) -> tuple[list[Sentence], list[Fact]]:
     """The sentences with the facts in them, and the facts that found no place."""
     acute = frozenset().union(*map(_acute_letters, sentences))
-    pending = [each for each in facts if not (each.nature == "acute" and each.letters <= acute)]
+    pending = [fact for fact in facts if not (fact.nature == "acute" and fact.letters <= acute)]
     seen: frozenset[str] = frozenset()
     out: list[Sentence] = []
     for sentence in sentences:
@@ -131,7 +131,7 @@ def with_facts(
         due = [fact for fact in pending if fact.letters & here and fact.letters <= seen]
         pending = [fact for fact in pending if fact not in due]
         out.append(_where(sentence, due))
-    return out, [each for each in pending if not each.nature]
+    return out, [fact for fact in pending if not fact.nature]
 
 
 def _where(sentence: Sentence, facts: Sequence[Fact]) -> Sentence:
@@ -160,7 +160,7 @@ def _broken(sentence: Sentence, names: frozenset[str]) -> tuple[Words, Words] | 
         and isinstance(sentence[place + 1], Named)
         and str(sentence[place + 2]).startswith((" is at rest", " is moving"))
     ]
-    if len(joints) != 1 or any(", " in each for each in sentence if isinstance(each, str)):
+    if len(joints) != 1 or any(", " in word for word in sentence if isinstance(word, str)):
         return None
     (place,) = joints
     joint = str(sentence[place]).removesuffix(" and ")
@@ -172,7 +172,7 @@ def _phrases(facts: Sequence[Fact]) -> list[Words]:
     """Facts in words: ``p and q are constants``, ``tan α = ¾``."""
     out: list[Words] = []
     for nature in dict.fromkeys(fact.nature for fact in facts if fact.nature):
-        names = [name for each in facts if each.nature == nature for name in each.letters]
+        names = [name for fact in facts if fact.nature == nature for name in fact.letters]
         noun = nature.removeprefix("a ")
         several = noun if noun == nature else f"{noun}s"
         verb = f" is {nature}" if len(names) == 1 else f" are {several}"
@@ -184,8 +184,8 @@ def _acute_letters(sentence: Sentence) -> frozenset[str]:
     """The letters that a sentence calls acute angles already."""
     return frozenset().union(
         *(
-            letters_in(each)
-            for before, each in pairwise(sentence)
+            letters_in(word)
+            for before, word in pairwise(sentence)
             if isinstance(before, str) and before.endswith("acute angle ")
         )
     )
@@ -234,7 +234,9 @@ def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
     bounded = {_positive_letter(relation) for relation in _relations(scene.problem)} - {None}
     positive, signed = positive | (signed & bounded), signed - bounded
     # One of which more is said is not called positive as well.
-    more = {name for each in _relations(scene.problem) for name in letters_of(each)} - bounded
+    more = {
+        name for relation in _relations(scene.problem) for name in letters_of(relation)
+    } - bounded
     lets = named_letters(scene.problem)
     return frozenset(positive - more - lets), frozenset((signed | (positive & more)) - lets)
 

@@ -90,10 +90,10 @@ def cost(scene: Scene, tree: Expression) -> float:
             return inner[0] + (0.5 if turned else 3 if isinstance(tree, Negate) else 1)
         case Binary("+"):
             added = terms(tree)
-            nouns = [noun(scene, each) for each in added if isinstance(each, Quantity)]
+            nouns = [noun(scene, tree) for tree in added if isinstance(tree, Quantity)]
             if len(nouns) == len(added) and (alike(nouns) or times_until(scene, added)):
                 return 1 + len(added) / 4
-            costs = [cost(scene, each) if has_quantity(each) else 2 for each in added]
+            costs = [cost(scene, tree) if has_quantity(tree) else 2 for tree in added]
             return sum(costs) + len(added) - 1
         case Binary("-", left, right):
             if isinstance(left, Quantity) and isinstance(right, Quantity):
@@ -115,7 +115,7 @@ def cost(scene: Scene, tree: Expression) -> float:
 
 
 def _says(one: Noun, *texts: str) -> bool:
-    return any(isinstance(each, str) and text in each for each in one.words() for text in texts)
+    return any(isinstance(word, str) and text in word for word in one.words() for text in texts)
 
 
 def _is_short(factor: Expression) -> bool:
@@ -140,7 +140,7 @@ def formula(scene: Scene, trees: Sequence[Expression]) -> tuple[list[lay.Layout]
                 quantities.append(quantity)
     names = _named(scene, quantities)
     bold = {names[_key(scene, quantity)] for quantity in quantities if _is_vector(quantity)}
-    shown = [_in_bold(values.layout_of(_replaced(scene, each, names)), bold) for each in trees]
+    shown = [_in_bold(values.layout_of(_replaced(scene, tree, names)), bold) for tree in trees]
     return shown, words("where ", listed(_definitions(scene, quantities, names, bold)))
 
 
@@ -148,7 +148,7 @@ def _quantities(scene: Scene, tree: Expression) -> list[Expression]:
     """What has a letter of its own in a formula: quantities, and what is as plain as these."""
     if _is_one(scene, tree):
         return [tree]
-    return [one for each in children(tree) for one in _quantities(scene, each)]
+    return [one for node in children(tree) for one in _quantities(scene, node)]
 
 
 def _is_one(scene: Scene, tree: Expression) -> bool:
@@ -185,8 +185,8 @@ def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:
         if _key(scene, quantity) not in scene.denoted:
             groups.setdefault(_kind(quantity), []).append(quantity)
     for kind, group in groups.items():
-        for each, name in zip(group, _free(scene, kind, group), strict=True):
-            scene.denoted[_key(scene, each)] = name
+        for tree, name in zip(group, _free(scene, kind, group), strict=True):
+            scene.denoted[_key(scene, tree)] = name
     for each in quantities:
         match each:
             case Quantity("speed", (Name(body),), stage):
@@ -200,10 +200,10 @@ def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
     taken = scene.letters | set(scene.denoted.values())
     bases = _LETTERS.get(kind, _ANGLES)
     if len(group) == 1 or (kind not in ("time", "speed") and len(group) == 2):
-        free = [each for each in bases if each not in taken]
+        free = [base for base in bases if base not in taken]
         if len(free) >= len(group):
             return free[: len(group)]
-    bodies = [body for each in group if len(body := noun(scene, each).body) == 1]
+    bodies = [body for tree in group if len(body := noun(scene, tree).body) == 1]
     ends = [str(number) for number in range(1, len(group) + 1)]
     if len(set(bodies)) == len(group):
         ends = bodies
@@ -229,7 +229,7 @@ def _replaced(scene: Scene, tree: Any, names: dict[Words, str]) -> Any:
         case Pair(x, y):
             return Pair(_replaced(scene, x, names), _replaced(scene, y, names))
         case Polar(size, angle, origin):
-            parts = [_replaced(scene, each, names) for each in (size, angle, origin)]
+            parts = [_replaced(scene, tree, names) for tree in (size, angle, origin)]
             return replace(tree, size=parts[0], angle=parts[1], origin=parts[2])
     return tree
 
@@ -263,10 +263,10 @@ def _definitions(
         letters = listed(
             [
                 words(
-                    _in_bold(lay.letter(names[_key(scene, each)]), bold),
-                    scene.style.unit(dimension_of_any((each,))),
+                    _in_bold(lay.letter(names[_key(scene, tree)]), bold),
+                    scene.style.unit(dimension_of_any((tree,))),
                 )
-                for each in rest[:taken]
+                for tree in rest[:taken]
             ]
         )
         out.append(words(letters, " is " if taken == 1 else " are ", _meaning(scene, rest[:taken])))
@@ -278,7 +278,7 @@ def _together(scene: Scene, quantities: Sequence[Expression]) -> int:
     """How many at the beginning can be told at once."""
     for number in range(len(quantities), 1, -1):
         first = quantities[:number]
-        if alike([noun(scene, each) for each in first]) or times_until(scene, first):
+        if alike([noun(scene, tree) for tree in first]) or times_until(scene, first):
             return number
         if _before_and_after(scene, first) is not None:
             return number

@@ -38,7 +38,7 @@ def acute_letters(problem: Problem) -> frozenset[str]:
     runs = [wall.along for wall in problem.walls]
     runs += [step.along for _, step in problem.steps() if isinstance(step, Impact)]
     nodes += [run for run in runs if isinstance(run, Expression) and not _has_axes(run)]
-    names = frozenset().union(*(letters(each) for each in nodes)) - named_letters(problem)
+    names = frozenset().union(*(letters(node) for node in nodes)) - named_letters(problem)
     return frozenset(name for name in names if not _wide(problem, name))
 
 
@@ -60,7 +60,7 @@ def _wide(problem: Problem, name: str) -> bool:
         for relation in step.relations
         if isinstance(relation, Compare) and Letter(name) in relation.operands
     ]
-    return any(_not_acute(each) for fact in facts for each in fact.operands)
+    return any(_not_acute(operand) for fact in facts for operand in fact.operands)
 
 
 def _not_acute(tree: Expression) -> bool:

@@ -35,12 +35,12 @@ def inline(words: Words) -> str:
     return "".join(_piece(word) for word in words)
 
 
-def _piece(each: Piece) -> str:
-    if isinstance(each, str):
-        return escape(each)
-    if isinstance(each, Named):
-        return f"*{each.text}*"
-    return f"${to_latex(each)}$"
+def _piece(word: Piece) -> str:
+    if isinstance(word, str):
+        return escape(word)
+    if isinstance(word, Named):
+        return f"*{word.text}*"
+    return f"${to_latex(word)}$"
 
 
 def _part(part: QuestionPart) -> list[str]:

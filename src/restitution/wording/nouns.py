@@ -212,8 +212,8 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
         return None
     body = name_of(left.arguments[0]) if left.arguments else None  # of all bodies
     later, earlier = (
-        None if isinstance(each.stage, AtTime) else scene.stage(each.stage, body)
-        for each in (left, right)
+        None if isinstance(quantity.stage, AtTime) else scene.stage(quantity.stage, body)
+        for quantity in (left, right)
     )
     if later is None or earlier is None or abs(later - earlier) != 1:
         return None
@@ -275,7 +275,7 @@ def ends(scene: Scene, tree: Expression) -> tuple[Expression, Expression] | None
             pair = (origin, tree)
         case _:
             return None
-    return pair if any(_is_somewhere(scene, each) for each in pair) else None
+    return pair if any(_is_somewhere(scene, tree) for tree in pair) else None
 
 
 def _is_somewhere(scene: Scene, tree: Expression) -> bool:
@@ -400,7 +400,7 @@ def _impulse(scene: Scene, tree: Quantity) -> Noun:
     event = scene.events[number - 1] if number else None
     if isinstance(event, Kick):
         size = "" if body else "the magnitude of "
-        alone = sum(isinstance(each, Kick) for each in scene.events) == 1
+        alone = sum(isinstance(event, Kick) for event in scene.events) == 1
         on = (" on ", Named(event.body)) if alone else ()
         return Noun(words(size, event_name(scene, number), on))
     where = during(scene, number)

@@ -91,7 +91,7 @@ class Scene:
 
     def wall(self, name: str) -> Wall | None:
         """The wall of that name."""
-        return next((each for each in self.problem.walls if each.name == name), None)
+        return next((wall for wall in self.problem.walls if wall.name == name), None)
 
     def is_wall(self, name: str) -> bool:
         """Whether the name is a wall's."""
@@ -172,7 +172,7 @@ def _wall_of(problem: Problem, style: Style, velocity: Polar) -> str | None:
         return velocity.wall.name
     first = next(iter(problem.events), None)
     wall = next(
-        (each for each in problem.walls if isinstance(first, Impact) and each.name == first.second),
+        (wall for wall in problem.walls if isinstance(first, Impact) and wall.name == first.second),
         None,
     )
     origin = Unit("i") if velocity.origin is None else velocity.origin
@@ -208,9 +208,9 @@ def _of_axes(step: Step) -> bool:
         relations = [step.relation]
     aligned = {
         id(tree)
-        for each in relations
-        if isinstance(each, Aligned)
-        for tree in trees_of_relation(each)
+        for relation in relations
+        if isinstance(relation, Aligned)
+        for tree in trees_of_relation(relation)
     }
     return any(
         _is_vector_side(tree) if id(tree) in aligned else _speaks_of_a_vector(tree)
@@ -247,10 +247,10 @@ def event_name(scene: Scene, number: int) -> Words:
         case Impact():
             return _impact_name(scene, number, event)
         case Kick(body):
-            same = [n for n, each in enumerate(scene.events, 1) if isinstance(each, Kick)]
+            same = [n for n, event in enumerate(scene.events, 1) if isinstance(event, Kick)]
             if len(same) == 1:
                 return ("the impulse",)
-            if len({each.body for each in scene.events if isinstance(each, Kick)}) == len(same):
+            if len({event.body for event in scene.events if isinstance(event, Kick)}) == len(same):
                 return words("the impulse on ", Named(body))
             return (f"the {ordinal(same.index(number) + 1)} impulse",)
         case Arrival(body, target):
@@ -258,7 +258,7 @@ def event_name(scene: Scene, number: int) -> Words:
 
 
 def _impact_name(scene: Scene, number: int, event: Impact) -> Words:
-    impacts = [n for n, each in enumerate(scene.events, 1) if isinstance(each, Impact)]
+    impacts = [n for n, event in enumerate(scene.events, 1) if isinstance(event, Impact)]
     wall = scene.is_wall(event.second)
     noun = "impact" if wall else "collision"
     if len(impacts) == 1:

@@ -62,7 +62,7 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
     if radius is not None:
         equal = words(" each have radius ", values.length(scene.style, radius))
     rest = f" and move {_PLANE}"
-    all_given = all(each is not None for each in masses)
+    all_given = all(mass is not None for mass in masses)
     if all_given and len(set(masses)) == 1:
         phrase = words(kind, " ", names(s.name for s in spheres), ", each of mass ")
         mass = _mass(scene, spheres[0])
@@ -98,7 +98,7 @@ def _masses(scene: Scene, spheres: tuple[Sphere, ...]) -> Words:
     """``A of mass 2 kg and B of mass 3 kg``, ``A and B each of mass m, and C of mass km``."""
     phrases = [
         words(
-            names(each.name for each in group),
+            names(sphere.name for sphere in group),
             " of mass " if len(group) == 1 else " each of mass ",
             _mass(scene, group[0]),
         )
@@ -116,9 +116,9 @@ def _mass(scene: Scene, sphere: Sphere) -> Words:
 
 def _walls(scene: Scene) -> Iterator[Sentence]:
     walls = scene.problem.walls
-    if len(walls) > 1 and all(_plain(each) for each in walls):
+    if len(walls) > 1 and all(_plain(wall) for wall in walls):
         kind = " are fixed smooth vertical walls"
-        all_names = names(each.name for each in walls)
+        all_names = names(wall.name for wall in walls)
         if _alike(walls):
             yield sentence(all_names, kind, " ", values.lies_along(scene.style, walls[0].along))
         else:

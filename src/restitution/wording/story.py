@@ -41,8 +41,8 @@ def event_sentences(scene: Scene, number: int) -> Iterator[Sentence]:
 def _impact(scene: Scene, number: int, event: Impact, then: str) -> Iterator[Sentence]:
     pair = frozenset(bodies_of(event))
     again = any(
-        isinstance(each, Impact) and frozenset(bodies_of(each)) == pair
-        for each in scene.events[: number - 1]
+        isinstance(event, Impact) and frozenset(bodies_of(event)) == pair
+        for event in scene.events[: number - 1]
     )
     first, second = Named(event.first), Named(event.second)
     tail = " again" if again else ""
@@ -69,8 +69,8 @@ def _impact(scene: Scene, number: int, event: Impact, then: str) -> Iterator[Sen
 def _collisions(scene: Scene) -> list[int]:
     return [
         number
-        for number, each in enumerate(scene.events, 1)
-        if isinstance(each, Impact) and not scene.is_wall(each.second)
+        for number, event in enumerate(scene.events, 1)
+        if isinstance(event, Impact) and not scene.is_wall(event.second)
     ]
 
 
@@ -84,7 +84,7 @@ def _common_line(scene: Scene) -> bool:
 
 
 def _restitution(scene: Scene, number: int, event: Impact) -> Iterator[Sentence]:
-    impacts = {n: each for n, each in enumerate(scene.events, 1) if isinstance(each, Impact)}
+    impacts = {n: event for n, event in enumerate(scene.events, 1) if isinstance(event, Impact)}
     value = lay.from_tree(event.e or _E)
     if len(impacts) > 1 and len({impact.e or _E for impact in impacts.values()}) == 1:
         if number == min(impacts):
@@ -93,9 +93,9 @@ def _restitution(scene: Scene, number: int, event: Impact) -> Iterator[Sentence]
         return
     pair = frozenset(bodies_of(event))
     before = [
-        each.e or _E
-        for n, each in impacts.items()
-        if n < number and frozenset(bodies_of(each)) == pair
+        impact.e or _E
+        for n, impact in impacts.items()
+        if n < number and frozenset(bodies_of(impact)) == pair
     ]
     if before and before[-1] == (event.e or _E):
         return
@@ -173,7 +173,7 @@ def _offset(scene: Scene, event: Impact, offset: Expression) -> Sentence:
 def _paths(scene: Scene, event: Impact) -> str:
     """How the two paths lie, as far as the velocities given at the start tell."""
     speeds: Mapping[str, Any] = {sphere.name: sphere.velocity for sphere in scene.problem.spheres}
-    if sum(each in bodies_of(one) for one in scene.events for each in bodies_of(event)) > 2:
+    if sum(body in bodies_of(one) for one in scene.events for body in bodies_of(event)) > 2:
         return ""
     if values.is_rest(speeds[event.second]):
         return "struck at rest"

@@ -55,11 +55,11 @@ class Listing:
 
     def rows(self) -> tuple[tuple[str, Words], ...]:
         """The entries with the commas and the full stop that a lead asks for."""
-        words = [each.words for each in self.entries]
+        words = [entry.words for entry in self.entries]
         if self.lead:
             *front, last = words
             words = [*((*phrase, ",") for phrase in front), (*last, ".")]
-        return tuple((each.number, own) for each, own in zip(self.entries, words, strict=True))
+        return tuple((entry.number, own) for entry, own in zip(self.entries, words, strict=True))
 
 
 Block: TypeAlias = Paragraph | Listing

@@ -80,9 +80,9 @@ def question(problem: Problem, *, marks: Mapping[str | None, int] | None = None)
     opening = _with_axes(scene, blocks)
     marks = marks or {}
     parts = tuple(
-        QuestionPart(each.label, each.blocks, marks.get(each.label))
-        for each in (replace(blocks[0], opening=()), *blocks[1:])
-        if each.blocks
+        QuestionPart(block.label, block.blocks, marks.get(block.label))
+        for block in (replace(blocks[0], opening=()), *blocks[1:])
+        if block.blocks
     )
     return Question(problem.title, opening, parts)
 
@@ -184,7 +184,7 @@ def _drafts(scene: Scene) -> Iterator[_Draft]:
 
 def _numbered(blocks: Sequence[Block], number: Callable[[int], str]) -> list[Block]:
     """What is asked with its numbers, unless it is one thing only."""
-    asked = [each for each in blocks if isinstance(each, Listing)]
+    asked = [block for block in blocks if isinstance(block, Listing)]
     if sum(len(each.entries) for each in asked) <= 1:
         return list(blocks)
     out: list[Block] = []
@@ -260,16 +260,16 @@ def _runs(problem: Problem, part: Part) -> list[_Run]:
     named = named_letters(problem)
     lets = tuple(
         one
-        for each in runs
-        for one in each.lets
+        for run in runs
+        for one in run.lets
         if not has_quantity(one.expression) and not letters(one.expression) & named
     )
-    unknown = tuple(one for each in runs for one in each.unknown)
+    unknown = tuple(one for run in runs for one in run.unknown)
     runs = [
         replace(run, lets=tuple(one for one in run.lets if one not in lets), unknown=())
         for run in runs
     ]
-    first = next((n for n, each in enumerate(runs) if each.asks), len(runs) - 1)
+    first = next((n for n, run in enumerate(runs) if run.asks), len(runs) - 1)
     runs[first] = replace(runs[first], lets=(*lets, *runs[first].lets), unknown=unknown)
     return runs
 
@@ -279,8 +279,8 @@ def _run_of(label: str | None, event: Event | None, steps: Sequence[Step]) -> _R
         event,
         label,
         tuple(step for step in steps if isinstance(step, Let)),
-        tuple(one for each in steps if isinstance(each, Given) for one in each.relations),
-        tuple(one for each in steps if isinstance(each, Unknown) for one in each.letters),
+        tuple(one for step in steps if isinstance(step, Given) for one in step.relations),
+        tuple(one for step in steps if isinstance(step, Unknown) for one in step.letters),
         tuple(step for step in steps if isinstance(step, Find | Show)),
     )
 
@@ -311,10 +311,10 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
         under = _under(scene, given, asked)
         if under is not None:
             asked, given = under, []
-    motion = [each for each in given if not is_letter_fact(each)]
+    motion = [relation for relation in given if not is_letter_fact(relation)]
     sentences += [_statement(each) for each in clauses(scene, motion)]
     if len(motion) < len(given):
-        clauses_ = [clause(scene, each) for each in given if is_letter_fact(each)]
+        clauses_ = [clause(scene, relation) for relation in given if is_letter_fact(relation)]
         sentences.append(sentence("it is given that ", listed(clauses_)))
     blocks: list[Block] = [Paragraph(tuple(sentences))] if sentences else []
     if asked is not None:
@@ -330,8 +330,8 @@ def _statement(phrase: Words) -> Sentence:
 
 def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing | None:
     """What is asked with what is given for it: ``Given that k = 3, find …``; None if too long."""
-    motion = clauses(scene, [each for each in given if not is_letter_fact(each)])
-    of_letters = [clause(scene, each) for each in given if is_letter_fact(each)]
+    motion = clauses(scene, [relation for relation in given if not is_letter_fact(relation)])
+    of_letters = [clause(scene, relation) for relation in given if is_letter_fact(relation)]
     sentences_of_each = [
         *of_letters,
         *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion)),
@@ -396,13 +396,13 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
 
 def _listed(lead: Words, items: Sequence[Group]) -> Listing:
     """Each group of items as an entry of its own behind words in front of all."""
-    return Listing(lead, tuple(Entry("", each.words, each.items) for each in items))
+    return Listing(lead, tuple(Entry("", item.words, item.items) for item in items))
 
 
 def _entry(items: Sequence[Group], terms: Words = ()) -> Entry:
     """Groups of items asked in one sentence."""
-    clause_ = _find_clause([each.words for each in items], terms)
-    return Entry("", sentence(clause_), sum(each.items for each in items))
+    clause_ = _find_clause([item.words for item in items], terms)
+    return Entry("", sentence(clause_), sum(item.items for item in items))
 
 
 def _sentences(items: Sequence[Group]) -> list[list[Group]]:
@@ -422,7 +422,7 @@ def _sentences(items: Sequence[Group]) -> list[list[Group]]:
 
 def _has_clause(item: Words) -> bool:
     return any(
-        isinstance(each, str) and (", where " in each or ", and the corr" in each) for each in item
+        isinstance(word, str) and (", where " in word or ", and the corr" in word) for word in item
     )
 
 
@@ -447,7 +447,7 @@ def _with_facts(scene: Scene, drafts: Sequence[_Draft]) -> list[_Draft]:
         if isinstance(each, Paragraph)
     ]
     sentences_of_each, left = facts.with_facts(
-        [one for each in paragraphs for one in each.sentences], facts.facts_of(scene)
+        [one for paragraph in paragraphs for one in paragraph.sentences], facts.facts_of(scene)
     )
     sentences = iter(sentences_of_each)
     out = [_retold(draft, sentences) for draft in drafts]

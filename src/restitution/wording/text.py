@@ -37,12 +37,12 @@ def inline(words: Words) -> str:
     return "".join(_piece(word) for word in words)
 
 
-def _piece(each: Piece) -> str:
-    if isinstance(each, str):
-        return each
-    if isinstance(each, Named):
-        return each.text
-    return one_line(each).replace(" ", NO_BREAK)
+def _piece(word: Piece) -> str:
+    if isinstance(word, str):
+        return word
+    if isinstance(word, Named):
+        return word.text
+    return one_line(word).replace(" ", NO_BREAK)
 
 
 def _part(part: QuestionPart, columns: int) -> list[list[str]]:

@@ -29,7 +29,7 @@ def to_typst(question: Question) -> str:
         blocks.append(f"#strong[{text(question.title)}]")
     if question.intro:
         blocks.append(opening(question))
-    blocks += [part(each) for each in question.parts]
+    blocks += [part(other) for other in question.parts]
     return "\n\n".join(blocks) + "\n"
 
 
@@ -43,13 +43,13 @@ def inline(words: Words) -> str:
     return "".join(_piece(word) for word in words)
 
 
-def _piece(each: Piece) -> str:
-    if isinstance(each, str):
+def _piece(word: Piece) -> str:
+    if isinstance(word, str):
         # A literal knows no such blank: Typst's own sign for one is outside of it.
-        return "~".join(text(part) if part else "" for part in each.split(NO_BREAK))
-    if isinstance(each, Named):
-        return f"#emph[{text(each.text)}]"
-    return equation(each)
+        return "~".join(text(part) if part else "" for part in word.split(NO_BREAK))
+    if isinstance(word, Named):
+        return f"#emph[{text(word.text)}]"
+    return equation(word)
 
 
 def _row(head: str, body: str, widest: str = "") -> str:

@@ -127,7 +127,7 @@ def _data(problem: Problem) -> Iterator[tuple[Dimension, Expression]]:
     for dimension, value in data:
         if isinstance(value, Expression):
             yield dimension, value
-    for node in (each for tree in trees(problem) for each in walk(tree)):
+    for node in (node for tree in trees(problem) for node in walk(tree)):
         if isinstance(node, Quantity) and isinstance(node.stage, AtTime):
             yield TIME, node.stage.time
 
@@ -148,9 +148,9 @@ def is_number(tree: Expression) -> bool:
             return is_number(left) or is_number(right)
         case Binary("*", left, right) if _axes(left) or _axes(right):
             # u(2i + j): a factor with letters leaves no term without them
-            plain = [each for each in (left, right) if not _axes(each)]
-            return all(not _scaling(each) for each in plain) and all(
-                is_number(each) for each in (left, right) if _axes(each)
+            plain = [tree for tree in (left, right) if not _axes(tree)]
+            return all(not _scaling(tree) for tree in plain) and all(
+                is_number(tree) for tree in (left, right) if _axes(tree)
             )
         case Number(value):
             return value != 0

@@ -16,8 +16,8 @@ def words(*parts: Piece | Words) -> Words:
 
     def add(part: Piece | Words) -> None:
         if isinstance(part, tuple):
-            for each in part:
-                add(each)
+            for word in part:
+                add(word)
         elif isinstance(part, str) and flat and isinstance(flat[-1], str):
             flat[-1] += part
         elif part != "":
@@ -49,7 +49,7 @@ def listed(each: Sequence[Piece | Words], link: str = "and") -> Words:
 
 def number_of_words(phrase: Words) -> int:
     """How many words are read; a name, or a piece of mathematics, is one."""
-    return sum(len(each.split()) if isinstance(each, str) else 1 for each in phrase)
+    return sum(len(word.split()) if isinstance(word, str) else 1 for word in phrase)
 
 
 def names(each: Iterable[str]) -> Words:

@@ -142,7 +142,7 @@ def show_examples(
     from restitution.examples.topics import TOPICS
 
     if name is None:
-        longest = max(len(each) for each in examples.names())
+        longest = max(len(name) for name in examples.names())
         for topic, names in TOPICS.items():
             typer.echo(topic)
             for each in names:

@@ -52,7 +52,7 @@ def question(data: object) -> str:
     """
     impact = an_object(data, "an impact")
     true = _rounded(impact, _PLACES, None)
-    for figures, near in (*((3, each) for each in _NEAR), (3, None), (6, None), (12, None)):
+    for figures, near in (*((3, number) for number in _NEAR), (3, None), (6, None), (12, None)):
         hit = _rounded(impact, figures, near)
         if _approach(hit) > 0 and _alike(hit, true):
             return to_statement(parse("\n".join(_lines(hit))))

@@ -102,8 +102,8 @@ def read_scene(data: object) -> Scene:
         raise StatementError("there is no sphere on the table")
     coefficients: dict[str | tuple[str, str], float] = {}
     read_walls = []
-    for each in walls:
-        wall = an_object(each, "a wall")
+    for other in walls:
+        wall = an_object(other, "a wall")
         name = a_name(wall, "a wall")
         start, end = (a_pair(wall.get(key), f"the {key} of {name}") for key in ("start", "end"))
         read_walls.append(Wall(name, start=start, end=end))

@@ -63,7 +63,7 @@ def world_to_play(solution: Solution, mistake: str) -> AlteredWorld:
     One that changes an answer is taken before one that does not. Raises UnsupportedError.
     """
     about = misconception(mistake)
-    if not any(each.laws for each in about.variants if mistake in (each.id, about.id)):
+    if not any(variant.laws for variant in about.variants if mistake in (variant.id, about.id)):
         these = [
             each
             for each in applying(solution.problem)
@@ -90,16 +90,16 @@ def world_to_play(solution: Solution, mistake: str) -> AlteredWorld:
         else:
             unchanged.append(world)
     if not unchanged:
-        raise next((each for each in reasons if NO_IMPACT not in each.message), reasons[0])
+        raise next((reason for reason in reasons if NO_IMPACT not in reason.message), reasons[0])
     return unchanged[0]
 
 
 def _twin(motion: PartMotion, others: Sequence[PartMotion], number: int) -> PartMotion | None:
     """The altered motion of the same part and bodies; None where the mistake leaves none."""
     alike = [
-        each
-        for each in others
-        if set(each.labels) & set(motion.labels) and set(each.bodies) == set(motion.bodies)
+        other
+        for other in others
+        if set(other.labels) & set(motion.labels) and set(other.bodies) == set(motion.bodies)
     ]
     return alike[min(number, len(alike) - 1)] if alike else None
 
@@ -119,7 +119,7 @@ def _in_place(true: PartMotion, other: PartMotion) -> PartMotion:
     tracks = tuple(
         replace(
             track,
-            pieces=tuple(_turned(each, event.time, after[track.name]) for each in track.pieces),
+            pieces=tuple(_turned(piece, event.time, after[track.name]) for piece in track.pieces),
         )
         for track in true.motion.tracks
     )

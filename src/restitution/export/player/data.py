@@ -69,12 +69,12 @@ def of_motions(
     too slow, those that are not known after so many ``seconds``; a note says so.
     """
     contents = [
-        _of_motion(each, label) for each, label in zip(motions, _labels(motions), strict=True)
+        _of_motion(motion, label) for motion, label in zip(motions, _labels(motions), strict=True)
     ]
     try:
         with limited(seconds, _STEPS) as own:
-            for shown, each in zip(contents, motions, strict=True):
-                _add_exact(shown, each)
+            for shown, motion in zip(contents, motions, strict=True):
+                _add_exact(shown, motion)
         hurried = own.broken
     except (TimeLimitError, UnsupportedError):
         hurried = True
@@ -95,7 +95,7 @@ def of_motion(motion: Motion, title: str | None = None) -> Object:
     masses = {track.name: track.mass for track in motion.tracks}
     return {
         "title": title,
-        "motions": [_motion(motion, sorted(events, key=lambda each: each.time), masses)],
+        "motions": [_motion(motion, sorted(events, key=lambda event: event.time), masses)],
     }
 
 
@@ -235,7 +235,7 @@ def _chosen(motion: PartMotion) -> list[Chosen]:
     numbers = motion.numbers
     spheres = [numbers.story.spheres[name] for name in motion.bodies]
     masses = {
-        x for each in spheres if isinstance(each.mass, Expression) for x in letters(each.mass)
+        x for sphere in spheres if isinstance(sphere.mass, Expression) for x in letters(sphere.mass)
     }
     free = [
         chosen
@@ -251,7 +251,7 @@ def _chosen(motion: PartMotion) -> list[Chosen]:
 def _stages(motion: PartMotion, body: str) -> list[int]:
     """After which event of the story each piece of a body's motion is."""
     own = [(event.time, number) for number, event in motion.events if body in _bodies(event)]
-    track = next(each for each in motion.motion.tracks if each.name == body)
+    track = next(track for track in motion.motion.tracks if track.name == body)
     # Pieces begin at the very numbers that are the times of events.
     return [
         next((n for time, n in reversed(own) if time <= piece.start), 0) for piece in track.pieces
@@ -342,7 +342,7 @@ class _Exact:
 
 def _labels(motions: Sequence[PartMotion]) -> list[str]:
     """What tells the motions of a problem apart; nothing where there is one only."""
-    labels = [list(_label(each, motions)) for each in motions]
+    labels = [list(_label(motion, motions)) for motion in motions]
     return [", ".join(words) for words in labels] if len(motions) > 1 else [""]
 
 
@@ -352,12 +352,12 @@ def _label(one: PartMotion, all_: Sequence[PartMotion]) -> Iterator[str]:
     named = [f"({label})" for label in one.labels if label is not None]
     if named:
         yield f"Part{'s' if len(named) > 1 else ''} {listed(named)}"
-    elif any(label is not None for each in all_ for label in each.labels):
+    elif any(label is not None for motion in all_ for label in motion.labels):
         yield "Before the parts"
-    beside = [each for each in all_ if each.labels[0] == one.labels[0]]
-    solutions = {each.branch.number for each in beside}
+    beside = [motion for motion in all_ if motion.labels[0] == one.labels[0]]
+    solutions = {motion.branch.number for motion in beside}
     if len(solutions) > 1:
         yield f"solution {one.branch.number}"
-    groups = [each for each in beside if each.branch.number == one.branch.number]
+    groups = [motion for motion in beside if motion.branch.number == one.branch.number]
     if len(groups) > 1:
         yield listed(one.bodies)

@@ -34,7 +34,7 @@ def meant(text: str, more: str = "") -> Cure:
 
 def either(*texts: str) -> Cure:
     """A cure by any of these texts."""
-    listed = " or ".join(f"'{each}'" for each in texts)
+    listed = " or ".join(f"'{text}'" for text in texts)
     return Cure(f"did you mean {listed}?", texts[0], more=texts[1:])
 
 

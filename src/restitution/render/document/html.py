@@ -53,7 +53,7 @@ math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math }
 def to_html(document: Document) -> str:
     """The whole page."""
     head = f'<p class="head">{escape(document.head)}</p>\n' if document.head else ""
-    body = "\n".join(_block(each) for each in document.blocks)
+    body = "\n".join(_block(block) for block in document.blocks)
     inside = f"<main>\n{head}<h1>{escape(document.title)}</h1>\n{body}\n</main>"
     return page(document.title, STYLE, inside)
 
@@ -81,21 +81,21 @@ def _block(block: Block) -> str:
 def inline(words: Inline) -> str:
     """Words with their mathematics."""
     return "".join(
-        escape(each) if isinstance(each, str) else to_mathml(each) for each in pieces(words)
+        escape(piece) if isinstance(piece, str) else to_mathml(piece) for piece in pieces(words)
     )
 
 
 def _table(table: Table) -> str:
     heads = "".join(
-        f'<th scope="col" class="{side}">{inline(each)}</th>'
-        for side, each in zip(table.align, table.heads, strict=True)
+        f'<th scope="col" class="{side}">{inline(word)}</th>'
+        for side, word in zip(table.align, table.heads, strict=True)
     )
     high = "" if table.height is None else f' style="height:{table.height:g}mm"'
     rows = "".join(
         f"<tr{high}>"
         + "".join(
-            f'<td class="{side}">{inline(each)}</td>'
-            for side, each in zip(table.align, row, strict=True)
+            f'<td class="{side}">{inline(word)}</td>'
+            for side, word in zip(table.align, row, strict=True)
         )
         + "</tr>"
         for row in table.rows
@@ -109,10 +109,10 @@ def _table(table: Table) -> str:
 
 def _listing(listing: Listing) -> str:
     items = "".join(
-        f"<li>{inline(each.words)}"
-        + (f'<div style="height:{each.room:g}mm"></div>' if each.room else "")
+        f"<li>{inline(item.words)}"
+        + (f'<div style="height:{item.room:g}mm"></div>' if item.room else "")
         + "</li>"
-        for each in listing.items
+        for item in listing.items
     )
     if not listing.numbered:
         return f"<ul>{items}</ul>"

@@ -33,7 +33,7 @@ def to_pdf(document: Document) -> bytes:
 def to_markup(document: Document) -> str:
     """The document as markup."""
     title = f"#text(size: 1.3em, strong({literal(document.title)}))"
-    body = [_block(each) for each in document.blocks]
+    body = [_block(block) for block in document.blocks]
     return "\n\n".join([paper(document.title, document.head), title, *body]) + "\n"
 
 
@@ -65,16 +65,16 @@ def _block(block: Block) -> str:
 def inline(text: Inline) -> str:
     """Words with their mathematics."""
     return "".join(
-        words(each) if isinstance(each, str) else to_typst(each)
-        for each in pieces(text)
-        if each != ""
+        words(piece) if isinstance(piece, str) else to_typst(piece)
+        for piece in pieces(text)
+        if piece != ""
     )
 
 
 def _table(table: Table) -> str:
-    heads = ", ".join(f"[#strong[{inline(each)}]]" for each in table.heads)
+    heads = ", ".join(f"[#strong[{inline(word)}]]" for word in table.heads)
     rows = "".join(
-        "  " + ", ".join(f"[{inline(each)}]" for each in row) + ",\n" for row in table.rows
+        "  " + ", ".join(f"[{inline(word)}]" for word in row) + ",\n" for row in table.rows
     )
     # The last column of words takes the room that is left.
     kinds = ["auto"] * len(table.align)
@@ -95,9 +95,9 @@ def _table(table: Table) -> str:
 
 def _listing(listing: Listing) -> str:
     items = []
-    for each in listing.items:
-        room = f" #block(height: {each.room:g}mm, width: 100%, breakable: true)"
-        items.append(f"[{inline(each.words)}{room if each.room else ''}]")
+    for item in listing.items:
+        room = f" #block(height: {item.room:g}mm, width: 100%, breakable: true)"
+        items.append(f"[{inline(item.words)}{room if item.room else ''}]")
     inside = ", ".join(items)
     if listing.numbered:
         return f"#enum(start: {listing.first}, tight: false, {inside})"

@@ -212,8 +212,8 @@ def _from_angle(value: Expr) -> Layout:
             terms.append((split_sign(layout)[0] == "-", False, layout))
     # 180° − arctan(4/3), 90° + arctan(3/4), 90° − α, but α + 30°
     arcs = value.has(*_INVERSE)
-    terms.sort(key=lambda each: (each[0], each[1] != arcs))
-    return total([each[2] for each in terms])
+    terms.sort(key=lambda term: (term[0], term[1] != arcs))
+    return total([term[2] for term in terms])
 
 
 def _is_turned(value: Expr) -> bool:
@@ -450,8 +450,10 @@ def _assemble(
         )
         return product(number, *letters_above, *other, *functions_above)
     # A root of a number comes first: √3(1 + e)u. That of the whole would be √(3(1 + e)u).
-    roots = [each for each in other if isinstance(each, Root) and isinstance(each.inside, Number)]
-    other = [each for each in other if each not in roots]
+    roots = [
+        layout for layout in other if isinstance(layout, Root) and isinstance(layout.inside, Number)
+    ]
+    other = [layout for layout in other if layout not in roots]
     body = [*surd_layout, *roots, *letters_above]
     numerator_parts = [*numerals, *body, *other, *functions_above]
     numerator = product(*numerator_parts) if numerator_parts else ONE
@@ -477,15 +479,15 @@ def _plain_product(bases: Sequence[Expr]) -> Layout:
         return ONE
     number = S.One
     rest: list[tuple[Expr, Expr]] = []
-    for each in bases:
-        if each.is_Integer:
-            number *= each
+    for other in bases:
+        if other.is_Integer:
+            number *= other
         else:
-            coefficient, base = each.as_coeff_Mul()
+            coefficient, base = other.as_coeff_Mul()
             if coefficient.is_Integer and coefficient > 0:
                 number *= coefficient
             else:
-                base = each
+                base = other
             rest.append((base, S.One))
     factors: list[Layout] = [] if number == 1 else [Number(str(number))]
     factors.extend(_power_layout(*each) for each in sorted(rest, key=_factor_order))

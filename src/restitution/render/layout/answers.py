@@ -169,15 +169,15 @@ def _display_pair(x: Any, y: Any, build: Any, decimals: bool = False) -> Layout:
     whole: Layout = build(first, second)
     rounded = [_rounded(each, False, decimals) for each in (first, second)]
     ready = all(
-        each is not None or _number_and_letters(value)[0] is not None
-        for each, value in zip(rounded, (first, second), strict=True)
+        layout is not None or _number_and_letters(value)[0] is not None
+        for layout, value in zip(rounded, (first, second), strict=True)
     )
-    if not ready or all(each is None for each in rounded):
+    if not ready or all(layout is None for layout in rounded):
         return whole
     long = any(_is_long(each) for each in (first, second))
     parts = [
-        each if each is not None else _short_decimal(value)
-        for each, value in zip(rounded, (first, second), strict=True)
+        layout if layout is not None else _short_decimal(value)
+        for layout, value in zip(rounded, (first, second), strict=True)
     ]
     return build(*parts) if long else equation(whole, build(*parts))
 
@@ -211,10 +211,10 @@ def _set_decimals(values: Any, subject: Layout, angle: bool) -> Layout:
     """The same statement with rounded ends."""
     layout = from_set(values, subject, degrees=angle)
     table: dict[Layout, Layout] = {}
-    for each in _ends(values):
-        rounded = _rounded(each, angle)
+    for end in _ends(values):
+        rounded = _rounded(end, angle)
         if rounded is not None:
-            table[from_sympy(each, degrees=angle)] = rounded
+            table[from_sympy(end, degrees=angle)] = rounded
     return _replaced(layout, table)
 
 

@@ -71,12 +71,14 @@ def product(*factors: Layout, sign: Literal["", "×", "·"] = "") -> Layout:
         else:
             flat.append(factor)
     if sign == "" and len(flat) > 1:
-        flat = [each for each in flat if each != ONE] or [ONE]
+        flat = [layout for layout in flat if layout != ONE] or [ONE]
     if len(flat) == 1:
         return flat[0]
-    first, *others = (bracketed(each) for each in flat)
+    first, *others = (bracketed(layout) for layout in flat)
     if sign == "":  # 2 before 3^(5/7) would be 23 to a power
-        others = [Brackets(each) if _is_power_of_a_number(each) else each for each in others]
+        others = [
+            Brackets(layout) if _is_power_of_a_number(layout) else layout for layout in others
+        ]
     return Product((first, *others), sign)
 
 

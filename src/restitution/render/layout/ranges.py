@@ -53,7 +53,7 @@ def from_set(values: Any, name: Any, *, degrees: bool = False) -> Layout:
 
 def _from_union(values: Any, subject: Layout, degrees: bool) -> Layout:
     """Parts in order; intervals that leave out one point between them are told with ≠."""
-    parts = sorted(values.args, key=lambda each: _set_order(each.inf))
+    parts = sorted(values.args, key=lambda argument: _set_order(argument.inf))
     merged: list[tuple[Any, list[Any]]] = []
     for part in parts:
         last = merged[-1] if merged else None

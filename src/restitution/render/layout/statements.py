@@ -150,14 +150,14 @@ def _is_vector(node: trees.Expression) -> bool:
     if not isinstance(node, trees.Binary) or node.op not in ("+", "-"):
         return False
     left, right = (
-        {each for each in trees.walk(side) if isinstance(each, trees.Unit)}
+        {node for node in trees.walk(side) if isinstance(node, trees.Unit)}
         for side in (node.left, node.right)
     )
     return left == {trees.Unit("i")} and right == {trees.Unit("j")}
 
 
 def _has_vectors(node: trees.Expression) -> bool:
-    return any(isinstance(each, trees.Unit) for each in trees.walk(node))
+    return any(isinstance(tree, trees.Unit) for tree in trees.walk(node))
 
 
 def _is_negation(layout: Layout) -> bool:
