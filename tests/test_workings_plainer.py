@@ -44,6 +44,33 @@ given direction(Q) = 0°
 find tan(phi) in terms of e
 find speed(Q), impulse in terms of m, v, e
 """
+BY_E_AS_ABOVE = """
+wall W: along i
+sphere Q: mass m, velocity 2u at theta to W
+Q hits W
+given speed(Q) = u/2
+part a
+show tan^2(theta) = 15/(1 - 16e^2)
+part b
+find impulse in terms of m, u, e
+"""
+NOT_BY_ALPHA = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, velocity u at alpha from -i
+A hits B: along i
+given energy_lost = 1/5 energy(0)
+part a
+find cos(alpha) in terms of e
+part b
+find speed(A) in terms of u
+"""
+SQUARES_WITH_A_ROOT = """
+wall W: along i
+sphere Q: mass m, velocity u at theta to W
+Q hits W: e = 1/2
+given deflection(Q) = 45°
+find theta, speed(Q)
+"""
 NO_GREATEST = """
 sphere A: mass m, velocity u at alpha
 sphere B: mass k m, at rest
@@ -158,10 +185,15 @@ SAYS = [
     (TURNED_DOWN, "as the angle from 𝐢 to 𝐯_A is negative"),
     (OPEN_LINE, "(s − 2(5 − s)/3)(s + 1) = ½(3(2 + 3) + (4 + 1)(s + 1))"),
     (ON_TO_A_WALL, "along the line of centres, at 60° to W"),
+    (BY_E_AS_ABOVE, "tan θ = √(15/(1 − 16e²)), as θ is acute"),
+    (NOT_BY_ALPHA, "speed of A = √("),
+    (SQUARES_WITH_A_ROOT, "cos²θ = (5 + √17)/12"),
     (ACROSS_AT_A_WALL, "change of momentum of Q: impulse on Q = 3m("),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
+    (NOT_BY_ALPHA, "cos²α − 1"),
+    (SQUARES_WITH_A_ROOT, "component of 𝐯_Q parallel to W ="),
     (ACROSS_AT_A_WALL, "𝐧"),
     (TURNED_AND_SLOWED, "sin⁴α"),
     (SENT_BACK, "β = arctan(4/3)"),

@@ -90,7 +90,7 @@ from restitution.planning.writing.gathering import (
     without_idle_arctangents,
     without_unprinted_angles,
 )
-from restitution.planning.writing.given_terms import turn_round
+from restitution.planning.writing.given_terms import standing_ties, turn_round
 from restitution.planning.writing.known_directions import with_known_directions
 from restitution.planning.writing.plain_products import with_plain_products
 from restitution.planning.writing.scene import Scene
@@ -366,7 +366,7 @@ def _in_given_terms(
 
     None where none is, or where there is no plan in these letters.
     """
-    if len(part.branches) != 1 or not protected_letters(part.part):
+    if len(part.branches) != 1 or not (protected_letters(part.part) or desk.ends):
         return None
     try:
         drafts = _drafts(solution, part, desk, statuses, _PLANNED, turned=True)
@@ -409,7 +409,7 @@ def _drafts(
         for branch in part.branches
     ]
     if turned:
-        changed = [turn_round(each, protected) for each in models]
+        changed = [turn_round(each, protected | standing_ties(desk, each)) for each in models]
         if not all(changed):
             return []
     drafts = []

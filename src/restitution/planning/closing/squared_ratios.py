@@ -28,6 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.writing.angle_ratios import range_of
+from restitution.planning.writing.between import root_of_a_square
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import square, swept, tree_of
 from restitution.planning.writing.polynomials import expanded
@@ -105,7 +106,9 @@ def _write(
     value = tidy(scene.scalar(put))
     line = squares_line(scene, symbol)
     first = chain(own.left, (right, None))
-    last = chain(own.left, (put, None), (printed or tree_of(value), "rearrange"))
+    end = printed or tree_of(value)
+    squares = root_of_a_square(scene, end) if _is_root_of_roots(scene, put) else ()
+    last = chain(own.left, (put, None), *((each, "rearrange") for each in (*squares, end)))
     names = symbol_names(value)
     known = together(not_negative(scene, value), background(scene, names))
     premises = scene.judge.enough(own.move, own.refs, first, known)
@@ -148,7 +151,10 @@ def _is_square(scene: Scene, quantity: Quantity) -> bool:
 
 
 def angles_by_squares(scene: Scene) -> Iterator[sp.Symbol]:
-    """The angles of which a tangent is known, and of which only the squares are free of roots."""
+    """The angles of which a tangent is known, and of which the squares have a root less.
+
+    So √(5 + √13)/4 is not put in for a cosine, where (5 + √13)/16 is its square.
+    """
     for symbol in scene.model.final:
         role = scene.model.unknowns.roles.get(symbol.name)
         if role is None or role.kind != "angle" or (scene.final(symbol) / sp.pi).is_Rational:
@@ -159,10 +165,9 @@ def angles_by_squares(scene: Scene) -> Iterator[sp.Symbol]:
             continue
         if any(_is_used(scene, each) for each in others if each is not None):
             continue
-        squares = _squares(scene, symbol)
-        if not any(map(_has_root, squares.values())) and any(
-            _has_root(tidy(sp.sqrt(each))) for each in squares.values()
-        ):
+        squares = _squares(scene, symbol).values()
+        roots = (tidy(sp.sqrt(each)) for each in squares)
+        if max(map(_depth_of_roots, roots)) > max(map(_depth_of_roots, squares)):
             yield symbol
 
 
@@ -174,8 +179,17 @@ def _is_used(scene: Scene, source: Source) -> bool:
     return any(line in each.premises for each in scene.desk.lines)
 
 
-def _has_root(value: sp.Expr) -> bool:
-    return any(each.exp.is_Rational and each.exp.q != 1 for each in value.atoms(sp.Pow))
+def _is_root_of_roots(scene: Scene, tree: Expression) -> bool:
+    """Whether a tree is the root of what has a root in it."""
+    if not isinstance(tree, Apply) or tree.function != "sqrt":
+        return False
+    return _depth_of_roots(sp.sympify(scene.scalar(tree.argument), strict=True)) > 0
+
+
+def _depth_of_roots(value: sp.Basic) -> int:
+    """How many roots stand in one another in a value."""
+    below = max(map(_depth_of_roots, value.args), default=0)
+    return below + (isinstance(value, sp.Pow) and value.exp.is_Rational and value.exp.q != 1)
 
 
 def _squares(scene: Scene, symbol: sp.Symbol) -> dict[type[sp.Function], sp.Expr]:

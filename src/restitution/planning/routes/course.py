@@ -76,6 +76,21 @@ class Course:
         # Whether equations that no shape fits are solved together.
         self.resort = False
         self._loosen_ties()
+        self._forget_turned()
+
+    def _forget_turned(self) -> None:
+        """What another part has for letters that are data here, by letters that are not, is open.
+
+        Where α is to be found in terms of e, that e is made of α says nothing.
+        """
+        scene = self.scene
+        for name in scene.model.unknowns.roles if scene.turned else ():
+            if scene.model.unknowns.letter(name) in scene.model.final or f"let {name}" in scene.facts:
+                continue
+            known = scene.desk.known(Letter(name))
+            value = None if known is None else sp.sympify(known.value, strict=True)
+            if known is not None and value is not None and scene.unknown(value):
+                scene.desk.forget_value(Letter(name), known)
 
     def _loosen_ties(self) -> None:
         """Letters that another part has by others, and that are numbers here, are open again.

@@ -12,6 +12,8 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
+from restitution.expression.tree import Apply, Expression, Letter
+from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 
 
@@ -43,6 +45,22 @@ def turn_round(model: Model, wanted: frozenset[str]) -> bool:
     return turned
 
 
+def standing_ties(desk: Desk, model: Model) -> frozenset[str]:
+    """Letters by which lines have another one, where the solution has them by that one.
+
+    Of cos²α = 1/(4(1 − e²)) that an earlier part found, e is not found once more by α.
+    """
+    names: set[str] = set()
+    for symbol, value in model.final.items():
+        for other in value.free_symbols if symbol.name in model.unknowns.roles else ():
+            own: Expression = Letter(str(other))
+            ways: list[Expression] = [own, *(Apply(ratio, own) for ratio in ("sin", "cos", "tan"))]
+            standing = (desk.known(each) for each in ways)
+            if any(e and symbol in sp.sympify(e.value, strict=True).free_symbols for e in standing):
+                names.add(symbol.name)
+    return frozenset(names)
+
+
 def _inverse(
     model: Model, symbol: sp.Symbol, value: sp.Expr, other: sp.Symbol
 ) -> dict[sp.Expr, sp.Expr] | None:
@@ -63,7 +81,10 @@ def _inverse(
     if x.has(sp.atan2):
         # An acute angle by its cosine.
         x, own = sp.simplify(sp.cos(x)), sp.cos(symbol)
-    above = sp.fraction(factored(one_fraction(own - x)))[0]
+    gap = own - x
+    if not x.is_rational_function(t):
+        gap = own**2 - sp.simplify(x**2)  # a root: both sides squared
+    above = sp.fraction(factored(one_fraction(expanded(gap))))[0]
     try:
         poly = sp.Poly(expanded(above), t)
     except sp.PolynomialError:
