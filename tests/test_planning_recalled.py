@@ -882,7 +882,7 @@ sphere B: mass m, velocity 3u j
 A hits B: along i, e = 1/2
 find speed(A)/speed(B)
 """
-    assert "= sqrt(40k^2 + 68k + 37)/(3sqrt(5k^2 + 8k + 4))" in said(text)[-1]
+    assert "= sqrt((40k^2 + 68k + 37)/(5k^2 + 8k + 4))/3" in said(text)[-1]
 
 
 PAST_A_SPHERE_AT_REST = """

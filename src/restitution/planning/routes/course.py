@@ -85,7 +85,8 @@ class Course:
         """
         scene = self.scene
         for name in scene.model.unknowns.roles if scene.turned else ():
-            if scene.model.unknowns.letter(name) in scene.model.final or f"let {name}" in scene.facts:
+            found = scene.model.unknowns.letter(name) in scene.model.final
+            if found or f"let {name}" in scene.facts:
                 continue
             known = scene.desk.known(Letter(name))
             value = None if known is None else sp.sympify(known.value, strict=True)
