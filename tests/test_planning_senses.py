@@ -14,6 +14,35 @@ from restitution.workings.derived import explanation_of
 
 # A statement, what its working says, and what it does not say: lines, or parts of them.
 CASES = {
+    "an angle to i that an earlier part shows": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+part a
+show tan(angle(velocity(A), i)) = 2 tan(alpha)/(1 - e)
+part b
+given tan(alpha) = 1/2, deflection(A) = 45°
+find e
+""",
+        ("Since tan α = ½, from (3):\n    tan β = 1/(1 − e)", "β = α + 45°"),
+        ("to that line", "θ", "cos α = 2√5/5", "With v from part (a)"),
+    ),
+    "a letter of an earlier part for an angle": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i, e = e
+part a
+let theta = angle(velocity(A), i)
+show tan(theta) = 3tan(alpha)/(1 - 2e)
+part b
+given e = 1/4
+find tan(deflection(A)) in terms of alpha
+""",
+        ("Since e = ¼, from (3):\n    tan θ = 6 tan α", "δ = θ − α"),
+        ("β",),
+    ),
     "a wall at a letter": (
         """
 wall W: along phi

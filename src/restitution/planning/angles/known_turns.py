@@ -15,7 +15,7 @@ from restitution.expression.tree import (
     Letter,
 )
 from restitution.planning.angles.quantities import formula
-from restitution.planning.angles.turn_lines import Term, by_tangents, term_of_data
+from restitution.planning.angles.turn_lines import Term, by_tangents, premises_of, term_of_data
 from restitution.planning.formulas.named_angles import letter_of, tangent_line
 from restitution.planning.formulas.turns import NONE, Direction, Form, Turn
 from restitution.planning.writing.angles import RIGHT, STRAIGHT
@@ -106,7 +106,7 @@ def _lines(
     relation = chain(subject, (product(TWO, other.angle) if twice else tree, None))
     sources = [ref for each in (turn.first, turn.second) for ref in (*each.sources, *each.refs)]
     pool = dict.fromkeys((*refs, meaning, *sources, *turn.pushed, *turn.frame.refs))
-    premises = scene.judge.needed(turn.move, pool, relation, (*refs, meaning))
+    premises = premises_of(scene, turn, pool, relation, (*refs, meaning))
     if premises is None:
         return None
     angle = scene.desk.write(turn.move, premises, relation)

@@ -94,11 +94,11 @@ def write_turn(
     pool = dict.fromkeys((meaning, *refs, *components, *_axis(turn), *turn.frame.refs))
     premises = None
     if names != trees and not any(map(_is_arc, names)):
-        premises = scene.judge.needed(turn.move, pool, by_names, (meaning,))
+        premises = premises_of(scene, turn, pool, by_names, (meaning,))
     if premises is not None:
         relation = by_names
     else:
-        premises = scene.judge.needed(turn.move, pool, relation, (meaning,))
+        premises = premises_of(scene, turn, pool, relation, (meaning,))
     if premises is None:
         earlier = [*dict.fromkeys((*_before_put(scene, turn), *pool))]
         premises = scene.judge.needed(turn.move, earlier, relation, (meaning,))
@@ -316,8 +316,29 @@ def made_of_angles(
     components = (*turn.first.refs, *turn.second.refs)
     axis = (*_axis(turn), *turn.frame.refs, *meeting(scene))
     pool = dict.fromkeys((*given, *named, *refs, *components, *axis))
-    premises = scene.judge.needed(turn.move, pool, relation, named)
+    premises = premises_of(scene, turn, pool, relation, named)
     return None if premises is None else scene.desk.write(turn.move, premises, relation)
+
+
+def premises_of(
+    scene: Scene, turn: Turn, pool: Iterable[Ref], relation: Relation, sure: Iterable[Ref]
+) -> tuple[Ref, ...] | None:
+    """What the line of an angle made of two others rests on; None where it does not follow.
+
+    A component with values put in, which nothing else needs, is cited as it stood before.
+    """
+    sure = tuple(sure)
+    premises = scene.judge.needed(turn.move, pool, relation, sure)
+    cited = {ref for line in scene.desk.lines for ref in line.premises}
+    idle = {
+        ref
+        for ref in premises or ()
+        if isinstance(ref, int) and scene.desk.line(ref).move.id == "put" and ref not in cited
+    }
+    if premises is None or not idle:
+        return premises
+    earlier = (*(each for each in premises if each not in idle), *_before_put(scene, turn))
+    return scene.judge.needed(turn.move, earlier, relation, sure) or premises
 
 
 def meeting(scene: Scene) -> tuple[Ref, ...]:

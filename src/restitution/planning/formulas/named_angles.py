@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Meaning, Move, MoveId, Ref, Relation
-from restitution.explaining.lines.trees import angles_with_both_ratios
+from restitution.explaining.lines.trees import angles_with_both_ratios, exchanged
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -19,8 +19,10 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     letters,
+    walk,
 )
 from restitution.planning.formulas.definitions import Formula
+from restitution.planning.writing.angle_ratios import given_ratio
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import in_tangents, swept, tree_of
 from restitution.planning.writing.premises import background
@@ -139,7 +141,7 @@ def tangent_line(scene: Scene, asked: Quantity, own: Formula, move: Move) -> tup
     letter, meaning = letter_of(scene, asked)
     refs = together(own.refs, (meaning,))
     subject = Apply("tan", Letter(letter))
-    standing = _tangent_with_values(scene, subject, own)
+    standing = _tangent_with_values(scene, asked, meaning, own)
     if standing is None:
         standing = _tangent_by_a_letter(scene, asked, subject, meaning)
     if standing is not None:
@@ -171,26 +173,48 @@ def _tangent_by_a_letter(
     return None
 
 
-def _tangent_with_values(scene: Scene, subject: Expression, own: Formula) -> int | None:
-    """The line of a tangent that stands, with the values of its letters put in if they have any."""
-    desk = scene.desk
+def _tangent_with_values(scene: Scene, asked: Quantity, meaning: Ref, own: Formula) -> int | None:
+    """The line of a tangent that stands, with the values of its letters put in if they have any.
+
+    It may stand without the letter for its angle.
+    """
+    desk, subject = scene.desk, Apply("tan", Letter(letter_of(scene, asked)[0]))
     for line in reversed(desk.lines):
         if isinstance(line.relation, Meaning) or not desk.holds(line.number):
             continue
         links = line.relation.options[0]
-        if len(line.relation.options) > 1 or links[0].left != subject:
+        if len(line.relation.options) > 1 or links[0].left not in (subject, Apply("tan", asked)):
             continue
         if any(each.sign != "=" for each in links) or has_quantity(links[-1].right):
             continue
-        value = scene.scalar(links[-1].right)
-        put, refs = scene.put(value)
+        ratios, given = _given_ratios(scene, links[-1].right)
+        put, refs = scene.put(scene.scalar(exchanged(links[-1].right, ratios)))
         if not scene.model.identically_zero(put - own.value):
             continue
         lets = scene.lets_in(desk.last_link(line.number))
-        if not refs and not lets:
-            return line.number
+        named = () if links[0].left == subject else (meaning,)
+        if not refs and not given and not lets:
+            if not named:
+                return line.number
+            continue
         relation = chain(subject, (tree_of(in_tangents(put)), None))
-        premises = scene.judge.enough(Move("put"), (line.number, *refs), relation, lets)
+        pool = (line.number, *named, *given, *refs)
+        premises = scene.judge.enough(Move("put"), pool, relation, lets)
         if premises is not None:
             return desk.write(Move("put"), premises, relation)
     return None
+
+
+def _given_ratios(
+    scene: Scene, tree: Expression
+) -> tuple[dict[Expression, Expression], tuple[Ref, ...]]:
+    """The ratios of angles in a tree of which the facts give the values, and these facts."""
+    values: dict[Expression, Expression] = {}
+    refs: list[Ref] = []
+    for node in walk(tree):
+        match node:
+            case Apply(_, Letter(name)) if name in scene.ratio_facts and node not in values:
+                ratio, right, ref = given_ratio(scene, name)
+                if ratio == node:
+                    values[node], refs = right, [*refs, ref]
+    return values, tuple(refs)

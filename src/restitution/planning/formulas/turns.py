@@ -171,8 +171,7 @@ def _is_found_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
                 continue
             if len(own.options) > 1 or not scene.desk.holds(line.number):
                 continue
-            if not scene.put(scene.scalar(own.only[-1].right))[1]:
-                return True
+            return True
     return any(_is_along_i(scene, each, velocity) for each in scene.desk.lines)
 
 

@@ -73,7 +73,7 @@ def require_true(
     """
     above, facts = tuple(above), tuple(facts)
     meanings = frozenset(line.relation for line in above if isinstance(line.relation, Meaning))
-    axes = frozenset(fact.relation for fact in facts if fact.id.startswith("axis "))
+    axes = frozenset(fact.relation for fact in facts if fact.id.startswith(("axis ", "let ")))
     true = model.true.setdefault((meanings, axes), set())
     value: Callable[[Expression], Any] | None = None
     for line in lines:
@@ -99,6 +99,13 @@ def evaluator(
         for fact in facts
         if fact.id.startswith("axis ")
     }
+    # What a letter stands for in another part has no number of its own in the sample of this one.
+    lets = {
+        fact.id.removeprefix("let "): fact.relation.only[0].left
+        for fact in facts
+        if fact.id.startswith("let ")
+        if fact.id.removeprefix("let ") not in model.story.lets
+    }
     of_lines: dict[Expression, Any] = {}
 
     sample: dict[str, float] = {}
@@ -106,6 +113,8 @@ def evaluator(
     def letter(name: str) -> Any:
         if name in sample:
             return sample[name]
+        if name in lets:
+            return own.value(lets[name])
         if name in model.sample:
             sample[name] = float(model.sample[name])
             return sample[name]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, Slot, say
 from restitution.explaining.lines.sentences import SentenceId
@@ -87,6 +87,8 @@ class Carried:
                     continue
                 if label is None and part == self._first:
                     continue  # it stands just above
+                if line.move.record == "difference" and self._is_a_component(own):
+                    continue  # it only tells which way a body goes
                 if own.move.record == "unchanged":
                     beside.append(own)
                 else:
@@ -96,6 +98,15 @@ class Carried:
         self._named |= {(part, number) for number in values}
         self._waiting |= values
         return bool(values)
+
+    def _is_a_component(self, line: Line) -> bool:
+        """Whether a line says a component of a velocity, by a letter for it or by its name."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.only[0].left
+        for each in self._derivation.lines:
+            if isinstance(each.relation, Meaning) and left == Letter(each.relation.letter):
+                left = each.relation.quantity
+        return isinstance(left, Quantity) and left.kind in ("along", "across")
 
     def beside(
         self,
