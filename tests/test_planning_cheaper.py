@@ -64,6 +64,45 @@ def test_an_impulse_that_is_given_acts_on_both_spheres() -> None:
     assert "p - 2 = 0" in said(derivation)
 
 
+OPEN_LINE = (
+    "sphere A: mass 2, velocity 5i + 3j\nsphere B: mass 3, velocity -2i + j\nA hits B\n"
+    "given velocity(A) = i + j\n"
+)
+
+
+@pytest.mark.parametrize("items", ["impulse(B)", "impulse(B), velocity(B)"])
+def test_an_impulse_is_opposite_to_the_change_of_momentum_of_the_other(items: str) -> None:
+    solution, derivation = planned(f"{OPEN_LINE}find {items}")
+    assert said(derivation)[:2] == [
+        "impulse(B, 1) = -2(i + j - (5i + 3j))",
+        "impulse(B, 1) = 8i + 4j",
+    ]
+    assert laws(derivation) == ["opposite-impulses", "impulse-vector"][: len(items.split())]
+    text = to_text(explain(solution))
+    assert "opposite to that on A, which is the change of momentum of A" in text
+    marks = [mark for each in awarded(derivation, "fm1").lines[:2] for mark in each.marks]
+    assert [each.kind for each in marks] == ["M", "A"]
+
+
+def test_the_second_of_two_impulses_is_opposite_to_the_first() -> None:
+    _, derivation = planned(f"{OPEN_LINE}find impulse(A), impulse(B), velocity(B)")
+    assert laws(derivation) == ["impulse-vector", "opposite-impulses", "impulse-vector"]
+    assert "8i + 4j = 3(velocity(B, 1) - (-2i + j))" in said(derivation)
+
+
+def test_the_size_of_an_impulse_needs_no_line_that_is_open() -> None:
+    _, derivation = planned(f"{OPEN_LINE}find impulse")
+    assert laws(derivation) == ["impulse-vector"]
+    assert [each.move.record for each in lines(derivation, "define")] == ["size"]
+    assert said(derivation)[-1].startswith("impulse(1) = sqrt(8^2 + 4^2)")
+
+
+def test_a_line_of_centres_is_that_of_an_impulse_that_stands() -> None:
+    _, derivation = planned(f"{OPEN_LINE}part a\nfind impulse(B)\npart b\nfind line_of_centres")
+    assert laws(derivation) == ["opposite-impulses", "across-the-impulse"]
+    assert "line_of_centres(1) parallel to 8i + 4j" in said(derivation)
+
+
 def test_the_energy_of_a_sphere_changes_by_one_component() -> None:
     text = PAIR.format(a="2", u="3i + 5j", b="1", x="-2i + j")
     _, derivation = planned(f"{text}, e = 1/2\nfind energy(B) - energy(B, 0)")

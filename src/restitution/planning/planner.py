@@ -41,6 +41,10 @@ from restitution.planning.angles.angles_at_walls import write_angles_at_walls
 from restitution.planning.axes.by_changes import frame_at, write_axis
 from restitution.planning.axes.offsets import given_by_offsets, paths_beside
 from restitution.planning.axes.open_lines import write_open_lines
+from restitution.planning.axes.opposite_impulses import (
+    write_impulse_of_an_open_line,
+    write_opposite_impulse,
+)
 from restitution.planning.cases import joined, without_idle
 from restitution.planning.clashes import write_clash
 from restitution.planning.closing.complements import with_complements
@@ -559,6 +563,11 @@ def _write_end(
 
     if result.error is None:
         write_velocities_of_others(scene, solver)
+        if isinstance(item, Value):
+            # An impulse by vectors needs no line of centres, and tells one that is open.
+            asked = staged(scene.problem, item.expression, now)
+            write_opposite_impulse(scene, asked)
+            write_impulse_of_an_open_line(scene, asked)
         write_open_lines(scene)
         write()
         if scene.sided:

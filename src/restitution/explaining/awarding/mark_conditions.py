@@ -623,6 +623,16 @@ def _by_an_open_time(line: Line) -> bool:
     return False
 
 
+def _of_an_impulse(work: Work, line: Line) -> bool:
+    """An impulse by one that stands above, or that is given."""
+    relations = [each.relation for each in work.cited(line)]
+    relations += [each.relation for each in work.facts(line)]
+    return any(
+        isinstance(each, Relation) and getattr(each.options[0][0].left, "kind", None) == "impulse"
+        for each in relations
+    )
+
+
 CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "repeated": _repeated,
     "sought": _sought,
@@ -678,6 +688,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "fact-of-motion": _fact_of_motion,
     "claim-without-method": _claim_without_method,
     "of-an-offset": _of_an_offset,
+    "of-an-impulse": _of_an_impulse,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
     "open-place": _open_place,
     "at-rest": lambda work, line: is_of_a_body_at_rest(work.derivation, line),

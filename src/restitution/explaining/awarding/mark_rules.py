@@ -56,6 +56,7 @@ PAIR = ("momentum", "restitution")
 _VECTORS = (
     "momentum-vector",
     "impulse-vector",
+    "opposite-impulses",
     "across-the-impulse",
     "along-the-change",
     "changed-velocity",
@@ -100,6 +101,7 @@ RULES: tuple[Rule, ...] = (
     _rule("first-of-two", ("law",), "M A", PAIR, ("first-of-several",), caie="M"),
     _rule("second-of-two", ("law",), "M A", PAIR, ("second-of-several",)),
     _rule("impulse", ("law",), "M V", ("impulse",)),
+    _rule("opposite-impulse", ("law",), "", ("opposite-impulses",), ("of-an-impulse",)),
     _rule("another-changed", ("law",), "", ("changed-velocity",), ("another-assembled",)),
     _rule("principle-of-vectors", ("law",), "M V", _VECTORS),
     # Solving.

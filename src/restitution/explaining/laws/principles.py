@@ -172,7 +172,11 @@ PRINCIPLES = (
     Record(
         "opposite-impulses",
         "principle",
-        ("impulse(S, 1) = -impulse(F, 1)",),
+        (
+            "impulse(S, 1) = -impulse(F, 1)",
+            "impulse(S, 1) = -mass(F) (velocity(F, 1) - velocity(F, 0))",
+            "impulse(F, 1) = -mass(S) (velocity(S, 1) - velocity(S, 0))",
+        ),
         "spheres",
         ("impulse",),
     ),

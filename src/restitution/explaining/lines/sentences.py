@@ -1318,6 +1318,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "The impact changes one of them and leaves the other; both belong to the velocity."
     ),
     "derived-opposite.title": "The impulses on the two spheres are equal and opposite",
+    "derived-opposite.change": (
+        "The impulse on {one} is opposite to that on {other}, which is the change of momentum of "
+        "{other}"
+    ),
     "derived-opposite.why": (
         "While they touch, each sphere pushes the other with the same force, in opposite "
         "directions and for the same time. So the impulses are equal and opposite, whatever the "

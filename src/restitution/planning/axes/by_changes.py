@@ -89,12 +89,19 @@ def _plainly(scene: Scene, number: int, line: int, n: Vector) -> int:
 
 
 def _by_impulse(scene: Scene, number: int) -> int | None:
-    """An impulse that is given as a vector, or as parallel to one."""
+    """An impulse that is given as a vector, or as parallel to one, or that a line tells."""
     for each in scene.given:
         match each.link:
             case Link(Quantity("impulse", (Name(body),), event), "=" | "parallel to", right):
                 if event == number:
                     return _parallel(scene, "across-the-impulse", number, body, (each,), right)
+    for body in scene.spheres(number):
+        known = scene.desk.known(Quantity("impulse", (Name(body),), number))
+        if known is None or not isinstance(known.value, Vector):
+            continue
+        if not any(map(scene.unknown, known.value)):
+            tree = tree_of(known.value)
+            return _write(scene, "across-the-impulse", number, body, known.refs, tree)
     return None
 
 
@@ -356,6 +363,36 @@ def take_impulse(scene: Scene, given: GivenEquation) -> None:
             raise NotPlannedError("no impulse of a body")
 
 
+def take_known_impulse(scene: Scene, body: str, event: int) -> bool:
+    """The velocity of a sphere by the impulse on it, where a line tells that as a vector.
+
+    Nothing is written, and False returned, where the impulse comes by components, its mass or its
+    velocity before is open, or the velocity before is no vector of the data.
+    """
+    known = scene.desk.known(Quantity("impulse", (Name(body),), event))
+    velocity = scene.facts.get(f"velocity {body}")
+    if known is None or not isinstance(known.value, Vector) or velocity is None:
+        return False
+    if not rests_on_vectors(scene, known):
+        return False
+    if scene.last_event(body, event - 1) or scene.unknown(scene.mass(body).value):
+        return False
+    if any(isinstance(node, Polar) for node in walk(velocity.relation.only[0].right)):
+        return False
+    early = scene.initial(body).value
+    if any(map(scene.unknown, (*early, *known.value))) or any(scene.put(known.value)[1]):
+        return False
+    _take(scene, body, event, tree_of(known.value), known.refs)
+    return True
+
+
+def rests_on_vectors(scene: Scene, impulse: Source) -> bool:
+    """Whether an impulse comes by changes of velocities as vectors, with no component under it."""
+    under = (each for ref in impulse.refs if isinstance(ref, int) for each in scene.desk.under(ref))
+    records = {scene.desk.line(each).move.record for each in under if isinstance(each, int)}
+    return records <= {None, "impulse-vector", "opposite-impulses"}
+
+
 def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
     """The same of the other sphere, on which the impulse is equal and opposite: which one that is.
 
@@ -413,4 +450,11 @@ def _take(scene: Scene, body: str, event: int, impulse: Expression, refs: tuple[
     scene.desk.know(velocity, late, (line,))
 
 
-__all__ = ["frame_at", "take_impulse", "take_opposite", "write_axis"]
+__all__ = [
+    "frame_at",
+    "rests_on_vectors",
+    "take_impulse",
+    "take_known_impulse",
+    "take_opposite",
+    "write_axis",
+]

@@ -7,7 +7,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import Expression, Letter, Name, Polar, Quantity, walk
-from restitution.planning.axes.by_changes import take_impulse
+from restitution.planning.axes.by_changes import take_impulse, take_known_impulse
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.writing.desk import Source, chain, together
@@ -28,19 +28,21 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     own = Quantity("velocity", (Name(body),), stage)
     if stage not in scene.model.frames or scene.desk.known(own) is not None:
         return False
-    frame = scene.frame(stage)
-    if frame.wall is not None or 0 in frame.n or not all(each.is_number for each in frame.n):
-        return False
+    if take_known_impulse(scene, body, stage):
+        return True
     component = scene.model.components.get((stage, body))
     if component is not None and scene.desk.known(Letter(component.symbol.name)) is not None:
         return False  # it is put together of what stands
-    if not scene.last_event(body, stage - 1) and not any(scene.initial(body).value):
-        return False  # it moves off along the line of centres
     if _component_is_wanted(scene, body, stage):
         return False
+    frame = scene.frame(stage)
+    if frame.wall is not None or 0 in frame.n or not all(each.is_number for each in frame.n):
+        return False
+    if not scene.last_event(body, stage - 1) and not any(scene.initial(body).value):
+        return False  # it moves off along the line of centres
     (other,) = (sphere for sphere in scene.spheres(stage) if sphere != body)
-    after = _as_vector(scene, other, stage) or _by_impulse(scene, other, stage)
-    before = [_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
+    after = velocity_as_vector(scene, other, stage) or _by_impulse(scene, other, stage)
+    before = [velocity_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
     if after is None or None in before:
         return False
     masses = {each: scene.mass(each) for each in (body, other)}
@@ -132,10 +134,12 @@ def _by_impulse(scene: Scene, body: str, stage: int) -> Source | None:
     return None
 
 
-def _as_vector(scene: Scene, body: str, stage: int) -> Source | None:
-    """A velocity that is a vector of the data, of a given fact, or of a line."""
+def velocity_as_vector(scene: Scene, body: str, stage: int) -> Source | None:
+    """A velocity that is a vector of the data, of a given fact, or of a line; None of another."""
     last = scene.last_event(body, stage)
     if not last:
+        if f"velocity {body}" not in scene.facts:
+            return None
         (link,) = scene.facts[f"velocity {body}"].relation.only
         source = scene.initial(body)
         if any(isinstance(node, Polar) for node in walk(link.right)) and all(source.value):

@@ -43,8 +43,10 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
         return _impulse_vector(scene, quantity, event)
     if event not in scene.model.frames:
         return _size_of_blow(scene, quantity, event)
-    _write_vector_before(scene, event)
-    whole = _size_of_impulse(scene, quantity, event) or _size_by_vectors(scene, quantity, event)
+    whole = _size_of_impulse(scene, quantity, event)
+    if whole is None:
+        _write_vector_before(scene, event)
+        whole = _size_of_impulse(scene, quantity, event) or _size_by_vectors(scene, quantity, event)
     if whole is not None:
         return whole
     return impulse_on(scene, quantity, body_of_impulse(scene, event), event)

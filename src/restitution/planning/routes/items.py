@@ -30,6 +30,7 @@ from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turning import is_angle, quantity_of, write_angle, write_ratio
 from restitution.planning.axes.by_changes import write_axis, write_wall
 from restitution.planning.axes.momenta import write_by_momentum, write_total_kept
+from restitution.planning.axes.opposite_impulses import is_by_vectors
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.ratios import inverse
 from restitution.planning.closing.squared_ratios import keeping, kept_for, write_by_squares
@@ -71,6 +72,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     placed = place_trees.serves(asked) or place_trees.is_duration(asked)
     if isinstance(asked, Quantity) and write_total_kept(scene, asked):
         pass  # an impact of two spheres does not change it
+    elif isinstance(asked, Quantity) and is_by_vectors(scene, asked):
+        pass  # a change of momentum tells it
     elif placed:
         solver.determine(journeys.goals(scene, asked))
     elif not _by_a_line_above(scene, solver, asked):

@@ -197,6 +197,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
+            case "opposite-impulses", Quantity("impulse", (Name(body),)) if self._weighs(line):
+                (other,) = (each for each in bodies if each != body)
+                return say("derived-opposite.change", one=body, other=other)
             case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
                 at_a_wall = event is not None and event.wall and not self._by_speeds(line)
                 name = "fraction-lost.at-a-wall" if at_a_wall else "fraction-lost.title"
@@ -245,6 +248,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             name = "derived-speed.title-of"
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{each: slots[each][0] for each in slots_of(name)})
+
+    def _weighs(self, line: Line) -> bool:
+        """Whether a mass of the data is under a line itself."""
+        return any(isinstance(ref, str) and ref.split()[0] == "mass" for ref in line.premises)
 
     def _is_of_one(self, body: str) -> bool:
         """Whether a mass is the number 1, which no line writes."""
