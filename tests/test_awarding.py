@@ -72,6 +72,20 @@ def test_totals_are_those_of_a_marker() -> None:
 
 # Workings that need not be right: marks look at moves.
 WORKINGS = {
+    # The impulse on a sphere, and then that on the other one.
+    "opposite": """
+sphere A: mass 2, velocity 5i + 3j
+sphere B: mass 3, velocity -2i + j
+A hits B
+given velocity(A) = i + j
+find impulse(A), impulse(B)
+---
+1 a1 | law impulse-vector 1 A | mass A, velocity A, given 1 | impulse(A, 1) = 2(i + j - (5i + 3j))
+2 a1 | rearrange | 1 | impulse(A, 1) = -8i - 4j
+3 a2 | law opposite-impulses 1 A B | 2 | impulse(B, 1) = 8i + 4j
+a1: 2 impulse(A, 1) = -8i - 4j
+a2: 3 impulse(B, 1) = 8i + 4j
+""",
     # The tangent of an angle made of two, of which the greatest value is sought.
     "greatest-angle": """
 sphere A, B: mass m
@@ -623,6 +637,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
     ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
     ("read-off", "speed-from-impulse", 5, "A1", "A1", "A1"),
+    ("opposite-impulse", "opposite", 3, "A1ft", "A1ft", "A1ft"),
     ("another-changed", "changed-along", 11, "", "", ""),
     ("another-that-is-asked", "both-asked", 9, "", "", ""),
     ("another-put-together", "product", 10, "A1", "A1", "A1"),
