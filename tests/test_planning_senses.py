@@ -457,8 +457,30 @@ A hits B: offset d, e = 1/2
 given angle(line_of_centres, i) = arcsin(4/5)
 find d, speed(B)
 """,
-        ("d = 16, as d is positive", "unit vector along the line of centres = (3𝐢 + 4𝐣)/5"),
+        ("d/20 = ⅘", "d = 16\n", "unit vector along the line of centres = (3𝐢 + 4𝐣)/5"),
         (),
+    ),
+    "an offset by its angle with the velocity, of which both ratios have one root": (
+        """
+sphere A: mass m, velocity 5u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset d, e = 1/2
+given angle(line_of_centres, velocity(A, 0)) = 45°
+find d, speed(B)
+""",
+        ("d/(2r) = 1/√2", "d = √2 r", "has sine √2/2 and cosine\n√2/2"),
+        ("d²", "does not follow"),
+    ),
+    "two roots by the formula, in one order": (
+        """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset d, e = 2/3
+given deflection(A) = 30°
+find d
+""",
+        ("tan φ = (√51 + 5√3)/12 or tan φ = (5√3 − √51)/12",),
+        ("(5√3 + √51)/12",),
     ),
     "a speed in what is to be shown stands before no energy": (
         """

@@ -90,6 +90,35 @@ def _is_onward(path: Expression, world: World, oracle: Oracle, roles: Mapping[st
     return across.vanishes and oracle.proves(compared(along, ">", sp.Integer(0)))
 
 
+def angle_with_the_path(
+    angle: Expression, links: Sequence[Link], roles: Mapping[str, Role]
+) -> OffsetAngle | None:
+    """The line of centres by an offset, where an angle is that with its path; else None."""
+    match angle:
+        case Quantity("angle", (one, other)):
+            pass
+        case _:
+            return None
+    world, oracle = World(roles), Oracle(roles)
+    for axis, tree in ((one, other), (other, one)):
+        given = {link.left: link.right for link in links if link.sign == "="}
+        for link in links:
+            own = offset_angle(link, roles) if link.left == axis else None
+            if own is None:
+                continue
+            try:
+                way, path = world.direction(given.get(tree, tree)), world.direction(own.path)
+                if way is None or path is None:
+                    continue
+                across = world.reduced(way.x * path.y - way.y * path.x)
+                along = world.expression(way.x * path.x + way.y * path.y, roles)
+            except NotComparableError:
+                continue
+            if across.vanishes and oracle.proves(compared(along, ">", sp.Integer(0))):
+                return own
+    return None
+
+
 def named_angles(
     lets: Sequence[Meaning], links: Sequence[Link], setting: Setting
 ) -> Iterator[tuple[Meaning, OffsetAngle]]:
@@ -132,4 +161,4 @@ def letter_of_offset(line: Line) -> str | None:
     return None
 
 
-__all__ = ["OffsetAngle", "letter_of_offset", "named_angles", "offset_angle"]
+__all__ = ["OffsetAngle", "angle_with_the_path", "letter_of_offset", "named_angles", "offset_angle"]

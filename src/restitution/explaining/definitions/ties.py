@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.data.offset_angles import named_angles
+from restitution.explaining.data.offset_angles import angle_with_the_path, named_angles
 from restitution.explaining.definitions.common import (
     ZERO,
     axis_of,
@@ -212,6 +212,9 @@ def between_directions(step: Step, event: Event | None) -> Iterator[Link]:
     ):
         match angle:
             case Quantity("angle", (a, b)):
+                by_offset = angle_with_the_path(angle, step.links, step.setting.roles)
+                if by_offset is not None:
+                    yield Link(Apply("sin", angle), "=", by_offset.sine)
                 p, q = (_pointing(step, each) for each in (a, b))
                 sizes = Binary("*", Apply("abs", p), Apply("abs", q))
                 cosine = Binary("/", Quantity("dot", (p, q)), sizes)

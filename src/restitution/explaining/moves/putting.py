@@ -87,6 +87,7 @@ def _below_roots(step: Step, base: Relation) -> Iterator[Link]:
     """A line with the values of letters below its roots, before roots of factors are taken.
 
     Of √(4a² − d²), in factors, the roots of both sums hold d, and their product would not be seen.
+    An inverse sine has such a root for its cosine.
     """
     values: dict[Expression, Expression] = {
         link.left: link.right
@@ -100,7 +101,7 @@ def _below_roots(step: Step, base: Relation) -> Iterator[Link]:
             node
             for side in (link.left, link.right)
             for root in walk(side)
-            if isinstance(root, Apply) and root.function == "sqrt"
+            if isinstance(root, Apply) and root.function in ("sqrt", "arcsin", "arccos")
             for node in walk(root.argument)
         }
         if link.sign == "=" and below & values.keys():

@@ -190,7 +190,7 @@ def sine_of_the_offset(scene: Scene, each: GivenEquation) -> int | None:
     left = tree_of(tidy(whole))
     relation = chain(left, (tree_of(tidy(sp.sin(value))), None))
     move = Move("define", "scalar-angle")
-    pool = [ref for ref in scene.facts if ref.startswith("given ")]
+    pool = [ref for ref in scene.facts if ref.startswith(("given ", "velocity "))]
     premises = scene.judge.enough(move, together(each.refs, refs, (fact.id,)), relation, pool)
     return None if premises is None else scene.desk.write(move, premises, relation)
 

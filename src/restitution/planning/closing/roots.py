@@ -16,7 +16,9 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Number,
     letters,
+    walk,
 )
 from restitution.planning.closing.excluded_roots import (
     option,
@@ -296,7 +298,17 @@ def _in_two_lines(
         plus = scene.model.sign(a * scene.scalar(links[0].right) + half) > 0
         above = Binary("+" if plus else "-", tree_of(-half), root)
         by_formula.append((Link(subject, "=", swept(Binary("/", above, tree_of(a)))),))
+    if all(
+        _leaves(one[0].right) == _leaves(other[0].right)
+        for one, other in zip(by_formula, roots.options, strict=True)
+    ):
+        return None  # only the terms are in another order
     return _then(scene, number, Relation(tuple(by_formula)), roots, known, move)
+
+
+def _leaves(tree: Expression) -> list[str]:
+    """The numbers and letters of a tree, without the order in which they stand."""
+    return sorted(repr(node) for node in walk(tree) if isinstance(node, Letter | Number))
 
 
 def _then(
