@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from test_planning_closing import lines, planned, said
 
 from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation
+from restitution.explaining.lines.notation import read_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
@@ -357,3 +360,40 @@ def test_the_energy_before_stands_before_what_is_lost_of_it() -> None:
     solution, _ = planned(text)
     words = to_text(explain(solution), 200)
     assert words.index("before the impact = ½mu²") < words.index("kinetic energy lost = ½m(")
+
+
+CORNER_OF_120 = (
+    "wall OA: along i\nwall OB: along 120°\nsphere P: mass m, velocity u at 60° to OA\n"
+    "P hits OA: e = 1/3\n"
+)
+
+
+@pytest.mark.parametrize(
+    "claim", ["velocity(P) perpendicular to OB", "angle(velocity(P), OB) = 90°"]
+)
+def test_a_right_angle_to_a_wall_that_is_shown_has_its_scalar_product(claim: str) -> None:
+    problem = parse(f"{CORNER_OF_120}show {claim}")
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert not follow(derivation, Oracle(roles(problem)))
+    assert said(derivation)[-2] == (
+        "dot(velocity(P, 1), -i + sqrt(3) j) = -u/2 + sqrt(3) (sqrt(3) u/6) = 0 [rearrange]"
+    )
+    assert set(derivation.lines[-1].premises) == {"wall OB", derivation.lines[-2].number}
+    assert "Scalar product with a vector along OB:" in to_text(explain(solution))
+
+
+def test_a_scalar_product_shows_a_right_angle_to_its_own_direction_alone() -> None:
+    problem = parse(f"{CORNER_OF_120}show velocity(P) perpendicular to OB")
+    derivation = plan(solve(problem))
+    *above, product, end = derivation.lines
+    names = {"P": "sphere", "OA": "wall", "OB": "wall"}
+    other = read_relation(
+        "dot(velocity(P, 1), 2i - 2sqrt(3) j) = u - 2sqrt(3) (sqrt(3) u/6) = 0 [rearrange]", names
+    )
+    backwards = (*above, replace(product, relation=other), end)
+    assert not follow(replace(derivation, lines=backwards), Oracle(roles(problem)))
+    along = replace(end, relation=read_relation("velocity(P, 1) perpendicular to OA", names))
+    along = replace(along, premises=("wall OA", product.number))
+    complaints = follow(replace(derivation, lines=(*above, product, along)), Oracle(roles(problem)))
+    assert along.number in [each.line for each in complaints]

@@ -14,7 +14,7 @@ from restitution.explaining.definitions.common import (
     whole_links,
 )
 from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Sign
-from restitution.explaining.lines.quotients import Quotient
+from restitution.explaining.lines.quotients import Plane, Quotient
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_quantity,
 )
 
 _TIES: Mapping[Expression, Sign] = {
@@ -186,10 +187,21 @@ def is_no_product(step: Step, left: Expression, right: Expression) -> bool:
     products = [
         settled(Quantity("dot", e), step.setting.events) for e in ((left, right), (right, left))
     ]
-    return any(
-        link.left in products and link.sign == "=" and link.right == ZERO
-        for link in whole_links(step)
-    )
+    zeros = [e.left for e in whole_links(step) if e.sign == "=" and e.right == ZERO]
+    return any(each in products or _is_along(step, each, left, right) for each in zeros)
+
+
+def _is_along(step: Step, product: Expression, left: Expression, right: Expression) -> bool:
+    """Whether a scalar product is that of one direction with a vector along the other one."""
+    for moving, line in ((left, right), (right, left)):
+        match product:
+            case Quantity("dot", (own, along)) if not has_quantity(along):
+                if own != settled(moving, step.setting.events) or isinstance(line, Quantity):
+                    continue
+                a, b = (step.world.pointing(_pointing(step, each)) for each in (along, line))
+                if isinstance(a, Plane) and isinstance(b, Plane):
+                    return (a.x * b.y - a.y * b.x).vanishes and not (a.x.vanishes and a.y.vanishes)
+    return False
 
 
 def _cross(left: Expression, right: Expression) -> Expression:

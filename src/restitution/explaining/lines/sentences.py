@@ -1292,6 +1292,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Two vectors are parallel if one is a number times the other. Then that number is the "
         "ratio of their components in every direction, and the products crosswise are equal."
     ),
+    "derived-product.along": "Scalar product with a vector along {wall}",
     "derived-product.title": "Scalar product",
     "derived-product.why": (
         "The scalar product of two vectors is the sum of two products: of their components in one "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -22,11 +23,17 @@ from restitution.planning.formulas.turns import Moving
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.shows.shown_equations import Equation
-from restitution.planning.writing.desk import NotPlannedError, together
+from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
+    ZERO,
     product,
+    swept,
+    total,
     tree_of,
+    vector,
 )
+from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.unit_vectors import plain_direction
 from restitution.problem import (
     Aligned,
 )
@@ -126,6 +133,10 @@ def _tied(
         line = _by_the_product(claims, move, (moving[0], moving[1]), own_relation)
         if line is not None:
             return line, own_relation
+    if record == "perpendicular" and len(moving) == 1:
+        line = _by_a_product_with_a_line(claims, move, pair, frame, refs, own_relation)
+        if line is not None:
+            return line, own_relation
     for pool in (refs, [*frame.refs, *refs]):
         cited = together(r for r in pool if claims.worths.exists(r))
         line = claims.judge.write((move,), cited, own_relation)
@@ -144,6 +155,48 @@ def _by_the_product(
     if line is None:
         claims.worths.back(mark)
     return line
+
+
+def _by_a_product_with_a_line(
+    claims: Claims,
+    move: Move,
+    pair: Sequence[Expression],
+    frame: Frame,
+    refs: Sequence[Ref],
+    relation: Relation,
+) -> int | None:
+    """That a velocity is at right angles to a slanting line, by a scalar product of its own line.
+
+    None where the line is along **i** or **j** or in letters, or no line has the components along
+    these.
+    """
+    scene = claims.scene
+    velocity, line = sorted(pair, key=lambda each: not isinstance(each, Quantity))
+    if not isinstance(velocity, Quantity) or isinstance(line, Quantity) or frame.is_slanted:
+        return None
+    along = plain_direction(scene.model.story.direction(line, scene.events))
+    if 0 in along or not all(each.is_number for each in along):
+        return None
+    body, stage = body_and_stage(scene, velocity)
+    (x, x_refs), (y, y_refs) = map(scene.put, scene.velocity(body, stage))
+    parts = (x, y)
+    if 0 in parts:
+        return None
+    terms = total(product(tree_of(a), tree_of(tidy(b))) for a, b in zip(along, parts, strict=True))
+    late = Quantity("velocity", (Name(body),), stage)
+    own = Quantity("dot", (late, vector(*map(tree_of, along))))
+    made = replace(move, record="product")
+    every = (*frame.refs, *refs, *x_refs, *y_refs)
+    cited = together(ref for ref in every if claims.worths.exists(ref))
+    shown = chain(own, (swept(terms), None), (ZERO, "rearrange"))
+    mark = claims.worths.mark()
+    number = claims.judge.write((made,), cited, shown)
+    last = None
+    if number is not None:
+        last = claims.judge.write((move,), [number, *cited], relation)
+    if last is None:
+        claims.worths.back(mark)
+    return last
 
 
 def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[int, Relation]:

@@ -197,6 +197,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
+            case "product", _ if wall := self._along_which(line):
+                return say("derived-product.along", wall=wall)
             case "opposite-impulses", Quantity("impulse", (Name(body),)) if self._weighs(line):
                 (other,) = (each for each in bodies if each != body)
                 return say("derived-opposite.change", one=body, other=other)
@@ -248,6 +250,16 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             name = "derived-speed.title-of"
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{each: slots[each][0] for each in slots_of(name)})
+
+    def _along_which(self, line: Line) -> str | None:
+        """The wall to which a velocity is at right angles by a scalar product; None of another."""
+        for each in self._derivation.lines:
+            if line.number in each.premises and each.move.record == "perpendicular":
+                walls = [ref.split() for ref in each.premises if isinstance(ref, str)]
+                names = [name for kind, name in walls if kind == "wall"]
+                if len(names) == 1:
+                    return names[0]
+        return None
 
     def _weighs(self, line: Line) -> bool:
         """Whether a mass of the data is under a line itself."""
