@@ -183,6 +183,16 @@ find velocity(A)
     assert "their y-coordinates are never equal" in printed(solve(parse(text.format(3, 1))))
 
 
+def test_a_square_that_letters_make_negative() -> None:
+    """36u² − 2v² − w² = 40u²."""
+    text = (
+        "sphere A: mass 2m, velocity 4u i + 3u j\nsphere B: mass m, velocity -2u i + u j\n"
+        "A hits B: along i\ngiven energy_lost = 20 m u^2\nfind e"
+    )
+    words = printed(solve(parse(text)))
+    assert "v² = −(4u² + w²)/2 A1 This cannot be, as a square is not negative." in words
+
+
 def test_what_is_open_beside_an_item_is_not_known_either() -> None:
     text = WALL.format(mass="", e="").replace(": along i", "")
     words = printed(solve(parse(text + "given speed(P) = 4\nfind e, direction(W)")))

@@ -280,6 +280,12 @@ show angle(velocity(P), W) <= alpha
         HALF_KNOWN + "part a\nfind e1 e2\npart b\nunknown e2\nfind range of e1",
         ["e₁e₂ = ⅓", "e₁ = 1/(3e₂), as e₂ ≠ 0"],
     ),
+    # cos²α = 3/((1 + e)(3 − e)) < 1: 3 < 3 + 2e − e².
+    "a bound that is a product of the letter is one before it is solved": (
+        REST.format(angle="alpha", m="m", e="")
+        + "given speed(A) = u/2\nfind cos(alpha) in terms of e\nfind range of e",
+        ["e(2 − e) > 0, as 3 − e > 0", "e > 0, as 2 − e > 0", "0 < e ≤ 1"],
+    ),
     # v = (1 − 3e)u cos α/4.
     "why a coefficient that a range bounds is at most 1": (
         REST.format(angle="alpha", m="3m", e="")
@@ -403,7 +409,7 @@ show angle(velocity(P), W) <= alpha
     "an angle of deflection is between the velocities before and after": (
         (
             "wall W: along i\nsphere P: mass 1, velocity 5i - 3j\nP hits W: e = 1/3\n"
-            "find deflection(P)"
+            "find velocity(P), deflection(P)"
         ),
         ["Angle between the velocities before and after, by the scalar product:"],
     ),

@@ -11,6 +11,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, is_ze
 from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
+from restitution.planning.inequalities.standard_conditions import in_factors
 from restitution.planning.routes.order import Standing
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ZERO, square, tree_of
@@ -138,9 +139,7 @@ class Eliminated(InStages):
                     self.worths.back(mark)
                     continue
                 if solved is not None and short != solved:
-                    moves = (Move("rearrange"), Move("cancel"), Move("compare"))
-                    after = self.judge.write(moves, [number_, *known], Relation(((solved,),)))
-                    number_ = number_ if after is None else after
+                    number_ = self._solved(number_, solved, known)
                 if same(scene.desk.relation(number_), relation):
                     return number_
                 if not base:
@@ -158,6 +157,17 @@ class Eliminated(InStages):
         if line_ is None and self.conditions.lines(wanted):
             line_ = self.compared([*base, *written, *self.conditions.lines(wanted)], relation)
         return line_
+
+    def _solved(self, line: int, solved: Link, known: Sequence[Ref]) -> int:
+        """A bound solved for a letter, by the product that it is where it has several factors."""
+        moves = (Move("rearrange"), Move("cancel"), Move("compare"))
+        mark = self.worths.mark()
+        between = in_factors(self.worths, line, known)
+        after = self.judge.write(moves, [between, *known], Relation(((solved,),)))
+        if after is None and between != line:
+            self.worths.back(mark)
+            after = self.judge.write(moves, [line, *known], Relation(((solved,),)))
+        return line if after is None else after
 
     def _by_difference(self, line: int, link: Link) -> int | None:
         """A bound of a quotient of polynomials in which a letter stands above and below."""

@@ -18,22 +18,30 @@ _MOVES = (Move("rearrange"), Move("cancel"), Move("compare"))
 
 
 def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
-    """``(1 − 2e)(2 − e) ≤ 0``: an inequality as a product of sums; the line itself of another.
+    """``(1 − 2e)(2 − e) ≤ 0``, ``e(2 − e) > 0``: an inequality as a product; or the line itself.
 
     What is positive in any case, and is no sum, is left out.
     """
     link = worths.scene.desk.last_link(line)
     gap = factored(one_fraction(worths.value(link.left) - worths.value(link.right)))
     above, _ = sp.fraction(gap)
-    sums = [each for each in sp.Mul.make_args(above) if each.as_base_exp()[0].is_Add]
-    if len(sums) < 2 or link.right == ZERO or len(expanded(sp.Mul(*sums)).args) == 2:
+    factors = list(sp.Mul.make_args(above))
+    sums = [each for each in factors if each.as_base_exp()[0].is_Add]
+    sums = [each for each in factors if each.is_Symbol and not each.is_positive and sums] + sums
+    if len(sums) < 2 or link.right == ZERO:
+        return line
+    if (
+        all(each.as_base_exp()[0].is_Add for each in sums)
+        and len(expanded(sp.Mul(*sums)).args) == 2
+    ):
         return line  # of the difference of two squares the root is taken
     sums = [-each if each.is_Add and _begins_below_zero(each) else each for each in sums]
     rest = proved_sign(worths.scene.model.inside, sp.cancel(gap / sp.Mul(*sums)))
     if not rest:
         return line
     sign = link.sign if rest > 0 else FLIPPED[link.sign]
-    relation = Relation(((Link(product(*map(tree_of, sums)), sign, ZERO),),))
+    trees = sorted(map(tree_of, sums), key=lambda tree: not isinstance(tree, Letter))
+    relation = Relation(((Link(product(*trees), sign, ZERO),),))
     written = worths.judge.write(_MOVES, [line, *known], relation)
     return line if written is None else written
 

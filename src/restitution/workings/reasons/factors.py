@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
@@ -9,7 +10,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
 from restitution.explaining.lines.trees import exchanged, trees_of
-from restitution.expression.evaluate import in_letters
+from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -20,6 +21,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.oracle import REAL, BeyondError, Oracle, Role, compared
 from restitution.planning.writing.forms import UnwrittenError, factors_above, tree_of
 from restitution.work import remembered
 from restitution.workings.reasons.right_angles import in_letters_alone
@@ -136,22 +138,34 @@ def factor_left(derivation: Derivation, line: Line) -> Expression | None:
     return _factor_beside(derivation, line, frozenset("="))
 
 
-def positive_factor_left(derivation: Derivation, line: Line) -> Expression | None:
-    """The sum of what is positive that is left out of a product of which the sign is known.
+def positive_factor_left(
+    derivation: Derivation, line: Line, roles: Mapping[str, Role]
+) -> Expression | None:
+    """The factor that is positive and left out of a product of which the sign is known.
 
-    None where there is no such factor: one from which something is taken away has no plain sign.
+    None where there is no such factor, and where it is a sum that is positive by more than what its
+    letters may be.
     """
     factor = _factor_beside(derivation, line, frozenset(FLIPPED))
-    if factor is None or any(
+    if factor is None or not any(
         isinstance(e, Negate | Apply) or (isinstance(e, Binary) and e.op == "-")
         for e in walk(factor)
     ):
+        return factor
+    if any(isinstance(node, Apply) for node in walk(factor)):
         return None
-    return factor
+    try:
+        value = sp.sympify(evaluate(factor, lambda n: roles.get(n, REAL).symbol(n)), strict=True)
+        return factor if Oracle(roles).proves(compared(value, ">", sp.Integer(0))) else None
+    except (RestitutionError, BeyondError):
+        return None
 
 
 def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) -> Expression | None:
-    """The other sum of a product compared with zero, where a line bounds a letter by one."""
+    """The other sum of a product compared with zero, where a line bounds a letter by one.
+
+    The one may be the letter itself.
+    """
     (first, *rest) = line.premises or ("",)
     above = derivation.line(first) if isinstance(first, int) else None
     if above is None or line.move.id not in ("rearrange", "cancel"):
@@ -164,7 +178,8 @@ def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) ->
             Relation((((Link(product, one, right)),),)),
             Relation(((Link(Letter(name), other, value), *_),)),
         ) if is_zero(right) and {one, other} <= signs:
-            sums = [each for each in factors_above(product) if isinstance(each, Binary)]
+            parts = factors_above(product)
+            sums = [e for e in parts if isinstance(e, Binary) or e == Letter(name)]
         case _:
             return None
     put = [in_letters_alone(exchanged(each, {Letter(name): value})) for each in sums]

@@ -7,8 +7,18 @@ import sympy as sp
 from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    has_quantity,
+    walk,
+)
+from restitution.oracle import REAL
 from restitution.planning.writing.forms import tree_of
+from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
 
 _UNIT = frozenset({"sin", "cos"})
@@ -29,11 +39,11 @@ def _of_a_square(link: Link, naming: Naming) -> Sentence | None:
             pass
         case _:
             return None
+    if _is_negative(link.right, naming):
+        return say("no-root.square")
     value = _number(link.right)
     if value is None:
         return None
-    if value.is_negative:
-        return say("no-root.square")
     unit = isinstance(base, Apply) and base.function in _UNIT
     if unit and (value - 1).is_positive:
         return say("no-root.unit", square=naming.layout(link.left))
@@ -103,6 +113,16 @@ def _of_a_quadratic(link: Link, naming: Naming) -> Sentence | None:
 
 def _value(tree: Expression, symbol: sp.Symbol) -> sp.Expr:
     return sp.sympify(evaluate(tree, lambda _: symbol), strict=True)
+
+
+def _is_negative(tree: Expression, naming: Naming) -> bool:
+    """Whether each term of a side is seen to be negative, or zero, and not all are zero."""
+    if has_quantity(tree) or any(isinstance(node, Apply) for node in walk(tree)):
+        number = _number(tree) if not has_quantity(tree) else None
+        return number is not None and bool(number.is_negative)
+    known = roles(naming.problem)
+    value = evaluate(tree, lambda name: known.get(name, REAL).symbol(name))
+    return bool(sp.expand(sp.sympify(value, strict=True)).is_negative)
 
 
 def _number(tree: Expression) -> sp.Expr | None:

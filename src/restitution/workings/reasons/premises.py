@@ -554,7 +554,7 @@ class Reasons:
         factor = factor_left(self._derivation, line)
         if factor is not None:
             yield self._laid(Relation(((Link(factor, "!=", ZERO),),)))
-        positive = positive_factor_left(self._derivation, line)
+        positive = positive_factor_left(self._derivation, line, self._roles)
         if positive is not None:
             yield self._laid(Relation(((Link(positive, ">", ZERO),),)))
 
