@@ -19,7 +19,7 @@ from restitution.export.player.data import is_hurried, of_motions
 from restitution.expression import read_expression
 from restitution.expression.tree import Name, Quantity
 from restitution.motion.parts import PartMotion, motions
-from restitution.motion.pieces import Circle, Line, Motion, Track
+from restitution.motion.pieces import Motion, Track, WallCircle, WallLine
 from restitution.problem import Value
 from restitution.solving import Solution
 from restitution.staging import flights
@@ -50,7 +50,7 @@ def size(v: Vector) -> float:
 def extent(motion: Motion) -> float:
     places = [p for t in motion.tracks for x in t.pieces for p in (x.place, x.at(x.end))]
     for wall in motion.walls:
-        if isinstance(wall, Line):
+        if isinstance(wall, WallLine):
             places += wall.points
         else:
             places += [wall.centre + d * wall.radius for d in (Vector(1, 1), Vector(-1, -1))]
@@ -141,7 +141,7 @@ def bodies_touch_at_their_impacts(each: PartMotion) -> None:
             apart = second.at(hit.time) - centre
             reach = first.radius + second.radius
             assert size(apart - hit.line_of_centres * reach) < near
-        elif isinstance(walls[0], Circle):
+        elif isinstance(walls[0], WallCircle):
             gap = abs(size(hit.place - walls[0].centre) - walls[0].radius)
             assert gap < near
         else:
@@ -183,7 +183,7 @@ def spheres_stay_on_one_side_of_walls(each: PartMotion) -> None:
         for piece in one.pieces:
             times = [piece.start + k / 40 * (piece.end - piece.start) for k in range(41)]
             places = [piece.at(t) for t in times]
-            if isinstance(wall, Circle):
+            if isinstance(wall, WallCircle):
                 offs = [size(p - wall.centre) - wall.radius for p in places]
                 assert all(abs(x) > one.radius - slack for x in offs)
                 assert min(offs) > -slack or max(offs) < slack

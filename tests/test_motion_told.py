@@ -16,7 +16,7 @@ from restitution import examples
 from restitution.errors import UnsupportedError
 from restitution.motion.overlap import overlaps
 from restitution.motion.parts import PartMotion, motions
-from restitution.motion.pieces import Line, Motion, Piece, Struck, Track
+from restitution.motion.pieces import Motion, Piece, Struck, Track, WallLine
 from restitution.solving import Solution
 from restitution.vector import Vector
 
@@ -167,7 +167,7 @@ def test_an_overlap_of_spheres_has_its_times():
     ],
 )
 def test_an_overlap_with_a_wall_knows_its_ends(place, expected):
-    wall = Line("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
+    wall = WallLine("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
     sphere = straight("P", Vector(*place), Vector(0.0, 1.0))
     found = overlaps(Motion((sphere,), (), (wall,), 0.0, 10.0), 10.0)
     times = [(each.start, each.end) for each in found]
@@ -175,14 +175,14 @@ def test_an_overlap_with_a_wall_knows_its_ends(place, expected):
 
 
 def test_points_overlap_where_they_pass_through_a_wall():
-    wall = Line("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
+    wall = WallLine("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
     sphere = straight("P", Vector(0.0, -3.0), Vector(0.0, 1.0), 0.0)
     (found,) = overlaps(Motion((sphere,), (), (wall,), 0.0, 10.0), 10.0)
     assert found.start <= 3 <= found.end
 
 
 def test_an_impact_that_is_told_is_no_overlap():
-    wall = Line("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
+    wall = WallLine("W", (Vector(-1.0, 0.0), Vector(1.0, 0.0)))
     pieces = (
         Piece(0.0, 3.0, Vector(0.0, -3.0), Vector(0.0, 1.0)),
         Piece(3.0, 10.0, Vector(0.0, 0.0), Vector(0.0, -0.5)),

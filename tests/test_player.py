@@ -15,7 +15,7 @@ from pages import SCREENS, enlarge_text, minding, still, too_wide
 import restitution as r
 from restitution.export.player import module, play, source, to_html
 from restitution.export.player.data import of_motion
-from restitution.motion.pieces import Line, Motion, Piece, Track
+from restitution.motion.pieces import Motion, Piece, Track, WallLine
 from restitution.vector import Vector
 
 TWO_SPHERES = """\
@@ -334,7 +334,7 @@ def test_what_a_user_wrote_is_no_markup(opened):
     motion = Motion(
         (Track(hostile, 0.1, 1.0, (Piece(0.0, 1.0, Vector(0.0, 0.0), Vector(1.0, 0.0)),)),),
         (),
-        (Line(hostile, (Vector(0.0, -1.0), Vector(1.0, -1.0))),),
+        (WallLine(hostile, (Vector(0.0, -1.0), Vector(1.0, -1.0))),),
         0.0,
         1.0,
         (hostile,),

@@ -16,7 +16,7 @@ from restitution.drawing.event import (
     room_beside,
 )
 from restitution.drawing.geometry import sides_towards
-from restitution.drawing.sayings import Angle
+from restitution.drawing.sayings import LabelledAngle
 from restitution.drawing.scene import Arc, Arrow, Label, Line
 from restitution.render import layout as lay
 from restitution.staging.geometry import direction
@@ -28,7 +28,7 @@ _FOOT = 7.5  # of a line that is drawn for an angle to start from
 def put_angle(
     view: View,
     body: Body,
-    angle: Angle,
+    angle: LabelledAngle,
     arrow: tuple[Vector, Vector],
     arriving: bool,
     leg: float,
@@ -57,7 +57,7 @@ def put_angle(
     put_arc(tip if arriving else tail, 0.0, radius, angle, course, arriving, drawn, drawing)
 
 
-def _reference(angle: Angle, course: Vector) -> Vector:
+def _reference(angle: LabelledAngle, course: Vector) -> Vector:
     """The unit vector from which an angle is drawn: no obtuse ones."""
     reference = direction(angle.reference)
     return -reference if reference.dot(course) < (0 if angle.line else -0.03) else reference
@@ -67,7 +67,7 @@ def put_arc(
     vertex: Vector,
     clear: float,
     radius: float,
-    angle: Angle,
+    angle: LabelledAngle,
     course: Vector,
     arriving: bool,
     drawn: bool,

@@ -52,7 +52,7 @@ from restitution.render.glyphs import Box, outline
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.staging.geometry import direction, floats
-from restitution.staging.values import Motion, When, axes, drawn_for
+from restitution.staging.values import PartInNumbers, When, axes, drawn_for
 from restitution.vector import Vector
 
 LONGEST = 17.0  # of an arrow of velocity
@@ -65,7 +65,7 @@ SHORTEST = 9.0  # for the longest arrow: what does not fit then has its labels e
 
 
 def before_and_after(
-    motion: Motion,
+    motion: PartInNumbers,
     sayings: Sayings,
     number: int,
     panels: Sequence[When] = ("before", "after"),
@@ -130,7 +130,7 @@ def _fitted(view: View, panels: Sequence[When]) -> tuple[float, list[Drawing]]:
         longest *= 0.93
 
 
-def _view(motion: Motion, sayings: Sayings, number: int) -> View:
+def _view(motion: PartInNumbers, sayings: Sayings, number: int) -> View:
     happening = motion.story.happenings[number - 1]
     step = happening.step
     if isinstance(step, Kick):

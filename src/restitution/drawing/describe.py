@@ -18,20 +18,20 @@ from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.shapes import Circle
-from restitution.staging.values import Chosen, Motion, When, axes, drawn_for, unit_of_speed
+from restitution.staging.values import Chosen, PartInNumbers, When, axes, drawn_for, unit_of_speed
 from restitution.vector import Vector
 
 IMPOSSIBLE = "This impact is not possible: e would not lie in [0, 1]."
 _NEAR = 1e-9
 
 
-def is_possible(motion: Motion, number: int) -> bool:
+def is_possible(motion: PartInNumbers, number: int) -> bool:
     """Whether the coefficient of restitution that is found for an event lies in [0, 1]."""
     e = motion.story.happenings[number - 1].e
     return e is None or -_NEAR <= float(e) <= 1 + _NEAR
 
 
-def title(motion: Motion, number: int, panels: Sequence[When]) -> str:
+def title(motion: PartInNumbers, number: int, panels: Sequence[When]) -> str:
     """``Before and after: A hits B``."""
     step = motion.story.happenings[number - 1].step
     if isinstance(step, Kick):
@@ -42,7 +42,7 @@ def title(motion: Motion, number: int, panels: Sequence[When]) -> str:
     return f"{' and '.join(panels).capitalize()}: {heading}"
 
 
-def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
+def description(motion: PartInNumbers, number: int, panels: Sequence[When]) -> str:
     """The picture of one event in sentences.
 
     Speeds are to three significant figures, as multiples of a letter where they all are, else in
@@ -76,7 +76,7 @@ def description(motion: Motion, number: int, panels: Sequence[When]) -> str:
     return " ".join(sentences)
 
 
-def question(motion: Motion, number: int, sayings: Sayings, *, to_scale: bool) -> str:
+def question(motion: PartInNumbers, number: int, sayings: Sayings, *, to_scale: bool) -> str:
     """What the statement gives of one event, and nothing that follows from it."""
     sentences = [_setting(motion, number)]
     for body in _bodies(motion, number):
@@ -113,12 +113,12 @@ def _equal(chosen: Chosen) -> Layout:
     return lay.Relation((lay.letter(chosen.name), _value_of(chosen)), ("=",))
 
 
-def _bodies(motion: Motion, number: int) -> list[str]:
+def _bodies(motion: PartInNumbers, number: int) -> list[str]:
     happening = motion.story.happenings[number - 1]
     return [name for name in happening.bodies if name in motion.story.spheres]
 
 
-def _setting(motion: Motion, number: int) -> str:
+def _setting(motion: PartInNumbers, number: int) -> str:
     """What strikes what, and how the line of centres or the wall lies on paper."""
     happening = motion.story.happenings[number - 1]
     step = happening.step
@@ -171,7 +171,7 @@ def _heading(v: Vector) -> str:
     return f"to the {side}, {_degrees(tilt)} {'above' if angle > 0 else 'below'} the horizontal"
 
 
-def _moving(motion: Motion, number: int, body: str, when: When) -> str:
+def _moving(motion: PartInNumbers, number: int, body: str, when: When) -> str:
     """``A moves at 5 m s⁻¹ at 53.1° to the line of centres, towards B``."""
     get = motion.before if when == "before" else motion.after
     v = get(number, body)
@@ -208,7 +208,7 @@ def _moving(motion: Motion, number: int, body: str, when: When) -> str:
     return f"{moves} at {_degrees(angle)} to the line of centres, {sense} and {_way(across)}"
 
 
-def _speed(motion: Motion, number: int, size: float) -> str:
+def _speed(motion: PartInNumbers, number: int, size: float) -> str:
     letter = unit_of_speed(motion, (number,))
     if letter is None:
         return f"{_figures(size)} m s⁻¹"

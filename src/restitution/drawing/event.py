@@ -11,12 +11,12 @@ from typing import Literal
 
 from restitution.drawing.geometry import COMPASS, sides_towards
 from restitution.drawing.ink import Piece, distance, ink, overlap, stick
-from restitution.drawing.sayings import Sayings, Words, state_after
+from restitution.drawing.sayings import Sayings, VelocityLabels, state_after
 from restitution.drawing.scene import Arrow, Label, Shape
 from restitution.expression.tree import Expression
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
-from restitution.staging.values import Motion, When
+from restitution.staging.values import PartInNumbers, When
 from restitution.vector import Vector
 
 RADIUS = 4.2  # of a sphere on paper
@@ -42,7 +42,7 @@ class Body:
 class View:
     """One event as it is to be drawn: ``n`` along the line of centres, ``t`` across it."""
 
-    motion: Motion
+    motion: PartInNumbers
     sayings: Sayings
     number: int
     kind: Literal["spheres", "wall", "blow"]
@@ -56,7 +56,7 @@ class View:
         get = self.motion.before if when == "before" else self.motion.after
         return get(self.number, body)
 
-    def words(self, body: str, when: When) -> Words:
+    def words(self, body: str, when: When) -> VelocityLabels:
         stage = self.number - 1 if when == "before" else self.number
         return self.sayings.of(body, state_after(self.motion, body, stage))
 

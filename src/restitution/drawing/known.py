@@ -19,7 +19,7 @@ from restitution.solving.equations.solution import Branch, PartSolution, Solutio
 from restitution.solving.story.forward import Story
 from restitution.staging.geometry import floats, still
 from restitution.staging.plan import Stop
-from restitution.staging.values import Motion
+from restitution.staging.values import PartInNumbers
 from restitution.vector import Vector
 
 # Longer expressions (in characters on one line) say less beside a path than they hide.
@@ -36,7 +36,7 @@ class Known:
     solution: Solution
     part: PartSolution
     branch: Branch
-    motion: Motion
+    motion: PartInNumbers
     sayings: Sayings | None = None  # where only what the question says may be shown
     speeds: dict[tuple[str, int], Layout | None] = field(default_factory=dict)
 

@@ -43,7 +43,7 @@ from restitution.solving.story.forward import Story
 from restitution.staging.geometry import direction, length, unit
 from restitution.staging.plan import Leg, Plan, Stop, Straight
 from restitution.staging.planning import lay_out
-from restitution.staging.values import Motion, motion
+from restitution.staging.values import PartInNumbers, motion
 from restitution.vector import Vector
 
 _SAME = 1e-9
@@ -60,7 +60,7 @@ _NEAR = 1e-6
 
 
 def path_scene(
-    solution: Solution, part: PartSolution, branch: Branch, numbers: Motion | None = None
+    solution: Solution, part: PartSolution, branch: Branch, numbers: PartInNumbers | None = None
 ) -> Scene | None:
     """The plan view of the story up to a part, by one of its solutions.
 
@@ -82,7 +82,7 @@ def path_scene(
 
 
 def path_figure(
-    solution: Solution, part: PartSolution, branch: Branch, numbers: Motion | None = None
+    solution: Solution, part: PartSolution, branch: Branch, numbers: PartInNumbers | None = None
 ) -> Scene | None:
     """The plan view of what a question tells: walls, places, and how the bodies come.
 

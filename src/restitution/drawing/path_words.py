@@ -14,13 +14,13 @@ from restitution.solving.story.forward import Story
 from restitution.staging.flights import given_places
 from restitution.staging.geometry import floats, length
 from restitution.staging.plan import Plan
-from restitution.staging.values import Chosen, Motion, drawn_for
+from restitution.staging.values import Chosen, PartInNumbers, drawn_for
 
 _NEAR = 1e-6
 _SAME = 1e-9
 
 
-def note(plan: Plan, numbers: Motion) -> Layout | None:
+def note(plan: Plan, numbers: PartInNumbers) -> Layout | None:
     """The values by which letters are drawn."""
     chosen: list[Chosen] = []
     for events in _together(plan):

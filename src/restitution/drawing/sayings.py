@@ -46,7 +46,7 @@ from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.short import angle_label
 from restitution.render.text import to_text
-from restitution.staging.values import Motion
+from restitution.staging.values import PartInNumbers
 from restitution.vector import Vector
 
 _GREEK = ("beta", "theta", "phi", "psi", "gamma", "omega")
@@ -54,7 +54,7 @@ _UNREADABLE = (RestitutionError, ArithmeticError, LookupError, TypeError, ValueE
 
 
 @dataclass(frozen=True)
-class Angle:
+class LabelledAngle:
     """An angle between a velocity and a reference, with its label.
 
     ``reference`` is a vector in numbers. It is a line (``line``) where either sense of it will
@@ -79,7 +79,7 @@ class Angle:
 
 
 @dataclass
-class Words:
+class VelocityLabels:
     """What is said of one velocity: its size, itself as a vector, its angles.
 
     ``given`` is the expression by which it is known, with the events told before that.
@@ -88,7 +88,7 @@ class Words:
     size: Layout | None = None
     vector: Layout | None = None
     given: tuple[Expression, int] | None = None
-    angles: list[Angle] = field(default_factory=list)
+    angles: list[LabelledAngle] = field(default_factory=list)
 
 
 Key = tuple[str, int]
@@ -102,18 +102,18 @@ class Sayings:
     of impulses from outside, ``lines`` those that walls and lines of centres make with **i**.
     """
 
-    velocities: dict[Key, Words]
+    velocities: dict[Key, VelocityLabels]
     deflections: dict[tuple[int, str], Layout]
     impulses: dict[int, Layout]
-    blows: dict[int, Angle]
-    lines: dict[int, Angle]
+    blows: dict[int, LabelledAngle]
+    lines: dict[int, LabelledAngle]
 
-    def of(self, body: str, state: int) -> Words:
+    def of(self, body: str, state: int) -> VelocityLabels:
         """What is said of a velocity; nothing, where nothing is."""
-        return self.velocities.get((body, state), Words())
+        return self.velocities.get((body, state), VelocityLabels())
 
 
-def state_after(motion: Motion, body: str, stage: int) -> int:
+def state_after(motion: PartInNumbers, body: str, stage: int) -> int:
     """The latest event up to a stage that changed the velocity of a sphere."""
     for happening in reversed(motion.story.happenings[:stage]):
         if body in happening.bodies and not isinstance(happening.step, Arrival):
@@ -121,7 +121,7 @@ def state_after(motion: Motion, body: str, stage: int) -> int:
     return 0
 
 
-def sayings(motion: Motion, letters: Mapping[Expression, str] | None = None) -> Sayings:
+def sayings(motion: PartInNumbers, letters: Mapping[Expression, str] | None = None) -> Sayings:
     """Everything that is said, read once for a part of a problem.
 
     ``letters`` are those that the working introduces, by the quantities for which they stand: what
@@ -149,7 +149,7 @@ def sayings(motion: Motion, letters: Mapping[Expression, str] | None = None) -> 
     return reader.sayings
 
 
-def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]:
+def _lines(motion: PartInNumbers) -> Iterator[tuple[tuple[Expression, ...], int, bool]]:
     """Expressions of facts (equal ones together) and of questions, with the events told before."""
     problem, part = motion.model.problem, motion.model.part
     for step, now, _ in problem.timeline(part):
@@ -175,15 +175,15 @@ def _lines(motion: Motion) -> Iterator[tuple[tuple[Expression, ...], int, bool]]
 
 
 class _Reader:
-    def __init__(self, motion: Motion, letters: Mapping[Expression, str] | None) -> None:
+    def __init__(self, motion: PartInNumbers, letters: Mapping[Expression, str] | None) -> None:
         self.motion = motion
         self.letters = letters
         self.sayings = Sayings({}, {}, {}, {}, {})
         self.taken = set(motion.model.unknowns.taken)
         self.deflections: list[tuple[int, str]] = []
 
-    def words(self, key: Key) -> Words:
-        return self.sayings.velocities.setdefault(key, Words())
+    def words(self, key: Key) -> VelocityLabels:
+        return self.sayings.velocities.setdefault(key, VelocityLabels())
 
     # --- what is given ----------------------------------------------------------------------
 
@@ -202,7 +202,7 @@ class _Reader:
         elif any(isinstance(node, Unit | Pair) for node in walk(tree)):
             words.vector = _vector(tree)
 
-    def polar(self, tree: Polar, now: int) -> Angle | None:
+    def polar(self, tree: Polar, now: int) -> LabelledAngle | None:
         """The angle of a vector given by size and direction."""
         if tree.wall is not None:
             reference = self.number_vector(Quantity("direction", (tree.wall,)), now)
@@ -214,9 +214,9 @@ class _Reader:
             return None
         return self.known_angle(reference, tree.angle, now)
 
-    def known_angle(self, reference: Vector, tree: Expression, now: int) -> Angle:
+    def known_angle(self, reference: Vector, tree: Expression, now: int) -> LabelledAngle:
         """An angle from the direction of a vector that is given."""
-        return Angle(reference, False, _measure(tree), tree, self.number(tree, now))
+        return LabelledAngle(reference, False, _measure(tree), tree, self.number(tree, now))
 
     def number(self, tree: Expression, now: int) -> float | None:
         """An angle as it is in the picture, in radians."""
@@ -286,7 +286,7 @@ class _Reader:
             return
         label = self.letter_of_angle(key, reference) if label is None else label
         if label is not None:
-            angles.append(Angle(reference, line, label))
+            angles.append(LabelledAngle(reference, line, label))
 
     def letter_of_angle(self, key: Key, reference: Vector) -> lay.Letter | None:
         """The letter of an angle that is asked for."""

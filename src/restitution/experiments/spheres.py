@@ -24,7 +24,7 @@ from restitution.experiments.samples import Sample
 
 
 @dataclass(frozen=True)
-class Words:
+class ImpactTerms:
     """How sentences name what is along an impact and what is across it, of spheres or of a wall."""
 
     line: str
@@ -37,7 +37,7 @@ class Words:
     """The columns of the masses; "" of a wall, which momentum does not concern."""
 
 
-OF_SPHERES = Words(
+OF_SPHERES = ImpactTerms(
     line="the line of centres",
     column="line",
     parting="the spheres part faster than they approach",
@@ -47,7 +47,7 @@ OF_SPHERES = Words(
     masses="columns m_A and m_B",
 )
 OF_TWO_TRACKS = replace(OF_SPHERES, column="wall", masses="a column m")
-OF_WALL = Words(
+OF_WALL = ImpactTerms(
     line="the normal of the wall",
     column="wall",
     parting="the ball leaves the wall faster than it comes",
@@ -68,7 +68,7 @@ class Spheres:
     unit: str = "m/s"
     faults: tuple[Fault, ...] = ()
     notes: tuple[str, ...] = ()
-    words: Words = OF_SPHERES
+    words: ImpactTerms = OF_SPHERES
 
     @property
     def places(self) -> tuple[str, ...]:
@@ -93,7 +93,7 @@ def impacts_of(
     known: bool,
     freedom: int | None = None,
     notes: tuple[str, ...] = (),
-    words: Words = OF_SPHERES,
+    words: ImpactTerms = OF_SPHERES,
 ) -> Spheres:
     """The sample of trials whose components have covariances of shape (8, 8).
 
@@ -120,7 +120,7 @@ _UNCLEAR = math.radians(20)
 """A line of centres with a larger error is not known."""
 
 
-def _unfit(impact: Impact | None, words: Words, *, known: bool) -> str:
+def _unfit(impact: Impact | None, words: ImpactTerms, *, known: bool) -> str:
     """Why an impact cannot be used; "" where it can."""
     if impact is None:
         return f"no velocity changes, so that {words.line} is not to be seen"
@@ -349,14 +349,14 @@ _DOUBT = 0.05
 """The level at which the one is needed though the other may be there too."""
 
 
-def _alike(words: Words) -> str:
+def _alike(words: ImpactTerms) -> str:
     return (
         f"Impacts on one side of {words.line} do not tell friction from a direction that was "
         "measured wrong."
     )
 
 
-def _offset(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
+def _offset(words: ImpactTerms, fit: Regression, index: int, doubt: str) -> Pattern:
     angle, error, p = (
         float(array[index]) for array in (fit.coefficients, fit.errors, fit.p_values)
     )
@@ -375,7 +375,7 @@ def _offset(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
     return Pattern("offset", z, p, seen, not_seen, angle, error, "degrees")
 
 
-def _friction(words: Words, fit: Regression, index: int, doubt: str) -> Pattern:
+def _friction(words: ImpactTerms, fit: Regression, index: int, doubt: str) -> Pattern:
     share, error, p = (
         float(array[index]) for array in (fit.coefficients, fit.errors, fit.p_values)
     )

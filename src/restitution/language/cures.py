@@ -12,7 +12,7 @@ from itertools import takewhile
 from restitution.errors import StatementError
 from restitution.expression.quantities import QUANTITIES
 from restitution.expression.words import FRAGMENTS, NAME, WORDS
-from restitution.language.lines import Line, declared_names, logical_lines
+from restitution.language.lines import LogicalLine, declared_names, logical_lines
 from restitution.mending import Edit, Fix, mended
 
 _STEPS = 8  # slips in one line that are mended one after another
@@ -21,13 +21,13 @@ _BREAK = re.compile(r"\r\n|\r|\n")
 _SHOWN = 60
 _LONGEST = 300  # characters of a line in which a line of centres is sought
 
-FirstMistake = Callable[[Line, Mapping[str, str]], StatementError | None]
+FirstMistake = Callable[[LogicalLine, Mapping[str, str]], StatementError | None]
 MistakeWithin = Callable[[str, int, int], StatementError | None]
 
 
 def cured(
     text: str,
-    line: Line,
+    line: LogicalLine,
     mistake: StatementError,
     first_mistake: FirstMistake,
     mistake_within: MistakeWithin,
@@ -82,7 +82,7 @@ def _by_a_hint(
 class _Region:
     """The lines of a text that a logical line takes, in whatever the text is mended to."""
 
-    def __init__(self, line: Line, text: str) -> None:
+    def __init__(self, line: LogicalLine, text: str) -> None:
         self.first = line.source.pieces[0][1]
         self.last = line.source.pieces[-1][1]
         self.after = len(_BREAK.split(text)) - self.last
@@ -184,7 +184,7 @@ _EVENT = re.compile(
 )
 
 
-def _into_the_event(text: str, line: Line, within: MistakeWithin) -> Fix | None:
+def _into_the_event(text: str, line: LogicalLine, within: MistakeWithin) -> Fix | None:
     """The cure that says a line of centres where the only impact is told, if there is one such."""
     if len(line.source.plain) > _LONGEST:
         return None
@@ -220,7 +220,7 @@ _DECLARED = re.compile(r"\s*(?:sphere|wall|point)\s+(?P<list>[^:#]*)")
 _SMALL = re.compile(r"(?<![\w.])[a-z][A-Za-z0-9]*(?!\w)")
 
 
-def _with_a_capital(text: str, line: Line) -> Iterator[Fix]:
+def _with_a_capital(text: str, line: LogicalLine) -> Iterator[Fix]:
     """The cure for names that begin with a small letter: a capital, wherever they are names."""
     lines = list(logical_lines(text))
     known = declared_names(lines)
@@ -242,7 +242,7 @@ def _with_a_capital(text: str, line: Line) -> Iterator[Fix]:
     yield Fix(f"Write {', '.join(map(_capital, small))} with a capital", tuple(edits))
 
 
-def _small_names(line: Line) -> Iterator[str]:
+def _small_names(line: LogicalLine) -> Iterator[str]:
     match = _DECLARED.match(line.source.plain)
     if match is not None:
         for each in match["list"].split(","):

@@ -17,7 +17,7 @@ _DECLARATION = re.compile(r"\s*(sphere|wall|point)\b([^:]*)")
 
 
 @dataclass(frozen=True)
-class Line:
+class LogicalLine:
     """A logical line, its first word, and what follows that word."""
 
     source: Source
@@ -50,7 +50,7 @@ def decode(text: str | bytes) -> str:
     return text.removeprefix("\ufeff")
 
 
-def logical_lines(text: str) -> Iterator[Line]:
+def logical_lines(text: str) -> Iterator[LogicalLine]:
     """The lines that say something, in order. Raises StatementError where a limit is exceeded."""
     physical = _BREAK.split(text)
     if len(physical) > MAX_LINES:
@@ -78,7 +78,7 @@ def logical_lines(text: str) -> Iterator[Line]:
         word = _first_word(joined)
         if joined.strip():
             rest = joined.strip()[len(word) :] if word else joined
-            yield Line(Source(joined, tuple(pieces)), word, rest)
+            yield LogicalLine(Source(joined, tuple(pieces)), word, rest)
 
 
 def _first_word(line: str) -> str:
@@ -86,7 +86,7 @@ def _first_word(line: str) -> str:
     return match.group(1) if match else ""
 
 
-def declared_names(lines: list[Line]) -> dict[str, str]:
+def declared_names(lines: list[LogicalLine]) -> dict[str, str]:
     """Every name declared anywhere, with what it is; the first declaration counts.
 
     A name in a line that was meant as a declaration and cannot be read is known all the same: the
@@ -127,7 +127,7 @@ _NAMELESS = {"sphere": "P", "wall": "W"}
 _WITHOUT_A_NAME = re.compile(r"\s*(?:an?\s+)?(?P<kind>sphere|wall)\s*(?::|$)")
 
 
-def _meant_names(line: Line) -> Iterator[tuple[str, str]]:
+def _meant_names(line: LogicalLine) -> Iterator[tuple[str, str]]:
     """The names that a line would declare if it could be read, each with what it would be."""
     text = line.source.plain
     kind, start = None, 0
@@ -158,7 +158,7 @@ def _kind(word: str) -> str | None:
     return near(word, _KINDS, cutoff=0.8)
 
 
-def is_nameless(lines: list[Line], kind: str) -> bool:
+def is_nameless(lines: list[LogicalLine], kind: str) -> bool:
     """Whether a line declares a sphere, or a wall, without a name."""
     matches = (_WITHOUT_A_NAME.match(line.source.plain) for line in lines)
     return any(match is not None and match["kind"] == kind for match in matches)

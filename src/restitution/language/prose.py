@@ -7,7 +7,7 @@ from collections.abc import Container
 
 from restitution.errors import StatementError
 from restitution.expression.words import KEYWORDS, LINE_WORDS, WORDS
-from restitution.language.lines import Line
+from restitution.language.lines import LogicalLine
 from restitution.mending import Edit, Fix
 
 _SURELY = 8  # words that the language has not, in one line
@@ -26,7 +26,7 @@ _IN_WORDS = (
 )
 
 
-def is_in_words(line: Line, bodies: Container[str]) -> bool:
+def is_in_words(line: LogicalLine, bodies: Container[str]) -> bool:
     """Whether a line that cannot be read is English rather than a slip in the language.
 
     ``bodies`` are the names in lines that can be read.
@@ -42,7 +42,7 @@ def is_in_words(line: Line, bodies: Container[str]) -> bool:
     return strange >= _SURELY or (strange >= _PROBABLY and bool(_SENTENCE.search(text)))
 
 
-def is_of_the_language(line: Line, bodies: Container[str]) -> bool:
+def is_of_the_language(line: LogicalLine, bodies: Container[str]) -> bool:
     """Whether a line begins as one of the language does, whatever follows."""
     words = line.source.plain.split()
     if line.word in _BODY_WORDS:
@@ -52,7 +52,7 @@ def is_of_the_language(line: Line, bodies: Container[str]) -> bool:
     return words[0] in bodies
 
 
-def in_words(lines: list[Line]) -> StatementError:
+def in_words(lines: list[LogicalLine]) -> StatementError:
     """The one mistake that lines in words are, with the cure to keep them as comments."""
     first = lines[0]
     mistake = first.source.error(_IN_WORDS, first.start)

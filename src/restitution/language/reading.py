@@ -33,7 +33,7 @@ from restitution.language.checking import mistakes as mistakes_of
 from restitution.language.cures import MistakeWithin, cured
 from restitution.language.doubts import degrees_without_sign, doubts
 from restitution.language.grammar import STATEMENT
-from restitution.language.lines import Line, declared_names, decode, logical_lines
+from restitution.language.lines import LogicalLine, declared_names, decode, logical_lines
 from restitution.language.measuring import in_si
 from restitution.language.prose import in_words, is_in_words, is_of_the_language
 from restitution.language.slips import with_guess
@@ -90,8 +90,8 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
     lines = list(logical_lines(text))
     story = _Story(declared_names(lines))
     within = partial(_mistake_within, {})
-    wrong: list[tuple[Line, StatementError]] = []
-    prose: list[Line] = []
+    wrong: list[tuple[LogicalLine, StatementError]] = []
+    prose: list[LogicalLine] = []
     for line in lines:
         if len(wrong) + len(prose) >= MAX_ERRORS:
             if prose and is_in_words(line, story.bodies):
@@ -132,8 +132,8 @@ def _one_of_each(mistakes: list[StatementError]) -> list[StatementError]:
 
 def _distinct(
     text: str,
-    wrong: list[tuple[Line, StatementError]],
-    prose: list[Line],
+    wrong: list[tuple[LogicalLine, StatementError]],
+    prose: list[LogicalLine],
     story: _Story,
     within: MistakeWithin,
 ) -> list[StatementError]:
@@ -163,12 +163,12 @@ def _distinct(
     return mistakes
 
 
-def _line_of(lines: list[Line], number: int) -> Line:
+def _line_of(lines: list[LogicalLine], number: int) -> LogicalLine:
     """The logical line that holds a line of the text."""
     return [line for line in lines if line.source.pieces[0][1] <= number][-1]
 
 
-def _with_a_guess(mistake: StatementError, line: Line, story: _Story) -> StatementError:
+def _with_a_guess(mistake: StatementError, line: LogicalLine, story: _Story) -> StatementError:
     """A mistake in what a line says, with what was probably meant if it has no cure of its own."""
     if mistake.fixes:
         return mistake
@@ -192,7 +192,7 @@ def _checked(story: _Story, broken: int = 0) -> tuple[Problem, list[StatementErr
     return problem, list(islice(mistakes_of(problem, broken), MAX_ERRORS if not broken else None))
 
 
-_Shelf = dict[tuple[Line, tuple[tuple[str, str], ...], int], "tuple[Reading, Any] | None"]
+_Shelf = dict[tuple[LogicalLine, tuple[tuple[str, str], ...], int], "tuple[Reading, Any] | None"]
 
 
 def _mistake_within(shelf: _Shelf, text: str, first: int, last: int) -> StatementError | None:
@@ -240,7 +240,7 @@ def _mistake_within(shelf: _Shelf, text: str, first: int, last: int) -> Statemen
     return None
 
 
-def _first_mistake(line: Line, names: Mapping[str, str]) -> StatementError | None:
+def _first_mistake(line: LogicalLine, names: Mapping[str, str]) -> StatementError | None:
     """The mistake in a line by itself, or None where it reads."""
     if line.word in ("title", "part"):
         return None
@@ -287,7 +287,7 @@ class _Story:
         )
 
 
-def _tell(story: _Story, line: Line) -> None:
+def _tell(story: _Story, line: LogicalLine) -> None:
     """Add one line to the story."""
     place = line.source.place(line.start)
     if line.word == "title":
@@ -299,7 +299,7 @@ def _tell(story: _Story, line: Line) -> None:
     _add(story, line, *_understood(line, story.names, story.events))
 
 
-def _add(story: _Story, line: Line, reading: Reading, value: Any) -> None:
+def _add(story: _Story, line: LogicalLine, reading: Reading, value: Any) -> None:
     """Add what a line says to the story."""
     place = line.source.place(line.start)
     story.notes.extend((*reading.scan.warnings, *reading.warnings))
@@ -324,7 +324,9 @@ def _add(story: _Story, line: Line, reading: Reading, value: Any) -> None:
     story.parts[-1][2].append(value)
 
 
-def _understood(line: Line, names: Mapping[str, str], events: int = 0) -> tuple[Reading, Any]:
+def _understood(
+    line: LogicalLine, names: Mapping[str, str], events: int = 0
+) -> tuple[Reading, Any]:
     """A line read by itself, and what it says. Raises StatementError with what was meant."""
     try:
         reading = Reading(scan(line.source, names), events)
@@ -333,7 +335,7 @@ def _understood(line: Line, names: Mapping[str, str], events: int = 0) -> tuple[
         raise with_guess(line.source, line.word, mistake, names) from None
 
 
-def _tell_title(story: _Story, line: Line, place: Place) -> None:
+def _tell_title(story: _Story, line: LogicalLine, place: Place) -> None:
     title = line.rest.strip()
     if story.title is not None:
         raise StatementError("the statement has a title already", place.line, place.column)
@@ -345,7 +347,7 @@ def _tell_title(story: _Story, line: Line, place: Place) -> None:
     story.title = " ".join(title.split())
 
 
-def _tell_part(story: _Story, line: Line, place: Place) -> None:
+def _tell_part(story: _Story, line: LogicalLine, place: Place) -> None:
     text = line.rest.strip()
     match = _LABEL.fullmatch(text)
     if not match:

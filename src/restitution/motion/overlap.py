@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from restitution.motion.pieces import Circle, Line, Motion, Piece, Track
+from restitution.motion.pieces import Motion, Piece, Track, WallCircle, WallLine
 from restitution.vector import Vector
 
 #: How much nearer than in contact is too near, as a share of the extent of a motion; far more than
@@ -74,7 +74,7 @@ def _of_spheres(tracks: Sequence[Track], tolerance: float) -> Iterator[Overlap]:
 
 
 def _with_walls(
-    tracks: Sequence[Track], walls: Sequence[Line | Circle], tolerance: float
+    tracks: Sequence[Track], walls: Sequence[WallLine | WallCircle], tolerance: float
 ) -> Iterator[Overlap]:
     for track, wall in itertools.product(tracks, walls):
         for piece in track.pieces:
@@ -82,7 +82,7 @@ def _with_walls(
                 continue
             intervals = (
                 _round(track, piece, wall, tolerance)
-                if isinstance(wall, Circle)
+                if isinstance(wall, WallCircle)
                 else _straight(piece, wall, _reach(track.radius, tolerance))
             )
             for within in intervals:
@@ -117,7 +117,7 @@ def _in_disc(place: Vector, velocity: Vector, centre: Vector, radius: float) -> 
     return (-b - root) / a, (-b + root) / a
 
 
-def _straight(piece: Piece, wall: Line, reach: float) -> Iterator[_Interval | None]:
+def _straight(piece: Piece, wall: WallLine, reach: float) -> Iterator[_Interval | None]:
     points = [*wall.points, *wall.points[:1]] if wall.closed else list(wall.points)
     for a, b in itertools.pairwise(points):
         yield _in_strip(piece.place, piece.velocity, a, b, reach)
@@ -149,7 +149,7 @@ def _between(x: float, rate: float, low: float, high: float) -> _Interval | None
 
 
 def _round(
-    track: Track, piece: Piece, wall: Circle, tolerance: float
+    track: Track, piece: Piece, wall: WallCircle, tolerance: float
 ) -> Iterator[_Interval | None]:
     first = track.pieces[0]
     middle = first.at((first.start + first.end) / 2)  # on the rim at either end, perhaps

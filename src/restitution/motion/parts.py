@@ -63,7 +63,7 @@ class PartMotion:
     labels: tuple[str | None, ...]
     part: PartSolution
     branch: Branch
-    numbers: values.Motion
+    numbers: values.PartInNumbers
     motion: Motion
     events: tuple[tuple[int, Event], ...]
     masses: Mapping[str, float]

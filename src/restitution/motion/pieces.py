@@ -91,7 +91,7 @@ class Reached:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class WallLine:
     """A straight wall, or several joined, through points (m); ``closed`` joins the ends."""
 
     name: str
@@ -100,7 +100,7 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
-class Circle:
+class WallCircle:
     """A circular wall: its centre and radius, in m."""
 
     name: str
@@ -117,7 +117,7 @@ class Motion:
 
     tracks: tuple[Track, ...]
     impacts: tuple[Struck, ...]
-    walls: tuple[Line | Circle, ...] = ()
+    walls: tuple[WallLine | WallCircle, ...] = ()
     start: float = 0.0
     end: float = 0.0
     notes: Sequence[str] = field(default=())

@@ -557,7 +557,9 @@ def _with_numbers(struck: Struck, number: Callable[[Any], Any]) -> Struck:
     )
 
 
-def _walls(table: Table, tracks: tuple[Track, ...]) -> Iterator[pieces.Line | pieces.Circle]:
+def _walls(
+    table: Table, tracks: tuple[Track, ...]
+) -> Iterator[pieces.WallLine | pieces.WallCircle]:
     """The walls as they are drawn; a whole line as far as there is something to see."""
     shapes = table.layout.obstacles[: len(table.walls)]
     seen = [track.at(piece.start) for track in tracks for piece in track.pieces]
@@ -568,11 +570,11 @@ def _walls(table: Table, tracks: tuple[Track, ...]) -> Iterator[pieces.Line | pi
             seen += [_floats(shape.start + shape.along)] if shape.bounded else []
     for name, shape in shapes:
         if isinstance(shape, Ring):
-            yield pieces.Circle(name, _floats(shape.centre), float(shape.radius))
+            yield pieces.WallCircle(name, _floats(shape.centre), float(shape.radius))
         elif isinstance(shape, Face):
             start, along = _floats(shape.start), _floats(shape.along)
             if shape.bounded:
-                yield pieces.Line(name, (start, start + along))
+                yield pieces.WallLine(name, (start, start + along))
             else:
                 feet = [along.dot(point - start) / along.dot(along) for point in seen]
-                yield pieces.Line(name, (start + along * min(feet), start + along * max(feet)))
+                yield pieces.WallLine(name, (start + along * min(feet), start + along * max(feet)))

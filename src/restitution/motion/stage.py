@@ -13,7 +13,16 @@ from typing import TypeAlias
 
 from restitution.expression.tree import Name
 from restitution.motion.overlap import overlaps
-from restitution.motion.pieces import Blow, Circle, Line, Motion, Piece, Reached, Struck, Track
+from restitution.motion.pieces import (
+    Blow,
+    Motion,
+    Piece,
+    Reached,
+    Struck,
+    Track,
+    WallCircle,
+    WallLine,
+)
 from restitution.problem import Impact, Kick
 from restitution.solving.story.forward import Story
 from restitution.staging.flights import Given, Move
@@ -27,7 +36,7 @@ from restitution.staging.planning import (
     stop_of,
     wall_lines,
 )
-from restitution.staging.walls import Line as Wall
+from restitution.staging.walls import DrawnWall as Wall
 from restitution.vector import Vector
 
 #: What a motion may fill, in the units on paper.
@@ -101,7 +110,7 @@ def _seen(motion: Motion) -> Iterator[Vector]:
         for piece in track.pieces:
             yield from (piece.place, piece.at(piece.end))
     for wall in motion.walls:
-        if isinstance(wall, Line):
+        if isinstance(wall, WallLine):
             yield from wall.points
         else:
             yield from (wall.centre + d * wall.radius for d in (Vector(1, 1), Vector(-1, -1)))
@@ -249,13 +258,13 @@ def _shorten(line: Wall, beyond: float) -> None:
         line.high = min(line.high, max(line.hits) + beyond)
 
 
-def _as_wall(line: Wall, scale: float) -> Line:
-    return Line(line.name, (line.at(line.low) / scale, line.at(line.high) / scale))
+def _as_wall(line: Wall, scale: float) -> WallLine:
+    return WallLine(line.name, (line.at(line.low) / scale, line.at(line.high) / scale))
 
 
-def _circles(given: Given) -> Iterator[Circle]:
+def _circles(given: Given) -> Iterator[WallCircle]:
     for name, (centre, radius) in given.circles.items():
-        yield Circle(name, centre, radius)
+        yield WallCircle(name, centre, radius)
 
 
 def _tracks(stage: Stage, start: float, end: float) -> Iterator[Track]:

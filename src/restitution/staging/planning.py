@@ -17,7 +17,7 @@ from restitution.solving.story.forward import Story
 from restitution.staging.flights import Given, Layout, Move, events, given_places, solve, unknowns
 from restitution.staging.geometry import floats, length, still, unit
 from restitution.staging.plan import Leg, Plan, Round, Stop, Straight
-from restitution.staging.walls import Line, crossing, trim
+from restitution.staging.walls import DrawnWall, crossing, trim
 from restitution.vector import Vector
 
 #: What the paths and walls may fill, leaving room for words beside them.
@@ -261,7 +261,7 @@ def _on_paper(
 
 
 def raise_walls(
-    lines: list[Line],
+    lines: list[DrawnWall],
     moves: Sequence[Move],
     given: Given,
     stops: Sequence[Stop],
@@ -316,7 +316,7 @@ def _flights(
 
 def wall_lines(
     story: Story, moves: Sequence[Move], given: Given, stops: Sequence[Stop], scale: float
-) -> list[Line]:
+) -> list[DrawnWall]:
     """The straight walls that are struck or have a place, still without their ends."""
     lines = []
     for name, wall in story.walls.items():
@@ -337,7 +337,7 @@ def wall_lines(
             side = sum((s.contact - middle).dot(near) for s in stops)
             near = -near if side < 0 else near
         origin = given.origins[name] * scale if name in given.origins else own[0].contact
-        line = Line(name, origin, along, near, [], 0.0, 0.0, name in given.origins)
+        line = DrawnWall(name, origin, along, near, [], 0.0, 0.0, name in given.origins)
         line.hits = [line.along_it(stop.contact) for stop in own]
         if name in given.segments:
             line.fixed = True
@@ -349,7 +349,7 @@ def wall_lines(
     return lines
 
 
-def _stretch(lines: Iterable[Line], points: Sequence[Vector]) -> None:
+def _stretch(lines: Iterable[DrawnWall], points: Sequence[Vector]) -> None:
     """Walls that go on for ever are drawn along all that there is to see."""
     for line in lines:
         if not line.fixed:
@@ -358,7 +358,9 @@ def _stretch(lines: Iterable[Line], points: Sequence[Vector]) -> None:
             line.high = max(line.high, max(shadows) + 3)
 
 
-def _under(lines: Iterable[Line], stops: Iterable[Stop], legs: Sequence[Leg], most: float) -> None:
+def _under(
+    lines: Iterable[DrawnWall], stops: Iterable[Stop], legs: Sequence[Leg], most: float
+) -> None:
     """Walls go on along a path that comes to them or leaves them at a small angle."""
     for line in lines:
         for stop in stops:
@@ -388,7 +390,7 @@ def _loose_ends(
     moves: Sequence[Move],
     given: Given,
     where: Mapping[tuple[str, int], Vector],
-    lines: Sequence[Line],
+    lines: Sequence[DrawnWall],
     shrunk: float,
     scale: float,
     radius: float,
@@ -464,7 +466,7 @@ def ends_at_wall(
 
 
 def free_way(
-    start: Vector, course: Vector, length: float, lines: Iterable[Line], skip: str | None
+    start: Vector, course: Vector, length: float, lines: Iterable[DrawnWall], skip: str | None
 ) -> float:
     """A length that stops short of other walls, unless they are too near for that."""
     for line in lines:
@@ -481,7 +483,9 @@ def free_way(
     return length
 
 
-def _onward(start: Vector, course: Vector, lines: Iterable[Line], skip: str | None) -> float | None:
+def _onward(
+    start: Vector, course: Vector, lines: Iterable[DrawnWall], skip: str | None
+) -> float | None:
     """How far to a wall that is not struck in the story, or a little past its end."""
     best = None
     for line in lines:

@@ -59,7 +59,7 @@ class Chosen:
 
 
 @dataclass(frozen=True)
-class Motion:
+class PartInNumbers:
     """One part of a problem in numbers.
 
     ``model`` has its expressions, in the letters of the working, ``numbers`` a number for each of
@@ -96,7 +96,7 @@ def motion(
     part: PartSolution,
     branch: Branch,
     wanted: Mapping[str, Any] | None = None,
-) -> Motion:
+) -> PartInNumbers:
     """One part by one of its solutions, in numbers that satisfy all that is given.
 
     ``wanted`` are values for the free letters that are taken where they are possible.
@@ -125,11 +125,11 @@ def motion(
         for name in branch.values
         if len(part.branches) > 1 and name in roles and not name.startswith("_")
     )
-    return Motion(model_, numbers, story, free, chosen)
+    return PartInNumbers(model_, numbers, story, free, chosen)
 
 
 def drawn_for(
-    motion: Motion, events: Sequence[int], panels: Sequence[When] = ("before", "after")
+    motion: PartInNumbers, events: Sequence[int], panels: Sequence[When] = ("before", "after")
 ) -> tuple[Chosen, ...]:
     """The letters by whose values a picture of these events has its shape.
 
@@ -145,7 +145,7 @@ def drawn_for(
     return (*shaping, *motion.solved)
 
 
-def unit_of_speed(motion: Motion, events: Sequence[int]) -> str | None:
+def unit_of_speed(motion: PartInNumbers, events: Sequence[int]) -> str | None:
     """The letter that all speeds in these events are multiples of."""
     for chosen, moved in motion.free:
         if moved is None or chosen.angle:
@@ -156,7 +156,7 @@ def unit_of_speed(motion: Motion, events: Sequence[int]) -> str | None:
     return None
 
 
-def axes(motion: Motion, number: int) -> tuple[Vector, Vector]:
+def axes(motion: PartInNumbers, number: int) -> tuple[Vector, Vector]:
     """Unit vectors along the line of centres and across it, as the working resolves by them."""
     frame = motion.model.frames[number]
     try:

@@ -16,7 +16,7 @@ _SHORT_OF = 1.5
 
 
 @dataclass
-class Line:
+class DrawnWall:
     """A straight wall while it is being drawn: places along it are counted from ``origin``."""
 
     name: str
@@ -40,7 +40,7 @@ class Line:
         return float((point - self.origin).dot(self.near))
 
 
-def crossing(a: Vector, b: Vector, line: Line) -> tuple[float, float] | None:
+def crossing(a: Vector, b: Vector, line: DrawnWall) -> tuple[float, float] | None:
     """Where a segment meets the line of a wall: its share, and the place along the wall."""
     first, second = line.side(a), line.side(b)
     if abs(first - second) < 1e-9:
@@ -49,7 +49,7 @@ def crossing(a: Vector, b: Vector, line: Line) -> tuple[float, float] | None:
     return share, line.along_it(a + (b - a) * share)
 
 
-def meeting_point(one: Line, other: Line) -> tuple[float, float] | None:
+def meeting_point(one: DrawnWall, other: DrawnWall) -> tuple[float, float] | None:
     """Where two lines meet, as places along each."""
     turn = one.along.cross(other.along)
     if abs(turn) < 0.05:
@@ -67,12 +67,12 @@ def corner_letters(name: str) -> tuple[str, ...]:
     return tuple(name) if len(name) == 2 and name.isalpha() and name.isupper() else ()
 
 
-def trim(lines: list[Line], legs: Sequence[Leg], reach: float, successive: set[Any]) -> int:
+def trim(lines: list[DrawnWall], legs: Sequence[Leg], reach: float, successive: set[Any]) -> int:
     """Lets walls end where they meet, and before a path that would cross them.
 
     Returns how many paths cross a wall all the same.
     """
-    meetings: list[tuple[float, Line, Line, float, float]] = []
+    meetings: list[tuple[float, DrawnWall, DrawnWall, float, float]] = []
     for one, other in itertools.combinations(lines, 2):
         where = meeting_point(one, other)
         wanted = (
@@ -136,7 +136,7 @@ def trim(lines: list[Line], legs: Sequence[Leg], reach: float, successive: set[A
     return bad
 
 
-def _gap(line: Line, s: float) -> float | None:
+def _gap(line: DrawnWall, s: float) -> float | None:
     """How far a corner is from where the wall is struck; None where it lies between."""
     if line.fixed:
         ends = min(abs(s - line.low), abs(s - line.high))
@@ -147,7 +147,7 @@ def _gap(line: Line, s: float) -> float | None:
     return max(beyond, 0.0) if beyond > -1e-3 else None
 
 
-def _side_of(line: Line, s: float, other: Line) -> str:
+def _side_of(line: DrawnWall, s: float, other: DrawnWall) -> str:
     """Which end of a wall a corner with another one is."""
     if line.fixed or not line.hits:
         return "high" if abs(s - line.high) < abs(s - line.low) else "low"
@@ -156,7 +156,7 @@ def _side_of(line: Line, s: float, other: Line) -> str:
     return "high" if s > max(line.hits) else "low"
 
 
-def _clear(line: Line, s: float, legs: Iterable[Leg]) -> bool:
+def _clear(line: DrawnWall, s: float, legs: Iterable[Leg]) -> bool:
     """Whether no path crosses a wall between where it is struck and a corner."""
     if line.fixed or not line.hits:
         return True

@@ -35,7 +35,7 @@ _LEEWAY = 1e-7
 
 
 @dataclass(frozen=True)
-class Scene:
+class LabScene:
     """What is on the table, how the spheres start, and for how long they are followed."""
 
     spheres: tuple[Sphere, ...]
@@ -77,7 +77,7 @@ def simulated(data: object) -> Object:
     return {"motion": motion, "stopped": stopped}
 
 
-def _with_room(scene: Scene) -> Table:
+def _with_room(scene: LabScene) -> Table:
     """The table; bodies that overlap by no more than rounding are given room."""
     try:
         return scene.table()
@@ -92,7 +92,7 @@ def _with_room(scene: Scene) -> Table:
         raise
 
 
-def read_scene(data: object) -> Scene:
+def read_scene(data: object) -> LabScene:
     """A scene from plain data; raises StatementError that names what is wrong."""
     scene = an_object(data, "a scene")
     spheres = a_list(scene.get("spheres", []), "spheres", MOST_SPHERES)
@@ -117,7 +117,7 @@ def read_scene(data: object) -> Scene:
     impacts = scene.get("impacts", MOST_IMPACTS)
     if not isinstance(impacts, int) or isinstance(impacts, bool) or impacts < 0:
         raise StatementError("the number of impacts is a whole number")
-    return Scene(
+    return LabScene(
         tuple(map(_sphere, spheres)),
         tuple(read_walls),
         a_number(scene.get("e", 1), "e between spheres"),

@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 
 from restitution.errors import TimeLimitError, UnsupportedError
 from restitution.expression.tree import Expression, letters
-from restitution.motion.pieces import Blow, Circle, Line, Motion, Reached, Struck
+from restitution.motion.pieces import Blow, Motion, Reached, Struck, WallCircle, WallLine
 from restitution.vector import Vector
 from restitution.work import limited
 
@@ -125,8 +125,8 @@ def _motion(motion: Motion, events: Sequence[Event], masses: Mapping[str, float]
     }
 
 
-def _wall(wall: Line | Circle) -> Object:
-    if isinstance(wall, Circle):
+def _wall(wall: WallLine | WallCircle) -> Object:
+    if isinstance(wall, WallCircle):
         return {
             "name": wall.name,
             "centre": _pair(wall.centre),

@@ -31,7 +31,7 @@ from restitution.planning.shows.refuting import write_refutation
 from restitution.planning.shows.shown_directions import write_aligned, write_right_angle
 from restitution.planning.shows.shown_equations import (
     LAST,
-    Equation,
+    ShownEquation,
     is_form_of,
     quantities_in,
     says,
@@ -248,7 +248,7 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
             for shown in (_again, _component_shown, _letter_shown, _inverse_shown):
                 if (known := shown(claims, link)) is not None:
                     return known
-            return Equation(claims, link).write(), Relation(((link,),))
+            return ShownEquation(claims, link).write(), Relation(((link,),))
         case Compare(operators=operators) if "=" not in operators:
             links = links_of(scene.problem, item.relation, now)
             relation = Relation((links,))
@@ -272,7 +272,7 @@ def _line(claims: Claims, item: Show, now: int) -> tuple[int, Relation]:
         case AtRest(body):
             quantity = staged(scene.problem, Quantity("velocity", (body,)), now)
             link = Link(quantity, "=", ZERO)
-            return Equation(claims, link).write(), Relation(((link,),))
+            return ShownEquation(claims, link).write(), Relation(((link,),))
         case Aligned():
             return write_aligned(claims, item.relation, now)
     raise NotPlannedError("a show of several equations")

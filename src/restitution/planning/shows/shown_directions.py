@@ -22,7 +22,7 @@ from restitution.planning.angles.scalar_angles import write_product_of_two
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
-from restitution.planning.shows.shown_equations import Equation
+from restitution.planning.shows.shown_equations import ShownEquation
 from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
     ZERO,
@@ -224,7 +224,7 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
             return _along_the_axis(claims, link)
         right = fact.relation.only[0].right
     parallel = Link(left, "=", product(tree_of(factor), right))
-    line = Equation(claims, parallel).write()
+    line = ShownEquation(claims, parallel).write()
     if left.kind == "impulse":  # a velocity is known by its components
         scene.desk.know(left, Vector(*(factor * each for each in (bx, by))), (line,))
     return line, Relation(((parallel,),))

@@ -85,7 +85,7 @@ def is_form_of(scene: Scene, pair: tuple[Expression, Expression]) -> bool:
     return alike(*pair)
 
 
-class Equation:
+class ShownEquation:
     """An equation to be shown."""
 
     def __init__(self, claims: Claims, link: Link) -> None:

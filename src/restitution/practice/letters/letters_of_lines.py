@@ -26,7 +26,11 @@ from restitution.practice.letters.options import (
     of_trees,
     usual,
 )
-from restitution.practice.letters.shapes import Equation, components_by_shape, is_of_squares
+from restitution.practice.letters.shapes import (
+    EquationInLetters,
+    components_by_shape,
+    is_of_squares,
+)
 from restitution.practice.letters.surroundings import (
     DeclaredLetter,
     Surroundings,
@@ -310,7 +314,7 @@ class LettersOfLines:
     def shapes(self) -> dict[str, Expression]:
         """The components along the line of centres that letters are by the shapes of laws."""
         equations = (
-            Equation(
+            EquationInLetters(
                 link.readings[0],
                 (one, other),
                 line.scope,

@@ -33,7 +33,7 @@ _SAME = 1e-3
 
 
 @dataclass(frozen=True)
-class Equation:
+class EquationInLetters:
     """An equation of a script in two letters of unknown meaning, and where it stands."""
 
     claim: Claim
@@ -43,7 +43,7 @@ class Equation:
 
 
 def components_by_shape(
-    equations: Iterable[Equation], events: Iterable[Event], tester: Tester
+    equations: Iterable[EquationInLetters], events: Iterable[Event], tester: Tester
 ) -> dict[str, Expression]:
     """The components along the line of centres that letters are by the shapes of two laws."""
     numbered = tuple(enumerate(events, 1))
@@ -83,7 +83,7 @@ def is_of_squares(claim: Claim, name: str) -> bool:
     return False
 
 
-def _in_order(equation: Equation, a: Array) -> tuple[str, str]:
+def _in_order(equation: EquationInLetters, a: Array) -> tuple[str, str]:
     """The letters of a difference, the one that is taken away first: p and q of ``q - p``."""
     first, second = equation.names
     on_the_right = not letters(equation.claim.left) & {first, second}

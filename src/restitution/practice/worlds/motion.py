@@ -52,7 +52,7 @@ class Plot:
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class SampledMotion:
     """The story up to and with ``part`` at ``samples`` samples.
 
     Scalars are arrays of shape (samples,), or single numbers. ``letters`` holds the letters of the

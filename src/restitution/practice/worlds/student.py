@@ -39,7 +39,7 @@ _NEAR = 1e-9
 
 
 @dataclass(frozen=True)
-class Equation:
+class SampledEquation:
     """An equation by its residual in a world, shape (samples, equations)."""
 
     residual: Residual
@@ -141,27 +141,29 @@ def altered_world(base: World, variant: VariantAt, unknown: Collection[str] = ()
 # --- equations --------------------------------------------------------------------------------
 
 
-def _of_entry(entry: Entry) -> Equation:
-    return Equation(lambda world: difference(entry.claim, world, entry.meanings, entry.scope)[0])
+def _of_entry(entry: Entry) -> SampledEquation:
+    return SampledEquation(
+        lambda world: difference(entry.claim, world, entry.meanings, entry.scope)[0]
+    )
 
 
-def _of_claim(claim: Claim) -> Equation:
-    return Equation(lambda world: difference(claim, world)[0])
+def _of_claim(claim: Claim) -> SampledEquation:
+    return SampledEquation(lambda world: difference(claim, world)[0])
 
 
-def laws_of(world: World) -> Iterator[Equation]:
+def laws_of(world: World) -> Iterator[SampledEquation]:
     """The laws of every impact and blow: momentum, restitution, components that do not change."""
     for number, step in enumerate(world.events, 1):
         if isinstance(step, Impact) and number in world.lines:
             wall = step.second in world.walls or step.second not in world.start
             spheres = (step.first,) if wall else (step.first, step.second)
             for body in spheres:
-                yield Equation(_unchanged(number, body), "unchanged", number, (body,))
-            yield Equation(_restitution(number, spheres), "restitution", number, spheres)
+                yield SampledEquation(_unchanged(number, body), "unchanged", number, (body,))
+            yield SampledEquation(_restitution(number, spheres), "restitution", number, spheres)
             if not wall:
-                yield Equation(_momentum(number, spheres), "momentum", number, spheres)
+                yield SampledEquation(_momentum(number, spheres), "momentum", number, spheres)
         elif isinstance(step, Kick):
-            yield Equation(_blow(number, step), "blow", number, (step.body,))
+            yield SampledEquation(_blow(number, step), "blow", number, (step.body,))
 
 
 def _parts(world: World, number: int, body: str) -> tuple[Vector, Vector, Vector]:
@@ -209,7 +211,7 @@ def _blow(number: int, step: Kick) -> Residual:
     return residual
 
 
-def facts_of(world: World) -> Iterator[Equation]:
+def facts_of(world: World) -> Iterator[SampledEquation]:
     """The equations that the statement gives for this part; of the motion, or of letters alone."""
     for step, now, _ in world.problem.timeline(world.part):
         if isinstance(step, Given):
@@ -219,7 +221,7 @@ def facts_of(world: World) -> Iterator[Equation]:
                     moving = not isinstance(relation, Compare) or any(
                         map(has_quantity, relation.operands)
                     )
-                    yield Equation(residual, "motion" if moving else None)
+                    yield SampledEquation(residual, "motion" if moving else None)
 
 
 def _fact(relation: Relation, now: int) -> Residual | None:
@@ -310,7 +312,9 @@ def scattered_world(world: World, unknown: Collection[str]) -> World:
     return kinds.put(world, x * rng.uniform(0.7, 1.3, x.shape) + rng.uniform(-0.1, 0.1, x.shape))
 
 
-def _solved(base: World, equations: Sequence[Equation], unknown: Collection[str]) -> World | None:
+def _solved(
+    base: World, equations: Sequence[SampledEquation], unknown: Collection[str]
+) -> World | None:
     kinds = _unknowns(base, unknown)
     if not kinds.stages and not kinds.names:
         return base
@@ -339,7 +343,7 @@ def _solved(base: World, equations: Sequence[Equation], unknown: Collection[str]
 
 
 def _linearized(
-    base: World, kinds: _Unknowns, x: Array, equations: Sequence[Equation]
+    base: World, kinds: _Unknowns, x: Array, equations: Sequence[SampledEquation]
 ) -> tuple[Array, Array]:
     """Residuals (samples, equations) and their slopes (samples, equations, unknowns).
 

@@ -18,7 +18,7 @@ from restitution.practice.worlds.arrays import (
     UnvaluedError,
     angle,
 )
-from restitution.practice.worlds.motion import Motion, Stop
+from restitution.practice.worlds.motion import SampledMotion, Stop
 from restitution.problem import Arrival, Event, Impact, Let
 from restitution.solving.story import quantities
 from restitution.solving.story.happenings import Happening
@@ -45,7 +45,7 @@ class Telling:
 
     def __init__(
         self,
-        world: Motion,
+        world: SampledMotion,
         meanings: Meanings = NO_MEANINGS,
         degrees: bool = True,
         values: Mapping[str, Value] = NO_VALUES,

@@ -9,13 +9,13 @@ from typing import Any, TypeVar, cast
 import numpy as np
 
 from restitution.expression.tree import Expression, letters
-from restitution.practice.worlds.motion import Motion
+from restitution.practice.worlds.motion import SampledMotion
 from restitution.practice.worlds.telling import Telling
 from restitution.problem import Impact, Wall
 from restitution.shapes import Line, Segment
 from restitution.vector import Vector
 
-AnyMotion = TypeVar("AnyMotion", bound=Motion)
+AnyMotion = TypeVar("AnyMotion", bound=SampledMotion)
 
 
 def turned(world: AnyMotion, changed: frozenset[str], fixed: frozenset[int]) -> AnyMotion:
@@ -49,7 +49,7 @@ def _speaks_of(tree: Any, names: frozenset[str]) -> bool:
     return isinstance(tree, Expression) and not letters(tree).isdisjoint(names)
 
 
-def _wall_by_letters(world: Motion, wall: Wall, changed: frozenset[str]) -> Vector | None:
+def _wall_by_letters(world: SampledMotion, wall: Wall, changed: frozenset[str]) -> Vector | None:
     telling = Telling(world, degrees=False)
     match wall.shape:
         case Line(along) if _speaks_of(along, changed):
@@ -62,7 +62,7 @@ def _wall_by_letters(world: Motion, wall: Wall, changed: frozenset[str]) -> Vect
 
 
 def _line_by_letters(
-    world: Motion,
+    world: SampledMotion,
     number: int,
     step: Impact,
     changed: frozenset[str],

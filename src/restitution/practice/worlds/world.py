@@ -21,7 +21,7 @@ from restitution.expression.tree import Expression, Name
 from restitution.practice.script import ANYWHERE, Scope
 from restitution.practice.worlds import effort
 from restitution.practice.worlds.arrays import Array, UnvaluedError
-from restitution.practice.worlds.motion import Motion, Plot, Stage, Stop
+from restitution.practice.worlds.motion import Plot, SampledMotion, Stage, Stop
 from restitution.practice.worlds.telling import (
     NO_MEANINGS,
     NO_NUMBERS,
@@ -47,7 +47,7 @@ _REFUSALS = (
 
 
 @dataclass(frozen=True, eq=False)
-class World(Motion):
+class World(SampledMotion):
     """The story up to and with ``part`` at ``samples`` samples.
 
     Scalars are arrays of shape (samples,), or single numbers. ``letters`` holds the letters of the
