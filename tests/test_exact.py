@@ -454,3 +454,15 @@ def test_a_number_of_roots_is_worked_out_in_floats() -> None:
     for other in (pi, 2 ** Q(1, 3)):
         with pytest.raises(TypeError):
             worked_out(other, float, math.sqrt)
+
+
+def test_a_root_of_a_sum_of_roots_stands_below_where_that_is_shorter() -> None:
+    root = sqrt(11 - 4 * sqrt(3))
+    for given, text in (
+        ((34 + 19 * sqrt(3)) * root / 146, "(sqrt(3) + 2)/(2*sqrt(11 - 4*sqrt(3)))"),
+        ((4 * sqrt(3) + 11) * root / 73, "1/sqrt(11 - 4*sqrt(3))"),
+        ((1 + sqrt(3)) * root, "sqrt(11 - 4*sqrt(3)) + sqrt(3)*sqrt(11 - 4*sqrt(3))"),
+    ):
+        assert str(tidy(given)) == text
+        assert tidy(tidy(given)) == tidy(given)
+        assert abs(complex((tidy(given) - given).evalf())) < 1e-12

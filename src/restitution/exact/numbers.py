@@ -7,7 +7,7 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S
 
-from restitution.exact.simplicity import TOUCHED, TRIGONOMETRIC, UNREADABLE, node_count
+from restitution.exact.simplicity import HALF, TOUCHED, TRIGONOMETRIC, UNREADABLE, cost, node_count
 from restitution.exact.surds import rationalised
 from restitution.work import remembered, spend
 
@@ -25,7 +25,7 @@ def tidy_number(value: Expr) -> Expr:
     if not all(isinstance(x, Rational | Add | Mul | Pow) for x in sympy.preorder_traversal(value)):
         return tidy_parts(value)
     value = _denest(value)
-    return _content_out(rational_below(value))
+    return _over_its_root(_content_out(rational_below(value)))
 
 
 def rational_below(value: Expr) -> Expr:
@@ -91,6 +91,19 @@ def _content_out(value: Expr) -> Expr:
     ):
         content, rest = -content, -rest
     return in_front(content, rest)
+
+
+def _over_its_root(value: Expr) -> Expr:
+    """``(34 + 19√3)√(11 − 4√3)/146`` as ``(2 + √3)/(2√(11 − 4√3))``, where that is shorter."""
+    roots = {x for x in value.atoms(Pow) if x.exp in (HALF, -HALF) and x.base.has(Pow)}
+    if len(roots) != 1:
+        return value
+    root = sympy.sqrt(roots.pop().base)
+    factor = sympy.expand(value / root)
+    if not isinstance(factor, Add) or factor.has(root.base):
+        return value
+    above = _content_out(rational_below(factor * root.base))
+    return above / root if cost(above) + 2 < cost(_content_out(factor)) else value
 
 
 def in_front(coefficient: Expr, rest: Expr) -> Expr:

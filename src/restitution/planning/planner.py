@@ -92,7 +92,7 @@ from restitution.planning.writing.gathering import (
     gathered,
     numbered_anew,
     without_idle_arctangents,
-    without_unprinted_angles,
+    without_unprinted_letters,
 )
 from restitution.planning.writing.given_terms import standing_ties, turn_round
 from restitution.planning.writing.known_directions import with_known_directions
@@ -169,7 +169,7 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
         whole = pruned(shortened(whole, oracle))
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
-    whole = without_idle_arctangents(without_unprinted_angles(whole))
+    whole = without_idle_arctangents(without_unprinted_letters(whole))
     return gathered(with_direct_impacts(with_facts_once(whole)))
 
 

@@ -574,9 +574,10 @@ class Worker:
         hidden = sorted(name for name in present if name.startswith("_"))
         if hidden:
             raise missing_for(item, branch, hidden)
-        own = letters(item.expression)
-        if not has_quantity(item.expression) and own & outcome.setting.asked:
-            unsolved = own - set(branch.values) - set(outcome.setting.lets)
+        own, lets = letters(item.expression), set(outcome.setting.lets)
+        # A letter that is let be a quantity is one: β − α rests on α, which is not sought.
+        if not has_quantity(item.expression) and not own & lets and own & outcome.setting.asked:
+            unsolved = own - set(branch.values)
             loose = present & outcome.setting.asked
             if unsolved == own or loose:
                 name = min(loose or own)

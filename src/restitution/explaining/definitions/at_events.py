@@ -17,7 +17,7 @@ from restitution.explaining.definitions.energies import (
 from restitution.explaining.definitions.journeys import beside, chords, moving_off, rounds
 from restitution.explaining.definitions.next_walls import next_walls
 from restitution.explaining.definitions.ties import between_directions, tied
-from restitution.explaining.definitions.turnings import turnings
+from restitution.explaining.definitions.turnings import between_given_directions, turnings
 from restitution.explaining.definitions.wall_angles import by_angles, to_walls
 from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.steps.step import Step
@@ -31,6 +31,7 @@ def nothing(step: Step, event: Event | None) -> Iterable[Link]:
 def angles_made_of_others(step: Step, event: Event | None) -> Iterable[Link]:
     """Angles between velocities, and angles of one to walls, by others."""
     yield from turnings(step, event)
+    yield from between_given_directions(step)
     yield from next_walls(step, event)
 
 

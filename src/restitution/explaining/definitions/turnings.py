@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import permutations
 
 import sympy as sp
 
@@ -29,7 +30,7 @@ from restitution.expression.tree import (
     letters,
 )
 
-_STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(each)) for each in (180, 90, 0))
+_WHOLE, _STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(each)) for each in (360, 180, 90, 0))
 
 # A body, and the event after which its velocity is meant.
 Moving = tuple[str, int]
@@ -251,6 +252,25 @@ def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
                 continue
             turn = Binary("-", late, early) if after > before else Binary("-", early, late)
             yield Link(Quantity("deflection", (body,), event.number), "=", turn)
+
+
+def between_given_directions(step: Step) -> Iterator[Link]:
+    """The angle between two velocities of the data, which are given by directions in degrees."""
+    given: list[tuple[Expression, Expression, float]] = []
+    for link in step.links:
+        match link:
+            case Link(Quantity("velocity", (Name(),), 0) as velocity, "=", right):
+                angle = direction_from_i(right)
+                worth = None if angle is None else _number(angle)
+                sure = all(step.setting.role(x).kind == "positive" for x in _of_size(right))
+                if angle is not None and worth is not None and sure:
+                    given.append((velocity, angle, worth))
+    for (one, first, low), (other, last, high) in permutations(given, 2):
+        if low < high:
+            apart: Expression = Binary("-", last, first)
+            apart = apart if high - low <= math.pi else Binary("-", _WHOLE, apart)
+            for pair in ((one, other), (other, one)):
+                yield Link(Quantity("angle", pair), "=", apart)
 
 
 def direction_from_i(velocity: Expression) -> Expression | None:

@@ -181,9 +181,11 @@ class Forms:
             ):
                 return Binary("*", Binary("*", _halved(half), mass), squares)
             case Binary(
-                "/", Binary("+" | "-"), Apply("sqrt") | Binary("*", Number(), Apply("sqrt"))
+                "/",
+                Binary("+" | "-"),
+                Apply("sqrt") | Binary("*", Number() | Apply("sqrt"), Apply("sqrt")),
             ):
-                return node  # a scalar product by the length of a vector, a vector by its own
+                return node  # a scalar product by the lengths of vectors, a vector by its own
             case Binary("/", left, right) if _root_below(right):
                 own = self._rational(left, right) or node
                 # Of two components with roots the quotient stands, and then what it is worth.

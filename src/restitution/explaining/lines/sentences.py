@@ -1146,6 +1146,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "impulse-normal.title": (
         "The impulse, and so the change of velocity, is perpendicular to {wall}"
     ),
+    "turned.by-directions": "Difference of the directions from 𝐢",
     "turned.title": "Angle of deflection",
     "turned.signs": "{velocity} has {components:and}:",
     "turned.negative": "a negative component in the direction of {axis}",

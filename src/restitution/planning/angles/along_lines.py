@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from restitution.exact import tidy
+from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
     Binary,
@@ -60,8 +61,9 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
         steps = _steps(scene, angle)
         bodies = [body_and_stage(scene, each) for each in moving]
         record = "perpendicular" if steps[-1] == RIGHT else "parallel"
+        record = record if any(stage for _, stage in bodies) else "difference"
         names = tuple(dict.fromkeys(body for body, _ in bodies))
-        move = Move("define", record, max(stage for _, stage in bodies), names)
+        move = Move("define", record, max(stage for _, stage in bodies) or None, names)
         relation = chain(asked, *zip(steps, (None, "rearrange"), strict=False))
         premises = scene.judge.needed(move, together(*(each.refs for each in known)), relation)
         if premises is not None:
@@ -128,7 +130,9 @@ def _turn_of_a_velocity(scene: Scene, velocity: Quantity, *, slants: bool) -> _T
     if stage == 0:
         return _turn_at_the_start(scene, body)
     own = scene.model.frames.get(stage)
-    if own is None or own.wall is not None or (own.axis is not None and not slants):
+    if own is None or own.wall is not None:
+        return None
+    if own.axis is not None and not slants and any(scene.velocity(body, stage - 1)):
         return None
     frame = scene.frame(stage)
     angle = angle_of_the_line(scene, frame)
@@ -151,6 +155,9 @@ def _turn_at_the_start(scene: Scene, body: str) -> _Turn | None:
     if f"velocity {body}" not in scene.facts:
         return None
     initial = scene.initial(body)
+    own = direction_from_i(scene.facts[f"velocity {body}"].relation.only[0].right)
+    if isinstance(own, Letter) or (own is not None and list(_degrees(own))):
+        return _Turn(own, initial.refs)
     for (own, other), angle in ((initial.value, 0), (reversed(initial.value), 90)):
         if other == 0 and (sign := scene.model.proved_sign(own)):
             turn = angle if sign > 0 else angle - 180 if angle else 180

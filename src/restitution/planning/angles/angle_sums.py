@@ -224,16 +224,36 @@ def write_tangent_of_sum(scene: Scene, letter: Letter) -> int | None:
     Both are letters, for angles of the data or of the motion.
     """
     fact = scene.facts.get(f"let {letter.name}")
-    match fact and fact.relation.only[0].left:
+    if fact is None:
+        return None
+    return _of_two_letters(scene, fact.relation.only[0].left, letter, fact.id)
+
+
+def write_tangent_of_two(scene: Scene, asked: Expression) -> int | None:
+    """The line of a tangent of which two letters for angles are the sum or difference."""
+    match asked:
+        case Apply("tan", Binary("+" | "-", Letter(), Letter()) as angle):
+            return _of_two_letters(scene, angle, angle)
+    return None
+
+
+def _of_two_letters(
+    scene: Scene, angle: Expression, called: Expression, base: Ref | None = None
+) -> int | None:
+    """The line of the tangent of a sum or difference of two letters; None of another angle."""
+    match angle:
         case Binary("+" | "-" as sign, Letter() as first, Letter() as second):
             pass
         case _:
             return None
-    assert fact is not None
     mark = scene.desk.mark()
-    terms = [Term(each, *_tangent(scene, each)) for each in (first, second)]
     form: Form = "sum" if sign == "+" else "difference"
-    line = by_tangents(scene, fact.id, form, terms, Apply("tan", letter))
+    try:
+        terms = [Term(each, *_tangent(scene, each)) for each in (first, second)]
+    except NotPlannedError:
+        scene.desk.back(mark)
+        return None
+    line = by_tangents(scene, base, form, terms, Apply("tan", called))
     if line is None:
         scene.desk.back(mark)
     return line

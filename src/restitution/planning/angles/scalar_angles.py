@@ -64,6 +64,16 @@ def write_right_angle(scene: Scene, asked: Quantity, *, by_squares: bool = False
     return None
 
 
+def write_right_angle_of_two(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a right angle between two velocities of which neither is along an axis."""
+    pair = velocities_of(scene, asked)
+    if pair is None:
+        return None
+    _, tree, value, _ = _terms(scene, pair)
+    oblique = len(list(outer_terms(tree))) == len(pair)
+    return write_right_angle(scene, asked) if oblique and value == 0 else None
+
+
 def write_product_of_two(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
     """The line of the scalar product of two velocities, where both its terms are other than 0."""
     subject, tree, _, _ = _terms(scene, pair)

@@ -415,7 +415,7 @@ def term_of_data(scene: Scene, angle: Expression) -> Term:
 
 def by_tangents(
     scene: Scene,
-    base: Ref,
+    base: Ref | None,
     form: Form,
     terms: Sequence[Term],
     turned: Expression,
@@ -423,6 +423,7 @@ def by_tangents(
 ) -> int | None:
     """The tangent of an angle that a line, or a fact, makes of two others; None without one.
 
+    There is no ``base`` where the sum or the difference itself stands in the tangent.
     ``turned`` is the tangent that is sought, or the value that is given for it; with ``given`` it
     is a tangent of which the value is given, with what gives it.
     """
@@ -431,7 +432,8 @@ def by_tangents(
     known = (*background(scene, names), *meeting(scene))
     asked = isinstance(turned, Apply) and turned.function == "tan"
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
-    refs = scene.judge.enough(Move("identity", "sum-of-angles"), (base,), relation, known)
+    bases = () if base is None else (base,)
+    refs = scene.judge.enough(Move("identity", "sum-of-angles"), bases, relation, known)
     if refs is None:
         return None
     number = scene.desk.write(Move("identity", "sum-of-angles"), refs, relation)

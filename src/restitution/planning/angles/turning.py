@@ -52,6 +52,7 @@ from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.scalar_angles import (
     write_right_angle,
     write_right_angle_of_axes,
+    write_right_angle_of_two,
 )
 from restitution.planning.angles.turn_lines import inverse_of_data, write_turn, write_turn_tangent
 from restitution.planning.angles.turned_directions import turn_of_directions
@@ -364,6 +365,9 @@ def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
 
 def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     """The angle between two velocities, by their tangents or their scalar product."""
+    square = write_right_angle_of_two(scene, asked) if wanted is None else None
+    if square is not None:
+        return square
     pair = [body_and_stage(scene, argument) for argument in asked.arguments]
     in_numbers = all(is_vector_in_numbers(scene, body) for body, _ in pair)
     in_numbers |= stand_as_vectors(scene, pair)
@@ -387,7 +391,8 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
     event = max(stage for _, stage in pair) or None
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", event, bodies)
-    return by_scalar(scene, move, sources, asked)
+    one, other = (size_that_stands(scene, *each) for each in pair)
+    return by_scalar(scene, move, sources, asked, (one, other))
 
 
 def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, int]]) -> bool:

@@ -366,10 +366,11 @@ def _angle_to_unit(
         common = sp.sqrt(size**2 + below.value**2)
         whole, _ = whole_direction(Vector(tidy(below.value / common), tidy(size / common)))
         trees = tree_of(whole.y), tree_of(whole.x)
-        if isinstance(trees[1], Negate):
-            # On which side of the line it is not acute, the sense of the motion tells.
-            names = {scene.model.components[stage, body].symbol.name}
-            along_the_line = together(along_the_line, scene.desk.introducing(names))
+        # On which side of **i** or **j** the body goes, the sense of the motion tells.
+        across = in_direction(scene, "across", body, stage, scene.frame(stage))
+        names = {scene.model.components[stage, body].symbol.name}
+        sense_of = scene.desk.introducing(names) if across.value == 0 else across.whole
+        along_the_line = together(along_the_line, sense_of)
     else:
         along_the_line = ()
     return Formula(

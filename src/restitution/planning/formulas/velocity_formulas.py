@@ -257,11 +257,17 @@ def known_speed(scene: Scene, body: str, stage: int) -> Source | None:
 
 
 def size_that_stands(scene: Scene, body: str, stage: int) -> Expression | None:
-    """The size of a velocity after an event, where a line gives it; None of one that is a sum."""
-    known = known_speed(scene, body, stage) if stage else None
-    if known is None or sp.sympify(known.value, strict=True).has(sp.Add, sp.Abs):
+    """The size of a velocity, where a line or the question gives it; None of one that is a sum."""
+    if scene.last_event(body, stage):
+        known = known_speed(scene, body, stage)
+        size = known.value if known is not None else None
+    else:
+        fact = scene.facts.get(f"velocity {body}")
+        given = fact.relation.only[0].right if fact is not None else None
+        size = scene.put(scene.scalar(given.size))[0] if isinstance(given, Polar) else None
+    if size is None or sp.sympify(size, strict=True).has(sp.Add, sp.Abs):
         return None
-    return tree_of(known.value)
+    return tree_of(size)
 
 
 def _bridge(frame: Frame, components: Iterable[Source]) -> tuple[Ref, ...]:

@@ -10,7 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity
 from restitution.planning.angles.quantities import formula
-from restitution.planning.formulas.named_angles import tangent_line
+from restitution.planning.formulas.named_angles import letter_of, tangent_line
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.angles import angle_of_approach, data_of_approach
 from restitution.planning.writing.desk import NotPlannedError, chain, together
@@ -47,7 +47,8 @@ def _turn(claims: Comparing, quantities: Sequence[Quantity], relation: Relation)
     after = Quantity("angle", (velocity, Name(frame.wall)))
     own = formula(scene, after)
     line, letter = tangent_line(scene, after, own, own.move)
-    before = sp.sympify(scene.scalar(angle), strict=True)
+    line = claims.worths.tangent_closed(line)
+    before, known = scene.put(sp.sympify(scene.scalar(angle), strict=True))
     ends: list[Link] = []
     tangents: list[Link] = []
     for link in relation.only:
@@ -61,9 +62,7 @@ def _turn(claims: Comparing, quantities: Sequence[Quantity], relation: Relation)
     if bound is None:
         return None
     extent = f"0° <= {letter} <= 90°"
-    let = next(
-        each.number for each in scene.desk.lines if getattr(each.relation, "letter", None) == letter
-    )
+    _, let = letter_of(scene, after)
     inside = claims.compared([bound, extent, let], Relation((tuple(ends),)))
     if inside is None:
         return None
@@ -72,6 +71,10 @@ def _turn(claims: Comparing, quantities: Sequence[Quantity], relation: Relation)
     added = claims.judge.write(
         (move,), together(data_of_approach(scene, body, frame), (let,)), sum_
     )
+    if added is not None and known:
+        worth = Binary("+", tree_of(before, angle=True), Letter(letter))
+        put = chain(turned, (worth, None))
+        added = claims.judge.write((Move("put"),), together((added,), known), put)
     return None if added is None else claims.compared([inside, added], relation)
 
 

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
 from restitution.planning.angles.expressions import write_expression
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import write_turn_tangent
+from restitution.planning.angles.turning import is_angle
 from restitution.planning.angles.wall_turns import tangent_at_a_wall
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.impacts import in_direction, scene_value
@@ -201,7 +202,7 @@ class Worths:
                 letter = self.scene.facts[fact].relation.only[0].right
                 standing = self._tangent(Apply("tan", letter))
                 if standing is not None:
-                    return self._tangent_closed(standing)
+                    return self.tangent_closed(standing)
         if self._tangent(Apply("tan", angle)) is not None or angle.kind not in _ANGLES:
             return self.quantity(angle)
         mark = self.mark()
@@ -232,7 +233,7 @@ class Worths:
         for line in self.scene.desk.lines:
             if isinstance(line.relation, Meaning) and line.relation.quantity == angle:
                 tangent = self._tangent(Apply("tan", Letter(line.relation.letter)))
-                return None if tangent is None else self._tangent_closed(tangent)
+                return None if tangent is None else self.tangent_closed(tangent)
         return None
 
     def _of_letter(self, angle: Quantity) -> int | None:
@@ -301,7 +302,7 @@ class Worths:
         if quantity.kind in _ANGLES:
             tangent = self._tangent(Apply("tan", quantity)) or self._of_letter(quantity)
             if tangent is not None:
-                return self._tangent_closed(tangent)
+                return self.tangent_closed(tangent)
             line = self.turned(quantity, by_letter)
             if line is not None:
                 return line
@@ -344,7 +345,7 @@ class Worths:
             self.scene.desk.know(quantity, value, (line,))
         return line
 
-    def _tangent_closed(self, line: int) -> int:
+    def tangent_closed(self, line: int) -> int:
         """The line of a tangent in which letters that have values since are put in."""
         link = self.scene.desk.last_link(line)
         if has_quantity(link.right):
@@ -364,7 +365,8 @@ class Worths:
         value, more = self.scene.put(known)
         if value == known:
             return None, known
-        relation = Relation(((Link(left, "=", tree_of(value)),),))
+        own = tree_of(value, angle=not isinstance(value, Vector) and is_angle(self.scene, left))
+        relation = Relation(((Link(left, "=", own),),))
         return self.judge.write((Move("put"),), [*refs, *more], relation), value
 
     def _is_its_letter(self, quantity: Quantity, own: Formula) -> bool:

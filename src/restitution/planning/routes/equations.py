@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move
-from restitution.expression.tree import Name, Quantity
+from restitution.expression.tree import Apply, Binary, Name, Quantity
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.impulse_formulas import body_of_impulse
 from restitution.planning.journeys import paths, rounds
@@ -133,9 +133,12 @@ class Equations:
         return self._taken_at[1]
 
     def _shown(self) -> Iterator[Candidate]:
-        """The equations that were to be shown: they cost less than what they come of."""
+        """The equations that were to be shown: they cost less than what they come of.
+
+        That of the tangent of a sum is none: with numbers put in, it is no equation to solve.
+        """
         for number in self.scene.desk.shown:
-            if self.scene.desk.holds(number):
+            if self.scene.desk.holds(number) and not _is_of_a_sum(self.scene, number):
                 gap = residual(self.scene, number)
                 yield Candidate(f"{SHOWN}{number}", 0.3, (gap,))
 
@@ -189,6 +192,12 @@ class Equations:
     def law(self, own: Candidate) -> Law | None:
         """The law that an equation of a route is; None of another."""
         return next((law for law in self.laws if law.candidate.id == own.id), None)
+
+
+def _is_of_a_sum(scene: Scene, number: int) -> bool:
+    """Whether a line says what a tangent of a sum or a difference of angles is."""
+    left = scene.desk.relation(number).options[0][0].left
+    return isinstance(left, Apply) and isinstance(left.argument, Binary)
 
 
 def _is_nothing(x: sp.Expr) -> bool:

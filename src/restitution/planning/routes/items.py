@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.planning.angles.angle_sums import write_tangent_of_sum
+from restitution.planning.angles.angle_sums import write_tangent_of_sum, write_tangent_of_two
 from restitution.planning.angles.expressions import outermost, write_expression
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turning import is_angle, quantity_of, write_angle, write_ratio
@@ -137,6 +137,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
                 own = formula(scene, asked)
             line = write_formula(scene, own)
             scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+        case Apply("tan") if (two := write_tangent_of_two(scene, asked)) is not None:
+            scene.desk.end(name, two, chain(asked, (_right(scene, two), None)))
         case _ if not has_quantity(asked):
             _of_letters(scene, solver, asked, name)
         case _:

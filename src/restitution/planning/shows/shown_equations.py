@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.angles.angle_sums import write_tangent_of_two
 from restitution.planning.angles.angles_by_letters import write_by_equal_letters
 from restitution.planning.angles.deflections import cosine_of_deflection
 from restitution.planning.angles.turning import angle_line, is_angle, write_ratio
@@ -525,13 +526,12 @@ class ShownEquation:
 
     def _turned(self, angle: Quantity) -> int | None:
         """The tangent of an angle between two velocities, by their angles to one line."""
+        mark = self.claims.worths.mark()
         match self.link.left:
             case Apply("tan", Letter() | Quantity("deflection" | "angle")):
-                pass
+                line = self.claims.worths.turned(angle, by_letter=True)
             case _:
-                return None
-        mark = self.claims.worths.mark()
-        line = self.claims.worths.turned(angle, by_letter=True)
+                line = write_tangent_of_two(self.scene, self.link.left)
         if line is None:
             return None
         desk, (left, right) = self.scene.desk, (self.link.left, self.link.right)

@@ -481,8 +481,8 @@ def numbered_anew(derivation: Derivation, order: list[Line]) -> Derivation:
     )
 
 
-def without_unprinted_angles(derivation: Derivation) -> Derivation:
-    """The same working, in which a letter for an angle that no printed line has is not let in."""
+def without_unprinted_letters(derivation: Derivation) -> Derivation:
+    """The same working, in which an angle or a component that no line prints gets no letter."""
     printed = {
         name
         for line in derivation.lines
@@ -496,9 +496,9 @@ def without_unprinted_angles(derivation: Derivation) -> Derivation:
 
     def mended(line: Line) -> Line:
         match line.relation:
-            case Meaning(letter, Quantity("angle" | "deflection" | "direction")) if (
-                letter not in printed
-            ):
+            case Meaning(
+                letter, Quantity("angle" | "deflection" | "direction" | "along" | "across")
+            ) if letter not in printed:
                 return replace(line, shown="silent")
         return line
 

@@ -16,6 +16,7 @@ from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
     RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Binary,
     Degrees,
     Expression,
@@ -259,6 +260,8 @@ class ComponentLeads(LinesAround):
                     "derived.across-centres" if square else "derived.along-centres", body=body
                 )
             case Quantity():
+                return None
+            case Unit() if angle not in (0, RIGHT_ANGLE.value, STRAIGHT_ANGLE.value):
                 return None
             case Unit() if not square:
                 axis = line_ if angle == 0 else self._naming.layout(Negate(other))

@@ -5,8 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import (
+    Derivation,
     Line,
     Link,
+    Ref,
     Relation,
 )
 from restitution.expression.tree import (
@@ -45,9 +47,9 @@ def body_read_off(line: Line) -> str | None:
     return None
 
 
-def read_off_lines(line: Line) -> tuple[tuple[str, int], ...]:
+def read_off_lines(derivation: Derivation, line: Line) -> tuple[tuple[str, int], ...]:
     """The spheres along the lines of centres of which an angle is read off, each with its event."""
-    if not any(isinstance(ref, str) and ref.partition(" ")[0] == "axis" for ref in line.premises):
+    if not any(_is_of_a_line_of_centres(derivation, ref) for ref in line.premises):
         return ()
     match line.relation:
         case Relation(((Link(Quantity("angle", arguments), "=", right), *_),)):
@@ -63,6 +65,15 @@ def read_off_lines(line: Line) -> tuple[tuple[str, int], ...]:
     )
     at_sight = straight or (line.move.record == "perpendicular" and len(moving) < len(arguments))
     return () if at_sight else moving
+
+
+def _is_of_a_line_of_centres(derivation: Derivation, ref: Ref) -> bool:
+    """Whether a fact, or a line, says the direction of a line of centres."""
+    own = derivation.fact(ref) if isinstance(ref, str) else derivation.line(ref)
+    match None if own is None else own.relation:
+        case Relation(((Link(Quantity("line_of_centres")), *_),)):
+            return True
+    return False
 
 
 def says_something(line: Line) -> bool:

@@ -155,7 +155,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             return None
         if record.id == "parallel" and (
             body_read_off(line)
-            or read_off_lines(line)
+            or read_off_lines(self._derivation, line)
             or self._seen(line)
             or self._since_nothing(line)
         ):
@@ -233,6 +233,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None  # of one component it is read off
         if name is None:
             return None
+        if record.id == "difference" and event is None:
+            return say("turned.by-directions")
         if record.id == "along-the-change" and event is not None and not event.wall:
             rested = [body for body in bodies if self._is_given_off(line, body)]
             if rested:
@@ -337,7 +339,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             ):
                 event = self._naming.called(self._naming.events[line.move.event or 0])
                 return say("derived.along-earlier-centres", body=line.move.bodies[0], event=event)
-        moving = read_off_lines(line)
+        moving = read_off_lines(self._derivation, line)
         if len(moving) == 1:
             ((body, stage),) = moving
             return say(self._from_rest(line, body, stage), body=body)

@@ -164,7 +164,9 @@ class TurnLeads(LinesAround):
         if ratios != {"tan"}:
             return _of_differences(base, name)
         sides: tuple[Expression, ...]
-        if isinstance(base.relation, Relation):
+        if isinstance(link.left, Apply) and isinstance(link.left.argument, Binary):
+            sides = (link.left,)
+        elif isinstance(base.relation, Relation):
             whole = base.relation.options[0][0]
             sides = (whole.right, whole.left)
         else:
