@@ -137,8 +137,9 @@ find e, energy_lost/energy(0) as a percentage
             .replace("angle(velocity(A), line_of_centres) = 80°", "energy_lost = 5% energy(0)")
             .replace("energy_lost/energy(0) as a percentage", "deflection(A)"),
             [
-                "= (30 sin 35°)/(√(10(40 cos² 35° − 3)) − 10 cos 35°)",
-                "= 145° + arctan((30 sin 35°)/(10 cos 35° − √(10(40 cos² 35° − 3)))) ≈ 77.8°",
+                "v = (10 cos 35° − √(10(40 cos² 35° − 3)))u/30 ≈ −0.2416u",
+                "tan β ≈ (u sin 35°)/(0.2416u)",
+                "≈ 145° − arctan((u sin 35°)/(0.2416u)) ≈ 77.8°",
             ],
         ),
         (
@@ -186,4 +187,4 @@ P hits W: e = 3/4
 P hits X: e = 1/2
 find direction(P)
 """
-    assert "𝐯₂ = " in to_text(explain(solve(parse(text))), 100)
+    assert "𝐯₂ ≈ −0.3428u((√3/2)𝐢" in to_text(explain(solve(parse(text))), 100)

@@ -71,6 +71,12 @@ Q hits W: e = 1/2
 given deflection(Q) = 45°
 find theta, speed(Q)
 """
+BY_CALCULATOR = """
+sphere A: mass 3m, velocity 2u at 20°
+sphere B: mass m, velocity u at 50° from -i
+A hits B: along i, e = 0.4
+find speed(B), direction(B)
+"""
 NO_GREATEST = """
 sphere A: mass m, velocity u at alpha
 sphere B: mass k m, at rest
@@ -188,10 +194,13 @@ SAYS = [
     (BY_E_AS_ABOVE, "tan θ = √(15/(1 − 16e²)), as θ is acute"),
     (NOT_BY_ALPHA, "speed of A = √("),
     (SQUARES_WITH_A_ROOT, "cos²θ = (5 + √17)/12"),
+    (BY_CALCULATOR, "speed of B ≈ √((2.005u)² + (u sin 50°)²) ≈ 2.15u"),
+    (BY_CALCULATOR, "θ ≈ −arctan((u sin 50°)/(2.005u))"),
     (ACROSS_AT_A_WALL, "change of momentum of Q: impulse on Q = 3m("),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
+    (BY_CALCULATOR, "√(400 sin² 50°"),
     (NOT_BY_ALPHA, "cos²α − 1"),
     (SQUARES_WITH_A_ROOT, "component of 𝐯_Q parallel to W ="),
     (ACROSS_AT_A_WALL, "𝐧"),

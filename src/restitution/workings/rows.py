@@ -278,7 +278,10 @@ class Rows:
             case Binary("/") | Negate(Binary("/")) if line.move.record in _BY_A_LENGTH:
                 sides[1] = self._unrationalised(links[0].right)
             case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
-                line.move.record in _TANGENTS and len(links) > 1 and _has_root(below)
+                line.move.record in _TANGENTS
+                and len(links) > 1
+                and _has_root(below)
+                and 1 not in in_figures
             ):
                 # Components that are multiples of roots stand as they are before they cancel.
                 own = lay.fraction(*map(self._naming.layout, (above, below)))
@@ -339,6 +342,8 @@ class Rows:
         if line.move.record == "scalar-angle" and len(links) > 1 and _has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])
+        if isinstance(links[0].left, Apply) and trees[-1] != exact[-1]:
+            self._figures.stands_for(exact[-1], trees[-1])  # of the angle itself, next
         return frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
 
     def _unrationalised(self, ratio: Expression) -> lay.Layout:

@@ -34,6 +34,7 @@ _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
 _RATIOS = frozenset({"sin", "cos", "tan"})
 # Values beyond these would need a power of ten.
 _LONG_PRODUCT = 3  # of so many ratios
+_LONG_SUM = 2
 _LEAST, _GREATEST = Fraction(1, 1000), 10000
 
 
@@ -60,7 +61,8 @@ def in_letters_with_figures(tree: Expression) -> Expression | None:
 
     None of another value, and of one that is short: ½u cos 20°.
     """
-    if len(_ratios_of_numbers(tree)) < _LONG_PRODUCT or has_quantity(tree):
+    most = _LONG_SUM if any(map(_is_long, walk(tree))) else _LONG_PRODUCT
+    if len(_ratios_of_numbers(tree)) < most or has_quantity(tree):
         return None
     try:
         value = sp.factor(worth(tree))
@@ -100,6 +102,8 @@ class Figures:
 
     def stands_for(self, tree: Expression, put: Expression) -> None:
         """Notes that a value stands on paper as an expression of figures, and not exactly."""
+        if isinstance(tree, Negate):
+            tree, put = tree.operand, swept(Negate(put))
         self._known.setdefault(tree, put)
 
     def instead_of(self, tree: Expression) -> Expression:
@@ -129,12 +133,21 @@ class Figures:
         own = tree.operand if isinstance(tree, Negate) else tree
         if own in self._known:
             return tree
-        put = exchanged(tree, self._known)
+        put = rebuilt(exchanged(tree, self._known), self._arctangent)
         if put == tree:
             return tree
         put = swept(rebuilt(swept(put), _sign_outside))
         # Figures that lead to others in the end would make the line false.
         return tree if _differ(tree, put) else put
+
+    def _arctangent(self, tree: Expression) -> Expression:
+        """An arctangent of the other sign of what is on paper: in 180° − β, with β known."""
+        match tree:
+            case Apply("arctan", inside) if of_plain_angles(inside):
+                for known, put in self._known.items():
+                    if of_plain_angles(known) and _in_figures(known) == _in_figures(Negate(inside)):
+                        return Apply("arctan", swept(Negate(put)))
+        return tree
 
     def vector(self, tree: Expression) -> Expression:
         """A vector of which each long component has its figures alone; they are known from then."""

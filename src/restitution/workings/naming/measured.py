@@ -378,8 +378,14 @@ def _rounded(value: sp.Expr, angle: bool) -> lay.Layout | None:
 
 
 def _is_rounded_alone(value: Any, shown: lay.Layout, tree: Expression) -> bool:
-    """Whether only the decimal of a number is shown, which has an exact form."""
-    if not isinstance(value, sp.Expr) or value.is_Rational or value.free_symbols:
+    """Whether only the decimal of a number is shown, which has an exact form.
+
+    So it may be of a number before letters: 2.15u.
+    """
+    if not isinstance(value, sp.Expr) or value.is_Rational:
+        return False
+    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    if rest.atoms(sp.Add, sp.Function) or not number.atoms(sp.Function, sp.Pow):
         return False
     return shown != lay.from_sympy(value, degrees=_is_angle(tree))
 
