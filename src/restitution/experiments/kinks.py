@@ -76,7 +76,7 @@ class Kink:
         return pairs
 
     def covariance(self) -> Array:
-        """Of `velocities`, for positions with errors of 1 in each coordinate; (4b, 4b)."""
+        """The covariance of `velocities`, for errors of 1 in each coordinate; shape (4b, 4b)."""
         inverse = np.asarray(np.linalg.pinv(self.design.T @ self.design), dtype=np.float64)
         chosen = _velocity_columns(len(self.paths), meeting=self.meeting)
         return inverse[chosen][:, chosen]
@@ -115,7 +115,7 @@ class _Sums:
         return self.of_line - float(((bend @ self.rest) ** 2).sum() / (bend @ bend))
 
     def fall(self, tau: Array) -> Array:
-        """Of the sum of squares, for times of shape (k,)."""
+        """The fall of the sum of squares, for times of shape (k,)."""
         at = tau - self.middle
         n, s1, s2, *rest = self.later[np.searchsorted(self.times, at, side="right")].T
         h1, hs = s1 - at * n, s2 - at * s1

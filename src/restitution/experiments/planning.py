@@ -245,7 +245,7 @@ def simulated(
 
 
 def _quantile() -> float:
-    """Of χ² with 1 degree of freedom, at LEVEL: the square of that of a normal deviate."""
+    """The quantile of χ² with 1 degree of freedom, at LEVEL: the square of a normal deviate's."""
     from statistics import NormalDist
 
     return NormalDist().inv_cdf((1 + LEVEL) / 2) ** 2

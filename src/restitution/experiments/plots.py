@@ -238,7 +238,7 @@ def _marks(axes: Any, places: Sequence[tuple[float, float]], label: str | None =
 
 
 def _strength(count: int) -> float:
-    """Of the ink of error bars: weaker where there are many."""
+    """The strength of the ink of error bars: weaker where there are many."""
     return 0.85 if count <= _MANY else 0.35
 
 

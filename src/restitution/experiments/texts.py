@@ -119,7 +119,7 @@ def _row(point: Point, width: int) -> str:
 
 
 def _tracks(experiment: ExperimentContent) -> Iterator[str]:
-    """Of each track when the impact was, and the speeds before and after."""
+    """The time of the impact in each track, and the speeds before and after."""
     tracks = experiment.tracks
     if not tracks:
         return

@@ -73,7 +73,7 @@ class AnswerObject(TypedDict):
 
 
 class RejectedObject(TypedDict):
-    """A value that is no answer."""
+    """A value that is rejected."""
 
     exact: str | list[str]
     reason: str
@@ -325,7 +325,7 @@ class DrawnObject(SolvedObject, PicturesObject):
 
 
 class RejectedContent(TypedDict):
-    """A value that is no answer, as a page shows it."""
+    """A value that is rejected, as a page shows it."""
 
     value: Any
     """A tree."""

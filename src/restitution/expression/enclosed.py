@@ -66,7 +66,7 @@ class UndefinedError(ArithmeticError):
 
 
 def whole_power_in(precision: int, base: Interval | None, n: int) -> Interval:
-    """A whole power. Raises UndefinedError for one of zero that is no number."""
+    """A whole power. Raises UndefinedError for a negative power of zero."""
     if base is None or (n < 0 and holds_zero(base)):
         raise UndefinedError("division by zero")
     return mpi_pow_int(base, n, precision)  # type: ignore[no-any-return]

@@ -42,7 +42,7 @@ _FUNCTION = re.compile("|".join(sorted(FUNCTIONS, key=len, reverse=True)))
 
 
 def next_character(text: str, at: int) -> str:
-    """The first character from an offset on that is no blank; empty at the end."""
+    """The first character from an offset on that is not blank; empty at the end."""
     match = _NEXT.match(text, at)
     return match.group(1) if match else ""
 

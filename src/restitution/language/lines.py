@@ -26,12 +26,12 @@ class LogicalLine:
 
     @property
     def start(self) -> int:
-        """The offset of the first character that is no blank."""
+        """The offset of the first character that is not blank."""
         return len(self.source.text) - len(self.source.text.lstrip())
 
 
 def decode(text: str | bytes) -> str:
-    """The text itself, of a bearable size. Raises StatementError for bytes that are no UTF-8."""
+    """The text itself, of a bearable size. Raises StatementError for bytes that are not UTF-8."""
     require(text, (str, bytes), "parse")
     if len(text) > MAX_TEXT_BYTES:
         raise StatementError(

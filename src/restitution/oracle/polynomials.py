@@ -442,7 +442,7 @@ class Polynomials:
         return self._generators[self._keys[key]], one
 
     def cosine_and_sine(self, angle: sp.Expr) -> tuple[PolyElement, PolyElement]:
-        """Of a sum of multiples of the angles that were collected."""
+        """The cosine and the sine of a sum of multiples of the angles that were collected."""
         c, s = self.ring.one, self.ring.zero
         terms, rest = self._terms(angle)
         if rest != 0:

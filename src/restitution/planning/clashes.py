@@ -392,7 +392,7 @@ def _without(problem: Problem, given: Given, relation: Said) -> Problem:
 
 
 def _across(scene: Scene, solver: Solver, claim: Relation) -> Iterator[Ref]:
-    """The components across the line of centres of the velocities that a fact speaks of."""
+    """The components across the line of centres of the velocities in a fact."""
     for body, stage in _velocities(claim):
         if stage in scene.model.frames:
             frame = scene.frame(stage)

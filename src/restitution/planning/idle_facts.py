@@ -1,4 +1,4 @@
-"""Facts that hold anyway: what they speak of is worked out.
+"""Facts that hold anyway: the quantities in them are worked out.
 
 A fact may leave the letters open for which it was given, or be given beside what fixes all of them.
 """
@@ -102,7 +102,7 @@ def with_facts_that_agree(solution: Solution, desk: Desk, spare: Iterable[Fact])
 def _holding_anyway(
     scene: Scene, given: GivenEquation, name: str, kind: NoteKind, reason: str = ""
 ) -> Note | None:
-    """The lines of what a fact speaks of, which is what the fact says; None where it is not."""
+    """The lines of the quantity in a fact, where they agree with it; None where they do not."""
     desk = scene.desk
     desk.item, desk.withheld = name, frozenset({given.fact.id})
     start = len(desk.lines)

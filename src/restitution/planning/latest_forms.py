@@ -1,4 +1,4 @@
-"""Of the forms of a line that stand, a later one starts from that which tells it.
+"""Lines that start from the latest form of another line, where several forms of it stand.
 
 From the last one of an equation; of an inequality from its factors, which are not multiplied out.
 """

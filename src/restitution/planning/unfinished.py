@@ -28,7 +28,7 @@ from restitution.solving.equations.solution import ItemResult
 def write_unfinished(
     scene: Scene, solver: Solver, item: Item | Show, result: ItemResult, now: int, name: str
 ) -> None:
-    """Writes what an item speaks of, as far as there is a plan, and notes its answer."""
+    """Writes the quantities in an item, as far as there is a plan, and notes its answer."""
     trees = [staged(scene.problem, tree, now) for tree in _trees(item)]
     premises: list[int] = []
     # Of several solutions only the equations are the same.
@@ -115,7 +115,7 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
 
 
 def _trees(item: Item | Show) -> Iterator[Expression]:
-    """What an item speaks of."""
+    """The trees in an item."""
     if not isinstance(item, Show):
         yield item.expression
         return

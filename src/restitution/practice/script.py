@@ -86,7 +86,7 @@ class Declaration:
 
 @dataclass(frozen=True)
 class Scope:
-    """Of what the lines below a heading speak; None where it says nothing of that.
+    """What the lines below a heading are about; None where the heading does not say it.
 
     ``event`` is the number of an event of the story, ``body`` a sphere, ``case`` a number that
     grows with every new case.

@@ -41,7 +41,7 @@ def in_printed_terms(solution: Solution) -> Problem | None:
 
 
 def _is_of_a_time(step: Step) -> bool:
-    """Whether a fact speaks of the motion at a time that is no event: a further unknown."""
+    """Whether a fact names the motion at a time between events: a further unknown."""
     return isinstance(step, Given) and any(
         isinstance(node, Quantity) and isinstance(node.stage, AtTime)
         for tree in trees_of_step(step)

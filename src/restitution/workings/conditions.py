@@ -186,7 +186,7 @@ def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[An
 
 @dataclass(frozen=True)
 class Known:
-    """Of which letters a working says the value: anywhere, and above a condition.
+    """The letters whose values a working says: anywhere, and above a condition.
 
     ``squares`` are those of ratios of angles, between their ends; ``bounds`` are what squares of
     ratios must be that lines above give, each with the claims that it makes of letters.

@@ -609,7 +609,7 @@ def _of_a_percentage(sentence: Sentence) -> Sentence:
 
 
 def _subject(line: Line) -> Expression | None:
-    """Of which quantity or letter a line says the value."""
+    """The quantity or letter whose value a line says."""
     relation = line.relation
     return relation.options[0][0].left if isinstance(relation, Relation) else None
 

@@ -190,7 +190,7 @@ class Notes:
         return say(name, items=items, value=self._naming.layout(right))
 
     def _ahead(self, claim: Relation) -> Mapping[str, str | lay.Layout] | None:
-        """Of two spheres that do not approach, which is ahead, as the other moves towards it.
+        """Which of two spheres that do not approach is ahead, as the other moves towards it.
 
         None at a wall, and where an earlier impact of the two tells how they are placed.
         """

@@ -57,7 +57,7 @@ class _Ahead:
 
     @classmethod
     def of(cls, arrangement: Arrangement, relation: Meets, events: int) -> _Ahead | None:
-        """The pair of which a relation speaks; None where no place tells how they lie."""
+        """The pair that a relation names; None where no place tells how they lie."""
         names = [relation.first.name, relation.second.name]
         walls = [each for each in names if each in arrangement.walls]
         if relation.again or len(walls) != 1 or arrangement.radius is not None:

@@ -24,7 +24,7 @@ from restitution.explaining.steps.step import Step
 
 
 def nothing(step: Step, event: Event | None) -> Iterable[Link]:
-    """Of the other records there is nothing to work out."""
+    """Nothing is worked out for the other records."""
     return ()
 
 

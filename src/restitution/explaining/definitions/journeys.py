@@ -34,7 +34,7 @@ from restitution.expression.tree import (
 
 
 def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
-    """Of a place at a time, and of a distance, what each is: times and bodies are the line's."""
+    """What a place at a time, and a distance, is; times and bodies are the line's."""
     if step.move.record == "straight-line" and event is not None:
         yield from _journeys(step, event)
         yield from _several_ways(step, event)
@@ -247,7 +247,7 @@ def _chord_of(body: Expression, since: int, number: int) -> Quantity:
 
 
 def rounds(step: Step, event: Event | None) -> Iterator[Link]:
-    """Of three chords of one circle that close, that their angles with the radii make 90°.
+    """The angles of three chords of one circle that close, with their radii: their sum is 90°.
 
     Each spans 180° less twice its angle at the centre; together they can only span 360°.
     """

@@ -116,7 +116,7 @@ def _named_angles(step: Step) -> Iterator[Link]:
 
 
 def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
-    """The two directions of which a relation says how they stand to each other."""
+    """The two directions that a relation compares."""
     if link.sign in ("perpendicular to", "parallel to"):
         return _moving(link.left), _moving(link.right), link.sign
     match link:
@@ -143,7 +143,7 @@ def _moving(tree: Expression) -> Expression:
 
 
 def past_a_right_angle(link: Link) -> tuple[Expression, Expression, Sign] | None:
-    """Of an angle that is more than 90°, or less: its directions, and the sign of their product.
+    """The directions of an angle of more than 90°, or less, and the sign of their product.
 
     A direction beyond 90° is one at more than 90° to **i**; one below it may be so too.
     """

@@ -65,7 +65,7 @@ def _to_the_line(step: Step, event: Event) -> Iterator[Link]:
 
 
 def _given_angles(step: Step, event: Event, wall: Name) -> Iterator[Quantity]:
-    """The angles to the wall of an impact, after it, of which a cited fact speaks."""
+    """The angles to the wall of an impact, after it, that a cited fact names."""
     for link in step.links:
         for node in walk(link.left):
             match node:

@@ -120,7 +120,7 @@ class Tracer:
             self._speak_of(each.relation)
 
     def _speak_of(self, relation: Relation | Meaning) -> None:
-        """Take note of the angles of which a line speaks: laws of others are left aside."""
+        """Take note of the angles that a line names: laws of others are left aside."""
         new = {
             self.setting.quantity(node)
             for tree in trees_of(relation)
@@ -291,7 +291,7 @@ class Tracer:
                             yield move, link
 
     def _speaks_of(self, link: Link) -> bool:
-        """Whether all angles in a law are among those of which lines speak."""
+        """Whether lines name all angles in a law."""
         return all(
             node in self._angles
             for tree in (link.left, link.right)

@@ -211,7 +211,7 @@ _BY_SENSES = frozenset({"component", "difference"})
 
 
 def names_of(events: Iterable[Event], facts: Iterable[Fact]) -> dict[str, str]:
-    """What each body and point of which events and facts speak is: a sphere, a wall or a point."""
+    """What each body and point in events and facts is: a sphere, a wall or a point."""
     names: dict[str, str] = {}
     for event in events:
         for position, body in enumerate(event.bodies):
@@ -387,5 +387,5 @@ def _proved(roles: tuple[tuple[str, object], ...], claim: All) -> bool:
 
 
 def names_in(relation: Relation | Meaning) -> set[str]:
-    """The letters of which a relation speaks."""
+    """The letters in a relation."""
     return {name for tree in trees_of(relation) for name in letters(tree)}

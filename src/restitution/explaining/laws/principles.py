@@ -62,7 +62,7 @@ class Record:
 
     @property
     def needs(self) -> frozenset[str]:
-        """The kinds of quantities of which the record speaks: all but one have to be known."""
+        """The kinds of quantities in the record: all but one have to be known."""
         return frozenset(
             node.kind
             for template in self.templates

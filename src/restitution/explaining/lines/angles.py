@@ -177,7 +177,7 @@ class Angles(Roots):
         return bool(self.identities & {"double-angle", "half-angle"})
 
     def _stranger(self, turn: Turn) -> tuple[Quotient, Quotient]:
-        """The cosine and the sine of an angle that is no multiple of any other."""
+        """The cosine and the sine of an angle that is not a multiple of any other."""
         if len(turn.terms) == 1 and not turn.degrees:
             ((atom, count),) = turn.terms
             if abs(count) == 1 and isinstance(atom, Apply) and atom.function in INVERSE:

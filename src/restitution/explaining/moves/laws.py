@@ -200,7 +200,7 @@ def _one_signed(step: Step, link: Link) -> Expression | None:
 
 
 def _is_tied(step: Step, line: Link, template: Link) -> bool:
-    """Of two directions: parallel or perpendicular, by cross or scalar product."""
+    """Whether two directions are parallel or perpendicular, by their cross or scalar product."""
     chosen = step.under(opaque=step.opaque | {template.left})
     rules = chosen.rules()
     template = _from_rest(chosen, template, rules)

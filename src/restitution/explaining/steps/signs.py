@@ -205,7 +205,7 @@ def _squared(world: World, line: Quotient, expected: Quotient) -> Quotient | Non
 
 
 def _strangers(world: World, line: Quotient, expected: Quotient) -> bool:
-    """Whether one of two speaks of a quantity that the other does not know: the quick way out."""
+    """Whether one of two has a quantity that the other has not: the quick way out."""
     ours, theirs = (set(world.keys(x.above)) for x in (line, expected))
     names = world.keys_by_number()
     return any(

@@ -20,7 +20,7 @@ _QUADRATIC = 2
 
 
 def with_products_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
-    """The line with its products of sums multiplied out; the same one where that is no step.
+    """The line with its products of sums multiplied out; the same one where none has to be.
 
     It is one where a quotient stands in a sum of a product, and the product is not the only term.
     """

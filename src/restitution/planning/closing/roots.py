@@ -149,7 +149,7 @@ def _but_for_sign(
     roots: Sequence[sp.Expr],
     symbol: sp.Symbol,
 ) -> int | None:
-    """Of two equal squares, that what they are squares of is equal or opposite, as a line.
+    """The line that two values with equal squares are equal or opposite.
 
     The two equations stand in the order of the roots that they have.
     """
@@ -256,7 +256,7 @@ def _of_a_square(
 def _by_pythagoras(
     scene: Scene, number: int, polynomial: sp.Poly, roots: Relation, known: Iterable[Ref]
 ) -> int | None:
-    """The roots of a quadratic by the formula, of whose root sin² + cos² = 1 makes a number.
+    """The roots of a quadratic by the formula, where sin² + cos² = 1 makes its root a number.
 
     None of another one.
     """

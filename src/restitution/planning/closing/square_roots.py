@@ -241,7 +241,7 @@ def sides_but_for_sign(
 
 
 def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
-    """Of multiples of two squares of sums, of which one stands on both sides: each on its own side.
+    """Multiples of two squares of sums, each brought to its own side, where one stands on both.
 
     So 10(1 + k)² = 4(2 − k)² + 9(1 + k)² is (1 + k)² = 4(2 − k)². The same line where the root is
     not to be taken of both sides then.

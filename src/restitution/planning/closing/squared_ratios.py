@@ -46,7 +46,7 @@ def write_by_squares(
     formula: Callable[[Scene, Any], Formula | None],
     printed: Expression | None = None,
 ) -> int | None:
-    """The line of a quantity by squares of ratios of an angle; None where that is no gain.
+    """The line of a quantity by squares of ratios of an angle; None where that gains nothing.
 
     What is asked may be the square of a speed, or a fraction of energies; ``printed`` is the form
     that a claim has for it.

@@ -1,4 +1,4 @@
-"""Of two equations in two letters that one is solved for which is wanted."""
+"""Which of two equations in two letters is solved first: the one for the letter that is wanted."""
 
 from __future__ import annotations
 

@@ -129,7 +129,7 @@ def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:
 
 
 def speed_by_its_energy(scene: Scene, speed: Quantity) -> int | None:
-    """A speed by the line of its kinetic energy; None without one, or where that is no gain.
+    """A speed by the line of its kinetic energy; None without one, or where that gains nothing.
 
     It is none where the speed is a line, and where a body has one component alone, or a root is
     left.

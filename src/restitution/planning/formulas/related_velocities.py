@@ -16,7 +16,7 @@ from restitution.planning.writing.vectors import common_velocity
 
 
 def write_related(scene: Scene, asked: Expression) -> None:
-    """Writes the velocities of which something asked is made, where others tell them."""
+    """Writes the velocities in something asked, where others tell them."""
     bodies = {node.name for node in walk(asked) if isinstance(node, Name)}
     if not isinstance(asked, Quantity):
         return

@@ -162,7 +162,7 @@ def _as_vectors(scene: Scene, both: list[tuple[str, int]]) -> list[list[Source]]
 
 
 def _cited(pair: tuple[Source, Source]) -> tuple[Source, ...]:
-    """Of a product that is zero, the factor that is zero."""
+    """The factor that is zero, of a product that is zero."""
     return next(((each,) for each in pair if each.value == 0), pair)
 
 

@@ -182,7 +182,7 @@ class ClaimLines:
         return [line for line in lines if line is not None]
 
     def _rooted(self, refs: Sequence[Ref], relation: Relation, pool: Sequence[Ref]) -> int | None:
-        """Of a bound of the square of a ratio, that of the ratio, where its angle is asked."""
+        """The bound of a ratio by that of its square, where its angle is asked."""
         subject = subject_of(relation)
         if not isinstance(subject, Letter):
             return None

@@ -98,7 +98,7 @@ class Eliminated(InStages):
     def _eliminated(
         self, line: int, base: Sequence[Ref], relation: Relation, target: set[str]
     ) -> int | None:
-        """By the range of a letter in an equation of which the claim does not speak."""
+        """By the range of a letter in an equation that is not in the claim."""
         scene = self.scene
         link = scene.desk.last_link(line)
         inside = {

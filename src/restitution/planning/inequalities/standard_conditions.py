@@ -82,7 +82,7 @@ def as_quadratic(
 
 
 def _polynomial(x: sp.Expr, wanted: Expression | None) -> tuple[sp.Expr, sp.Poly] | None:
-    """Of what ``x`` is a polynomial: of one letter, of the one that is wanted, or of one ratio."""
+    """The variable in which ``x`` is a polynomial: its one letter, the wanted one, or one ratio."""
     ratios = x.atoms(sp.sin, sp.cos, sp.tan)
     angles = {each.args[0] for each in ratios}
     letters = x.free_symbols - {symbol for each in angles for symbol in each.free_symbols}

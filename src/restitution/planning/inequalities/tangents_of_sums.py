@@ -16,7 +16,7 @@ from restitution.planning.writing.scene import Scene
 
 
 def write_tangent_of_a_sum(scene: Scene, relation: Relation, tangents: Sequence[int]) -> int | None:
-    """The line of tan(α ± β) of which an inequality speaks; None where it speaks of none.
+    """The line of the tan(α ± β) in an inequality; None where it has none.
 
     ``tangents`` are the lines that say what the angles are worth of which the letters tell.
     """

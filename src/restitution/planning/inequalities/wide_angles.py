@@ -83,7 +83,7 @@ def compared_by_cosine(
 
 
 def _plain(claims: Comparing, side: Expression) -> Expression:
-    """An obtuse angle that is no number of degrees as an inverse cosine; any other side itself."""
+    """An obtuse angle as an inverse cosine, unless it is in degrees; any other side itself."""
     if isinstance(side, Binary) and any(isinstance(node, Apply) for node in walk(side)):
         return Apply("arccos", _cosine(claims, side))
     return side

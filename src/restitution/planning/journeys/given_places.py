@@ -38,7 +38,7 @@ def write_given_place(scene: Scene, each: GivenEquation) -> int:
 def _place_then(
     scene: Scene, each: GivenEquation, there: Quantity, body: str, place: Vector
 ) -> int:
-    """A place that is given at a time that is no event, by the coordinate with least unknowns."""
+    """A place given at a time between events, by the coordinate with the fewest unknowns."""
     own = place_then(scene, there, body)
     coordinates = zip(place_trees.AXES, own.value, place, strict=True)
     for axis, value, given in sorted(coordinates, key=lambda each: len(scene.unknown(each[1]))):

@@ -1,4 +1,4 @@
-"""Where a body is at a time that is no event."""
+"""Where a body is at a time between events."""
 
 from __future__ import annotations
 

@@ -243,7 +243,7 @@ def _end_of(scene: Scene, body: str, number: int) -> Vector:
 
 
 def _by_a_circle(scene: Scene, body: str, number: int) -> bool:
-    """Whether a body comes by a circular wall: where it struck that is no equation for a line."""
+    """Whether a body comes from a circular wall, where its place gives no equation for a line."""
     return any(
         body in scene.bodies(each) and circle_of(scene, each) is not None
         for each in range(1, number)

@@ -154,7 +154,7 @@ def _events_between(scene: Scene, body: str, number: int, since: int = 0) -> lis
 
 
 def _times_wanted(scene: Scene) -> set[int]:
-    """The events of which the question speaks of the time."""
+    """The events whose times the question names."""
     asked: list[tuple[Item | Show, int]] = list(scene.problem.asked(scene.part))
     trees = [
         staged(scene.problem, item.expression, now)

@@ -63,7 +63,7 @@ def _body(velocity: Quantity) -> str:
 def write_refutation(
     scene: Scene, solver: Solver, item: Show, result: ItemResult, now: int, name: str
 ) -> None:
-    """Writes what a claim speaks of, and a note that it is not true, or is not decided."""
+    """Writes the quantities in a claim, and a note that it is not true, or is not decided."""
     if result.holds is None:
         scene.desk.note(name, "undecided")
         return
@@ -95,7 +95,7 @@ class _Refutation:
         self.numbers = dict(_numbers(scene, result.counterexample or {}))
 
     def write(self) -> None:
-        """Writes the lines of what the claim speaks of, and the note."""
+        """Writes the lines of the quantities in the claim, and the note."""
         if self.item.subject is not None:
             self._write_subject(self.item.subject)
             return

@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 def on_one_side(
     solution: Solution, part: PartSolution, models: Sequence[Model], desk: Desk
 ) -> tuple[Model, ...]:
-    """Of solutions that are mirrored two by two, those with the line of centres beside **j**.
+    """The solutions with the line of centres beside **j**, where all are mirrored two by two.
 
     None where they are not.
     """

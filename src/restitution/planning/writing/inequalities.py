@@ -23,7 +23,7 @@ from restitution.solving.story.letters import roles
 
 
 def subject_of(relation: Relation) -> Expression | None:
-    """Of what a relation is: between two bounds, what stands between them; else a side."""
+    """The subject of a relation: what stands between two bounds, else a side."""
     links = relation.only
     if len(links) == 2 and links[0].right == links[1].left:
         return links[0].right
@@ -61,7 +61,7 @@ def certain(scene: Scene, x: sp.Expr) -> int | None:
 
 
 def isolated(scene: Scene, x: sp.Expr, symbol: sp.Symbol) -> tuple[Expression, sp.Expr] | None:
-    """Of ``x = 0``: a letter, a ratio of it or a square of one, and what it is equal to."""
+    """A letter, a ratio of it or a square of one, and what it is equal to if ``x = 0``."""
     form = linear_in(x, symbol, roles(scene.problem)[symbol.name].kind == "angle")
     if form is None:
         return None

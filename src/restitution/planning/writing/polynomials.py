@@ -27,7 +27,7 @@ def factored(x: Any) -> sp.Expr:
 
 @remembered(2048)
 def factor_powers(x: sp.Expr) -> tuple[tuple[sp.Expr, int], ...]:
-    """The factors of a polynomial that are no numbers, each with its power; none of zero."""
+    """The factors of a polynomial that have letters, each with its power; none of zero."""
     if expanded(x) == 0:
         return ()
     return tuple(sp.factor_list(x)[1])

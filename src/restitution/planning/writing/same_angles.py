@@ -67,7 +67,7 @@ def _kind(angle: Quantity) -> str:
 
 
 def _moving(angle: Quantity) -> set[tuple[str, int]]:
-    """The bodies of whose velocities an angle is, with the events after which they are meant."""
+    """The bodies between whose velocities an angle lies, each with the event before it."""
     match angle:
         case Quantity("direction", (Name(body),), int(stage)):
             return {(body, stage)}

@@ -165,7 +165,7 @@ def common_velocity(given: GivenEquation) -> tuple[str, str, int] | None:
 
 
 def _started(scene: Scene, tree: Expression) -> tuple[Ref, ...]:
-    """The velocities at the start of which a tree speaks."""
+    """The velocities at the start in a tree."""
     return tuple(
         f"velocity {node.arguments[0].name}"
         for node in walk(tree)

@@ -326,7 +326,7 @@ def _of_either_sign(meant: Quantity, tree: Expression) -> tuple[Expression, ...]
 
 
 def _bodies_of(meant: Quantity, world: World) -> list[str]:
-    """The bodies of whose mass a quantity is a multiple: one, or both that meet in an impulse."""
+    """The bodies whose masses multiply a quantity: one, or both that an impulse acts on."""
     if meant.arguments:
         return [each.name for each in meant.arguments if isinstance(each, Name)]
     if meant.kind == "impulse" or len(world.start) == 1:

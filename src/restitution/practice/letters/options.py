@@ -306,7 +306,7 @@ _MULTIPLE = 0.05
 def scaled(
     candidates: Iterable[Candidate], directions: Sequence[Expression]
 ) -> Iterator[Candidate]:
-    """Components and relative velocities times the size of a direction that is no unit vector.
+    """Components and relative velocities times the length of a direction.
 
     ``(5i + 2j).(2i - j)`` is one: in a ratio, the factor goes.
     """
@@ -320,7 +320,7 @@ def scaled(
 def multiples(
     candidates: Iterable[Candidate], direction: Expression, problem: Problem
 ) -> Iterator[Candidate]:
-    """What is multiplied by a direction that is no unit vector: an impulse, or what it changes.
+    """What is multiplied by a direction of any length: an impulse, or what it changes.
 
     In ``2(v_A - 6i - 2j) = -k(3i + 4j)`` the size of the impulse is 5k; a change of velocity may
     be told in the same way.

@@ -120,7 +120,7 @@ def _parts(value: Value) -> tuple[Array, ...]:
 
 
 def _key(tester: Tester, value: Value | None) -> Any:
-    """A key that values equal up to sign share; None for a value that is no number."""
+    """A key that values share which are equal up to sign; None for a value that is not a number."""
     if value is None:
         return None
     parts = [tester.world.spread(each) for each in _parts(value)]

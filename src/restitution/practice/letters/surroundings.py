@@ -186,7 +186,7 @@ class Surroundings:
         return any(same_size(value, each) for each in known if each is not None)
 
     def directions(self, lines: Iterable[ScriptLine]) -> tuple[Expression, ...]:
-        """Vectors that are no unit vectors, such as 3i + 4j: in scalar products, or as data.
+        """Vectors of any length, such as 3i + 4j: in scalar products, or as data.
 
         Data are those of lines of centres.
         """

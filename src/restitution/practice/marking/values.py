@@ -131,7 +131,7 @@ class Values(Sides):
         )
 
     def is_bound(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line bounds the letter, or the quantity, of whose range a point is."""
+        """Whether a line bounds the letter, or the quantity, whose range a point is for."""
         return any(self._bounds_in(point, line))
 
     def is_other_range(self, point: MarkPoint, line: JudgedLine) -> bool:

@@ -23,7 +23,7 @@ _SMALL = 100  # and a number up to this is no large one under a root
 
 @dataclass(frozen=True)
 class _Kind:
-    """Of what kind a value is: its roots, the largest number under one, its denominator."""
+    """The kind of a value: its roots, the largest number under one, its denominator."""
 
     roots: int = 0
     under: int = 0

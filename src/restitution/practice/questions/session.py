@@ -62,7 +62,7 @@ class State:
 
     @staticmethod
     def of_json(text: str) -> State:
-        """Raises StatementError for a text that is no such state."""
+        """Raises StatementError for a text that holds no such state."""
         if len(text) > _MOST_BYTES:
             raise StatementError("this is no file of practice: it is too long")
         try:

@@ -260,7 +260,7 @@ def _hypotenuses(problem: Problem) -> dict[str, int]:
 
 
 def _fit_to(velocity: Any, old: Mapping[str, int], new: Mapping[str, int]) -> int:
-    """Of what a new speed is a multiple, for whole components, where the old one is such."""
+    """The number that divides a new speed, for whole components, where it divides the old one."""
     if isinstance(velocity, Polar):
         sizes = [node.value for node in _nodes(velocity.size) if isinstance(node, Number)]
         for name in letters(velocity.angle):

@@ -52,7 +52,7 @@ def energy_links(
 
 
 def _has_squares(energy: Expression, problem: Problem) -> bool:
-    """Whether every term with a letter that is no mass has a square in it."""
+    """Whether every term has a square in it, unless its letters are masses."""
     if isinstance(energy, Binary) and energy.op in ("+", "-"):
         return _has_squares(energy.left, problem) and _has_squares(energy.right, problem)
     masses = {"m", "M"}.union(

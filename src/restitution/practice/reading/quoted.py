@@ -113,7 +113,7 @@ def without_quoted(script: Script, known: Collection[str]) -> Script:
 
 
 def _sides(line: ScriptLine, known: Collection[str]) -> Iterator[Expression]:
-    """The sides of a line's relations that are no formula in the middle of a chain."""
+    """The sides of a line's relations, without formulas in the middle of a chain."""
     for place, link in enumerate(line.links):
         left, right = (link.readings[0].left, link.readings[0].right)
         if not (place and is_quoted(line.links[place - 1], link, known)):

@@ -166,7 +166,7 @@ def angle_between(
 
 
 def reason_of_rest(tree: Expression) -> str:
-    """Why what is at rest has no direction, with the body of whose velocity a tree speaks."""
+    """Why a body at rest has no direction; the body is the one whose velocity the tree names."""
     match tree:
         case Quantity("velocity" | "momentum", (Name(body),)):
             return f"{body} is at rest, and {_RULE}"

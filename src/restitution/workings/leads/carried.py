@@ -207,7 +207,7 @@ def _is_a_value(line: Line) -> bool:
 
 
 def _others(beside: Sequence[Line], lines: Sequence[Line]) -> Iterator[Line]:
-    """Of components, those of velocities that have another one among lines."""
+    """The components of velocities that have another one among lines."""
     velocities = {velocity for each in lines for velocity in _resolved(each)}
     for each in beside:
         if not velocities.isdisjoint(_resolved(each)):

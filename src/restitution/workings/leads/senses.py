@@ -122,7 +122,7 @@ def _direction(line: Line) -> Expression | None:
 
 
 def _event(derivation: Derivation, line: Line) -> int:
-    """The impact of whose change a direction is made; 0 of any other line."""
+    """The impact whose change of velocity gives a direction; 0 of any other line."""
     above = _change(derivation, line)
     return 0 if above is None else above.move.event or 0
 

@@ -292,7 +292,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         )
 
     def _one_component(self, line: Line) -> Sentence | None:
-        """How a body moves of whose velocity all components but one are zero."""
+        """How a body moves whose velocity has one component that is not zero."""
         assert isinstance(line.relation, Relation)
         numbers = [ref for ref in line.premises if isinstance(ref, int)]
         own = [e for e in map(self._cited, numbers) if e is not None]

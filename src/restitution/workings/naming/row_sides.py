@@ -35,7 +35,7 @@ def root_but_for_sign(options: tuple[tuple[Link, ...], ...]) -> Link | None:
 
 
 def are_values(relation: Relation) -> bool:
-    """Whether a line gives several values of one quantity that is no vector."""
+    """Whether a line gives several values of one scalar or angle."""
     lefts = {links[0].left for links in relation.options}
     return len(lefts) == 1 < len(relation.options) and all(
         all(link.sign in ("=", "≈") for link in links) and not is_vector(links[0].left)

@@ -1,1 +1,1 @@
-"""What is said behind a line that is no equation: *as α is acute*."""
+"""Reasons behind a line besides equations: *as α is acute*."""

@@ -1,4 +1,4 @@
-"""On what a line rests that is no equation: *as α is acute*, *as 0 ≤ e ≤ 1*."""
+"""What a line rests on besides equations: *as α is acute*, *as 0 ≤ e ≤ 1*."""
 
 from __future__ import annotations
 
