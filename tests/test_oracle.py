@@ -300,6 +300,27 @@ def test_a_search_ends_by_its_steps_and_not_by_the_clock(monkeypatch: pytest.Mon
         oracle._asked((negation(claim),))
 
 
+def test_numbers_that_grow_end_by_the_seconds_of_the_processor(monkeypatch: Any) -> None:
+    """A clock on the wall that rings early, as on a busy machine, ends nothing."""
+    clocks = iter([0.1, 0.2, 2.5])
+    own = [0.0]
+    calls: list[tuple[str, str]] = []
+
+    def checked(solver: Any) -> tuple[str, str]:
+        own[0] += next(clocks)
+        time.sleep(0.02)
+        calls.append(("unknown", "canceled"))
+        return calls[-1]
+
+    monkeypatch.setattr(decision, "SECONDS", 0.001)
+    monkeypatch.setattr(decision, "checked", checked)
+    monkeypatch.setattr(decision.time, "thread_time", lambda: own[0] / 1000)
+    claim = compared(u**2 + v**2 * sp.cos(alpha), ">", u * v * x)
+    reply, _ = Oracle(ROLES)._asked((negation(claim),))
+    assert reply == decision.Reply("unknown", None, decision.LATE)
+    assert len(calls) == 3, "and no other attempt is begun"
+
+
 def _questions(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """What is put to the decision procedure from now on."""
     asked: list[Any] = []

@@ -7,6 +7,7 @@ factors whose sign is plain are left out.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import gcd
@@ -20,12 +21,13 @@ from restitution.oracle.formula import All, Formula, Relation, Some
 from restitution.oracle.polynomials import Polynomials, TooLargeError
 from restitution.work import seconds_left, spend
 
-STEPS = 1_500_000
+STEPS = 1_200_000
 """The work of one attempt at a question, as Z3 counts it: about half a second where numbers are
-small, and a few where they grow. Three fifths of it are the most that an answer takes in the tests.
+small. Four fifths of it are the most that an answer takes in the tests."""
 
-The clock ends an attempt only where a limit of time is in force and over: what is decided is the
-same on every machine. What is too large is not asked at all."""
+SECONDS = 2.0
+"""The outer guard of an attempt, as its numbers may grow beyond all bounds: time of the processor,
+which is no more on a busy machine. What is too large is not asked at all."""
 
 MOST_GENERATORS = 14
 MOST_DEGREE = 40
@@ -48,6 +50,8 @@ class Reply:
 
 
 UNKNOWN = Reply("unknown", None, "too large")
+LATE = "timeout"
+"""The reason of what took all its seconds."""
 
 
 @dataclass(frozen=True)
@@ -313,7 +317,7 @@ def _ask(world: Polynomials, tree: _Tree, used: Sequence[str], scale: Sequence[s
     inlined = z3.With(own, inline_vars=True)
     for tactic in (own, z3.Then(*before, inlined, ctx=question.context)):
         answer, reason, solver = _answer(tactic, formulas)
-        if answer != "unknown":
+        if answer != "unknown" or reason == LATE:
             break
     if answer == "unsat":
         return Reply("no")
@@ -331,14 +335,23 @@ def _answer(tactic: Any, formulas: Sequence[Any]) -> tuple[str, str, Any]:
     """What a tactic makes of formulas, why it does not know, and its solver, which has a model."""
     solver = tactic.solver()
     solver.set("rlimit", STEPS)
-    left = seconds_left()
-    if left is not None:
-        solver.set("timeout", 1 + max(0, int(1000 * left)))
     solver.add(*formulas)
-    answer, reason = checked(solver)
-    # Had the clock ended it, this raises its error.
-    spend(0)
-    return answer, reason, solver
+    seconds = SECONDS
+    while True:
+        # The clock of Z3 is that on the wall; where others had the processor, it is set anew.
+        left = seconds_left()
+        wall = seconds if left is None else max(0.0, min(seconds, left))
+        solver.set("timeout", 1 + int(1000 * wall))
+        start, began = time.monotonic(), time.thread_time()
+        answer, reason = checked(solver)
+        # Had a limit of time ended it, this raises its error.
+        spend(0)
+        ended = answer == "unknown" and time.monotonic() - start >= wall
+        if not ended:
+            return answer, reason, solver
+        if time.thread_time() - began >= SECONDS:
+            return answer, LATE, solver
+        seconds *= 2
 
 
 def checked(solver: Any) -> tuple[str, str]:
