@@ -24,10 +24,23 @@ given speed(A) = speed(A, 0)
 find e
 """
 
+# w = −u/2: v = 2u cos α and −u/2 − v = u cos α + u/4.
+OBTUSE = """
+sphere A: mass m, velocity 2u at alpha
+sphere B: mass 2m, velocity u at 120°
+A hits B: along i, e = 1/2
+given speed(B) = u
+find cos(alpha)
+"""
+
 
 @pytest.mark.parametrize(
     ("statement", "reason"),
     [
+        (
+            OBTUSE,
+            "as w = −u/2 would give v = −u/2 and cos α = −¼ by (2) and (3), but α is acute",
+        ),
         (SAME_SPEED, "v = −2u, as v = 2u would give w = −3u and e = −1 by (2) and (3), but e ≥ 0"),
         (
             SEVERAL_MASSES,
@@ -36,7 +49,7 @@ find e
     ],
 )
 def test_the_values_stand_there(statement: str, reason: str) -> None:
-    assert reason in to_text(explain(solve(parse(statement))), 100)
+    assert reason in to_text(explain(solve(parse(statement))), 120)
 
 
 NEGATIVE_COEFFICIENTS = """

@@ -4,15 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from itertools import pairwise
 from typing import Literal
 
-import sympy as sp
-
-from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import (
-    OPPOSITE,
     Derivation,
     Line,
     Link,
@@ -20,9 +15,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
 )
-from restitution.explaining.lines.notation import read_relation
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -34,10 +27,10 @@ from restitution.expression.tree import (
     Unit,
     children,
     has_quantity,
-    letters,
     walk,
 )
 from restitution.workings.naming.angles_by_signs import signs_behind
+from restitution.workings.naming.rejected import bound_broken, root_of_a_square
 
 _PAIRED = frozenset({"combine", "divide", "square-add"})
 _SILENT = frozenset({"law", "define", "fact", "let", "answer", "shown", "triangle"})
@@ -127,89 +120,6 @@ def _gives_value(relation: Relation) -> bool:
         case Relation(options=((Link(Quantity() | Letter(), "="), *_),)):
             return True
     return False
-
-
-def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], Link] | None:
-    """The one root that a line rejects, and what it would make of another letter: e > 1.
-
-    None where several roots are rejected, or by what is known of the letter itself.
-    """
-    first = line.premises[0] if line.premises else None
-    above = derivation.line(first) if isinstance(first, int) else None
-    if above is None or not isinstance(above.relation, Relation):
-        return None
-    assert isinstance(line.relation, Relation)
-    dropped = [option for option in above.relation.options if option not in line.relation.options]
-    bodies = {body: "sphere" for event in derivation.events for body in event.bodies}
-    bounds = [
-        links[0]
-        for ref in line.premises
-        if isinstance(ref, str) and ref.partition(" ")[2][:1] in ("<", ">")
-        for links in read_relation(ref, bodies).options
-    ]
-    if not bounds and len(dropped) == 1:
-        return _made_negative(derivation, line, dropped[0])
-    if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in OPPOSITE:
-        return None
-    bound = bounds[0]
-    if letters(bound.left) & letters(dropped[0][0].left) or bound.left == dropped[0][0].left:
-        return None
-    sign = OPPOSITE[bound.sign]
-    return dropped[0], Link(bound.left, sign, bound.right)
-
-
-def _made_negative(
-    derivation: Derivation, line: Line, dropped: tuple[Link, ...]
-) -> tuple[tuple[Link, ...], Link] | None:
-    """A root and the letter that it makes negative, by the one line that is cited beside it."""
-    match [each.relation for ref in line.premises[1:] if (each := _line(derivation, ref))]:
-        case [Relation(((Link(Letter() as other, "="), *_) as links,))]:
-            root = dropped[0].left
-            if len(line.premises) != 2 or not isinstance(root, Letter) or root == other:
-                return None
-            try:
-                value, worth = (
-                    in_letters(each[-1].right, positive=True) for each in (dropped, links)
-                )
-            except (RestitutionError, TypeError):
-                return None
-            if worth.subs(sp.Symbol(root.name, positive=True), value).is_negative:
-                return dropped, Link(other, "<", Number(Fraction(0)))
-    return None
-
-
-def _line(derivation: Derivation, ref: Ref) -> Line | None:
-    return derivation.line(ref) if isinstance(ref, int) else None
-
-
-def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], int] | None:
-    """The one root that a line rejects, and the line with a root by which that is none.
-
-    It came of squaring that line.
-    """
-    cited = [ref for ref in line.premises if isinstance(ref, int)]
-    if line.move.id != "reject" or len(cited) != 2:
-        return None
-    roots, other = (derivation.line(each) for each in cited)
-    if line.premises[0] != cited[0]:
-        return None
-    assert isinstance(line.relation, Relation)
-    if roots is None or other is None or other.move.id == "law":
-        return None
-    if not isinstance(roots.relation, Relation) or not isinstance(other.relation, Relation):
-        return None
-    dropped = [each for each in roots.relation.options if each not in line.relation.options]
-    own = other.relation.options
-    if len(dropped) != 1 or len(own) != 1 or any(each.sign != "=" for each in own[0]):
-        return None
-    nodes = (node for each in own[0] for node in walk(Binary("-", each.left, each.right)))
-    unknown = letters(dropped[0][0].left)
-    if not any(
-        isinstance(node, Apply) and node.function == "sqrt" and letters(node) & unknown
-        for node in nodes
-    ):
-        return None
-    return dropped[0], cited[1]
 
 
 class Sources:

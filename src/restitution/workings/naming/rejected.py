@@ -1,0 +1,212 @@
+"""The one root that a line rejects: what it makes of another letter, or of what was squared."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
+from restitution.explaining.lines.derivation import (
+    OPPOSITE,
+    Derivation,
+    Line,
+    Link,
+    Meaning,
+    Ref,
+    Relation,
+    Sign,
+)
+from restitution.explaining.lines.notation import read_relation, read_tree
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    letters,
+    walk,
+)
+from restitution.planning.writing.forms import UnwrittenError, tree_of
+
+_BEYOND = {"<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
+
+
+def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], Link] | None:
+    """The one root that a line rejects, and what it would make of another letter: e > 1.
+
+    None where several roots are rejected, or by what is known of the letter itself.
+    """
+    first = line.premises[0] if line.premises else None
+    above = derivation.line(first) if isinstance(first, int) else None
+    if above is None or not isinstance(above.relation, Relation):
+        return None
+    assert isinstance(line.relation, Relation)
+    dropped = [option for option in above.relation.options if option not in line.relation.options]
+    bodies = {body: "sphere" for event in derivation.events for body in event.bodies}
+    bounds = [
+        links[0]
+        for ref in line.premises
+        if isinstance(ref, str) and ref.partition(" ")[2][:1] in ("<", ">")
+        for links in read_relation(ref, bodies).options
+    ]
+    if not bounds and len(dropped) == 1:
+        of_a_ratio = _ratio_broken(derivation, line, dropped[0])
+        return of_a_ratio or _made_negative(derivation, line, dropped[0])
+    if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in OPPOSITE:
+        return None
+    bound = bounds[0]
+    if letters(bound.left) & letters(dropped[0][0].left) or bound.left == dropped[0][0].left:
+        return None
+    sign = OPPOSITE[bound.sign]
+    return dropped[0], Link(bound.left, sign, bound.right)
+
+
+def _ratio_broken(
+    derivation: Derivation, line: Line, dropped: tuple[Link, ...]
+) -> tuple[tuple[Link, ...], Link] | None:
+    """A root and the ratio of an acute angle that it makes negative, or more than 1."""
+    angles = [ref.partition(":") for ref in line.premises if isinstance(ref, str)]
+    if len(angles) != 1 or angles[0][0].strip() != "acute":
+        return None
+    angle = read_tree(angles[0][2], {})
+    nodes = {node for pair in equations_of(derivation, line) for e in pair for node in walk(e)}
+    ratios = {node for node in nodes if isinstance(node, Apply) and node.argument == angle}
+    if len(ratios) != 1:
+        return None
+    (ratio,) = ratios
+    ends: tuple[tuple[Sign, int], ...] = (("<=", 0),)
+    if ratio.function in ("sin", "cos"):
+        ends = (*ends, (">=", 1))
+    for sign, end in ends:
+        bound = Link(ratio, sign, Number(Fraction(end)))
+        if made_by_a_root(derivation, line, dropped, bound):
+            return dropped, bound
+    return None
+
+
+def _made_negative(
+    derivation: Derivation, line: Line, dropped: tuple[Link, ...]
+) -> tuple[tuple[Link, ...], Link] | None:
+    """A root and the letter that it makes negative, by the one line that is cited beside it."""
+    match [each.relation for ref in line.premises[1:] if (each := _line(derivation, ref))]:
+        case [Relation(((Link(Letter() as other, "="), *_) as links,))]:
+            root = dropped[0].left
+            if len(line.premises) != 2 or not isinstance(root, Letter) or root == other:
+                return None
+            try:
+                value, worth = (
+                    in_letters(each[-1].right, positive=True) for each in (dropped, links)
+                )
+            except (RestitutionError, TypeError):
+                return None
+            if worth.subs(sp.Symbol(root.name, positive=True), value).is_negative:
+                return dropped, Link(other, "<", Number(Fraction(0)))
+    return None
+
+
+def _line(derivation: Derivation, ref: Ref) -> Line | None:
+    return derivation.line(ref) if isinstance(ref, int) else None
+
+
+def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], int] | None:
+    """The one root that a line rejects, and the line with a root by which that is none.
+
+    It came of squaring that line.
+    """
+    cited = [ref for ref in line.premises if isinstance(ref, int)]
+    if line.move.id != "reject" or len(cited) != 2:
+        return None
+    roots, other = (derivation.line(each) for each in cited)
+    if line.premises[0] != cited[0]:
+        return None
+    assert isinstance(line.relation, Relation)
+    if roots is None or other is None or other.move.id == "law":
+        return None
+    if not isinstance(roots.relation, Relation) or not isinstance(other.relation, Relation):
+        return None
+    dropped = [each for each in roots.relation.options if each not in line.relation.options]
+    own = other.relation.options
+    if len(dropped) != 1 or len(own) != 1 or any(each.sign != "=" for each in own[0]):
+        return None
+    nodes = (node for each in own[0] for node in walk(Binary("-", each.left, each.right)))
+    unknown = letters(dropped[0][0].left)
+    if not any(
+        isinstance(node, Apply) and node.function == "sqrt" and letters(node) & unknown
+        for node in nodes
+    ):
+        return None
+    return dropped[0], cited[1]
+
+
+def made_by_a_root(
+    derivation: Derivation, line: Line, dropped: Sequence[Link], bound: Link
+) -> tuple[Relation, ...]:
+    """What the other letters of the cited equations would be, that of the bound last.
+
+    Empty where these equations do not tell, or are not linear in them.
+    """
+    equations = list(equations_of(derivation, line))
+    own = {each.relation.letter for each in derivation.lines if isinstance(each.relation, Meaning)}
+    if not isinstance(dropped[0].left, Letter) or not isinstance(bound.left, Letter | Apply):
+        return ()
+    root, last = dropped[0].left.name, getattr(bound.left, "name", "ratio of the angle")
+    try:
+        ratio = {in_letters(bound.left, positive=True): sp.Symbol(last, positive=True)}
+        gaps = [
+            sp.sympify(in_letters(a, positive=True) - in_letters(b, positive=True)).xreplace(ratio)
+            for a, b in equations
+        ]
+        value = in_letters(dropped[-1].right, positive=True)
+        limit = in_letters(bound.right, positive=True)
+    except (RestitutionError, TypeError):
+        return ()
+    put = [sp.expand(gap.subs(sp.Symbol(root, positive=True), value)) for gap in gaps]
+    names = sorted(symbol_names(*put) & (own | {last}) - {root})
+    unknowns = [sp.Symbol(name, positive=True) for name in names if name != last]
+    unknowns.append(sp.Symbol(last, positive=True))
+    signed = {each: sp.Dummy(each.name) for each in unknowns}
+    put = [gap for gap in (each.xreplace(signed) for each in put) if gap != 0]
+    if len(put) != len(unknowns) or last not in names:
+        return ()
+    try:
+        (solution,) = sp.linsolve(put, list(signed.values()))
+    except (ValueError, sp.polys.polyerrors.PolynomialError):
+        return ()
+    values = [tidy(each) for each in solution]
+    if any(each.free_symbols & set(signed.values()) for each in values):
+        return ()
+    if _BEYOND[bound.sign](values[-1], limit) != sp.true:
+        return ()
+    try:
+        trees = [tree_of(each) for each in values]
+    except UnwrittenError:
+        return ()
+    lefts: list[Expression] = [Letter(each.name) for each in unknowns[:-1]]
+    relations = [
+        Relation(((Link(left, "=", tree),),))
+        for left, tree in zip((*lefts, bound.left), trees, strict=True)
+        if left not in {each for each, _ in equations}  # it stands there already
+    ]
+    if values[-1].free_symbols and relations:
+        beyond = Link(trees[-1], bound.sign, bound.right)
+        relations[-1] = Relation(((Link(bound.left, "=", trees[-1]), beyond),))
+    return tuple(relations)
+
+
+def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Expression]]:
+    """The sides of the equations that a line cites, but for its roots."""
+    for ref in line.premises[1:]:
+        above = derivation.line(ref) if isinstance(ref, int) else None
+        relation = None if above is None else above.relation
+        if isinstance(relation, Relation) and len(relation.options) == 1:
+            links = relation.only
+            if all(each.sign == "=" for each in links):
+                yield links[0].left, links[-1].right
+
+
+__all__ = ["bound_broken", "made_by_a_root", "root_of_a_square"]
