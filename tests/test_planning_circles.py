@@ -269,6 +269,25 @@ def test_a_ball_that_comes_through_the_centre_goes_along_a_diameter() -> None:
     assert "t₂ − t₁ = 10/5 = 2 s" in text
 
 
+@pytest.mark.parametrize(
+    ("velocity", "time"), [("3i + 4j", "(a/5)"), ("u i", "a/u"), ("u at alpha", "a/u")]
+)
+def test_from_the_centre_the_radius_over_the_speed_is_the_time(velocity: str, time: str) -> None:
+    """No equation of the second degree is needed; with e in letters it comes back along 2a."""
+    problem, derivation = planned(f"""
+wall C: circle centre (2, 1) radius a
+sphere P: mass m, at (2, 1), velocity {velocity}
+P hits C: e = e
+find time(1)
+P hits C: e = e
+find time(2)
+""")
+    assert not follow(derivation, Oracle(roles(problem)))
+    assert f"time(1) = {time.strip('()')}" in said(derivation)
+    assert not any(each.move.id == "roots" for each in derivation.lines)
+    assert "P starts at the centre of C, so it moves along a radius" in printed(problem, derivation)
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_circles_of_any_numbers(seed: int) -> None:
     draw = random.Random(seed)

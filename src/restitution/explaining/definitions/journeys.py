@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_zero,
     walk,
 )
 
@@ -163,7 +164,7 @@ def chords(step: Step, event: Event | None) -> Iterator[Link]:
     """From one point of a circular wall to the next: equal angles with the radii, and the time.
 
     The radii are those to the two points, away from the centre. At the start a body may be on the
-    circle too.
+    circle too; from its centre it moves along a radius.
     """
     if event is None or not (event.wall or event.kind == "arrival"):
         return
@@ -175,10 +176,15 @@ def chords(step: Step, event: Event | None) -> Iterator[Link]:
     chord = _chord_of(body, since, number)
     if any(link.left == chord for link in whole_links(step)):
         flight = Binary("-", Quantity("time", (), number), Quantity("time", (), since))
-        for speed in _speeds(velocity, radial):
-            yield Link(Binary("*", flight, speed), "=", chord)
+        for speed in (*_back_along(step, velocity, radial), *_speeds(velocity, radial)):
+            yield Link(chord, "=", Binary("*", speed, flight))
     circle = _circle(step, body, number if event.wall else since)
     if circle is None:
+        return
+    if event.wall and not since and _is_at_the_centre(step, body, circle[0]):
+        flight = Binary("-", Quantity("time", (), number), Quantity("time", (), since))
+        for speed in (replace(velocity, kind="speed"), Apply("abs", velocity)):
+            yield Link(Binary("*", flight, speed), "=", circle[1])
         return
     double = Binary("*", Number(Fraction(2)), circle[1])
     if event.wall:
@@ -201,6 +207,8 @@ def chords(step: Step, event: Event | None) -> Iterator[Link]:
         here = axis_of(event)
         yield Link(Quantity("along", (velocity, here)), "=", Negate(along))
         yield Link(Quantity("across", (velocity, here)), "=", across)
+    for _ in _back_along(step, velocity, radial):
+        yield Link(chord, "=", double)  # through the centre
     for speed in _speeds(velocity, radial):
         yield Link(Binary("*", chord, speed), "=", Binary("*", double, Negate(along)))
     if since:
@@ -239,6 +247,16 @@ def _speeds(velocity: Quantity, radial: Expression) -> Iterator[Expression]:
     yield Apply("sqrt", total_of([squared(part) for part in parts]))
     yield replace(velocity, kind="speed")
     yield Apply("abs", velocity)
+
+
+def _back_along(step: Step, velocity: Quantity, radial: Expression) -> Iterator[Expression]:
+    """The speed of who goes straight back from a circular wall: the component away from it."""
+    across = Quantity("across", (velocity, radial))
+    if any(
+        link.left == across and link.sign == "=" and is_zero(link.right)
+        for link in whole_links(step)
+    ):
+        yield Negate(Quantity("along", (velocity, radial)))
 
 
 def _chord_of(body: Expression, since: int, number: int) -> Quantity:
@@ -341,6 +359,17 @@ def _circle(step: Step, body: Name, number: int) -> tuple[Expression | None, Exp
                 ):
                     return radius_vector.right, radius
     return None
+
+
+def _is_at_the_centre(step: Step, body: Name, centre: Expression | None) -> bool:
+    """Whether the place of a body at the start, which is cited, is the centre of a circle."""
+    start = Quantity("position", (body,), 0)
+    for link in step.links:
+        if link.left == start and link.sign == "=":
+            way = link.right if centre is None else Binary("-", link.right, centre)
+            value = step.world.value(way)
+            return isinstance(value, Plane) and value.x.vanishes and value.y.vanishes
+    return False
 
 
 def _radius_to(

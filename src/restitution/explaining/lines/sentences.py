@@ -292,6 +292,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "chord.diameter": ("{body} moves along the radius, so it passes through the centre of {wall}"),
     "chord.through": "{body} moves through the centre",
     "chord.time": "Time = length of the chord ÷ speed",
+    "chord.from-centre": (
+        "{body} starts at the centre of {wall}, so it moves along a radius. Time = radius ÷ speed"
+    ),
     "chord.as-before": (
         "The impact changes the size of neither component, so the next chord is as long, and takes "
         "as long"

@@ -104,8 +104,9 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     try:
         rules = step.rules()
         part = _one_signed(step, link)
-        if step.move.record == "straight-line":
+        if step.move.record in ("straight-line", "chord"):
             _note_pace(step, link, rules)
+        if step.move.record == "straight-line":
             _note_approach(step, rules)
         if part is None:
             expected = expected_residual(step, link, rules)

@@ -60,6 +60,7 @@ from restitution.planning.journeys.place_lines import (
 from restitution.planning.journeys.rims import (
     Approach,
     place_on_a_level,
+    time_from_the_centre,
     time_of_touching,
     time_on_a_chord,
 )
@@ -308,8 +309,8 @@ def _on_a_level(scene: Scene, body: str, number: int) -> Source | None:
         return None
     if circle_of(scene, number) is None or len(scene.spheres(number)) > 1:
         return None
-    if open_line(scene, body, number) is not None:
-        return None  # the place is by the time already
+    if open_line(scene, body, number) is not None:  # the place is by the time already
+        return None
     since = last_move(scene, body, number)
     still: list[Axis] = [axis for axis in AXES if keeps_still(scene, body, since, axis)]
     if len(still) != 1 or chord_from(scene, body, number) is not None:
@@ -505,8 +506,7 @@ def leg(scene: Scene, number: int) -> tuple[int, Source]:
 
 def leg_line(scene: Scene, number: int) -> tuple[Ref, ...]:
     """The line of the last way to an event, from which a sum of times starts."""
-    begin, _ = leg(scene, number)
-    known = scene.desk.known(time_since(scene, number, begin))
+    known = scene.desk.known(time_since(scene, number, leg(scene, number)[0]))
     return () if known is None else known.refs
 
 
@@ -522,8 +522,11 @@ def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:
     """The time to a circular wall, from another point of it or from beside it."""
     since = last_move(scene, body, number)
     refs = begin_of(scene, since)
+    flight = time_since(scene, number, since)
     if chord_from(scene, body, number) is not None:
-        return since, time_on_a_chord(scene, body, number, since, time_since(scene, number, since))
+        return since, time_on_a_chord(scene, body, number, since, flight)
+    if direct := time_from_the_centre(scene, body, number, flight):
+        return since, direct
     level = None if f"order {number}" in scene.facts else _on_a_level(scene, body, number)
     if level is not None:
         return leg_along(scene, body, number, "j" if keeps_still(scene, body, since, "i") else "i")

@@ -185,11 +185,13 @@ def _chord(scene: Scene, body: str, number: int, since: int, speed: Source) -> S
     elif towards != speed.value:
         tree = product(tree, Binary("/", tree_of(towards), tree_of(speed.value)))
     value = tidy(2 * radius * towards / speed.value)
-    line = scene.desk.write(
-        Move("define", "chord", number, (body,)),
-        together(refs, speed.refs),
-        chain(quantity, (swept(tree), None), (tree_of(value), "rearrange")),
-    )
+    move = Move("define", "chord", number, (body,))
+    relation = chain(quantity, (swept(tree), None), (tree_of(value), "rearrange"))
+    premises = together(refs, speed.refs)
+    if towards == speed.value:
+        # Through the centre: how fast it goes is no matter.
+        premises = scene.judge.needed(move, premises, relation) or premises
+    line = scene.desk.write(move, premises, relation)
     return scene.desk.know(quantity, value, (line,))
 
 
@@ -267,6 +269,30 @@ class Approach:
     first: Source
     pace: Source
     early: Source | None
+
+
+def time_from_the_centre(scene: Scene, body: str, number: int, flight: Expression) -> Source | None:
+    """The time in which a body comes along a radius to a circular wall: the radius over the speed.
+
+    None where it does not start at the centre.
+    """
+    circle = circle_of(scene, number)
+    place = scene.facts.get(f"position {body}")
+    if circle is None or place is None or scene.last_event(body, number - 1):
+        return None
+    start = from_centre(scene, number, scene.vector(place.relation.only[0].right))
+    if not all(map(scene.model.identically_zero, start)):
+        return None
+    radius, more = scene.put(scene.scalar(circle[1]))
+    speed = _speed_on_a_chord(scene, body, 0)
+    value = tidy(radius / speed.value)
+    ratio = swept(Binary("/", tree_of(radius), tree_of(speed.value)))
+    line = scene.judge.write(
+        (Move("define", "chord", number, (body,)),),
+        ("start", place.id, f"contact {number}", *speed.refs, *more),
+        chain(flight, (ratio, None), (tree_of(value), "rearrange")),
+    )
+    return None if line is None else scene.desk.know(flight, value, (line,))
 
 
 def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) -> Source:
