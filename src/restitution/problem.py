@@ -456,6 +456,14 @@ def count_of_items(step: Step) -> int:
     return len(step.items) if isinstance(step, Find) else int(isinstance(step, Show))
 
 
+def require_part(problem: Problem, label: str | None) -> None:
+    """Raises StatementError where the problem has no part of this label; None asks for none."""
+    labels = [part.label for part in problem.parts if part.label is not None]
+    if label is not None and label not in labels:
+        known = f"its parts are {', '.join(labels)}" if labels else "the statement has no parts"
+        raise StatementError(f"there is no part {label!r}: {known}")
+
+
 def with_facts(problem: Problem, *relations: Relation) -> Problem:
     """The problem with further facts, in force in all its parts."""
     first, *others = problem.parts

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any
 from restitution.cli.files import debugging, one_line, parse, pointed, read, say, shown_name
 from restitution.cli.statuses import REPORT, UNANSWERED, UNREADABLE
 from restitution.cli.worker import new_worker
-from restitution.errors import RestitutionError, StatementError
+from restitution.errors import RestitutionError
 
 if TYPE_CHECKING:
     from restitution.export.job import Job, Reply, Task
     from restitution.killable import Worker
-    from restitution.problem import Problem
 
 
 @dataclass(frozen=True)
@@ -34,6 +33,7 @@ def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer
     """Read a file and have the task done; what is wrong is told, in JSON too if that is asked."""
     from restitution.export import contract
     from restitution.export.job import Job, Writing
+    from restitution.problem import require_part
 
     writing = task if isinstance(task, Writing) else Writing()
     json = writing.form == "json"
@@ -42,7 +42,7 @@ def answer(worker: Worker, file: str, task: Task, limit: float | None) -> Answer
     try:
         text = read(file)
         problem = parse(text)
-        _require_part(problem, part)
+        require_part(problem, part)
     except RestitutionError as error:
         line = contract.to_json(contract.unreadable(shown_name(file), error)) + "\n"
         return Answer(UNREADABLE, line if json else None, tuple(pointed(file, text, error)))
@@ -93,10 +93,3 @@ def _part_of(task: Task) -> str | None:
     if isinstance(task, Marking):
         return task.workings.part
     return task.part if isinstance(task, Writing | Playing) else None
-
-
-def _require_part(problem: Problem, label: str | None) -> None:
-    labels = [part.label for part in problem.parts if part.label is not None]
-    if label is not None and label not in labels:
-        known = f"its parts are {', '.join(labels)}" if labels else "the statement has no parts"
-        raise StatementError(f"there is no part {label!r}: {known}")

@@ -48,6 +48,7 @@ from restitution.render.short import angle_label
 from restitution.render.text import to_text
 from restitution.staging.values import PartInNumbers
 from restitution.vector import Vector
+from restitution.wording.values import layout_of
 
 _GREEK = ("beta", "theta", "phi", "psi", "gamma", "omega")
 _UNREADABLE = (RestitutionError, ArithmeticError, LookupError, TypeError, ValueError)
@@ -200,7 +201,7 @@ class _Reader:
             angle = self.polar(tree, now)
             words.angles += [angle] if angle is not None else []
         elif any(isinstance(node, Unit | Pair) for node in walk(tree)):
-            words.vector = _vector(tree)
+            words.vector = layout_of(tree)
 
     def polar(self, tree: Polar, now: int) -> LabelledAngle | None:
         """The angle of a vector given by size and direction."""
@@ -252,7 +253,7 @@ class _Reader:
     def kick(self, number: int, step: Kick) -> None:
         tree = step.impulse
         size = tree.size if isinstance(tree, Polar) else tree
-        self.sayings.impulses[number] = _vector(size)
+        self.sayings.impulses[number] = layout_of(size)
         angle = self.polar(tree, number - 1) if isinstance(tree, Polar) else None
         if angle is not None:
             self.sayings.blows[number] = angle
@@ -394,13 +395,6 @@ def is_angle(tree: Expression) -> bool:
 
 def _alike(a: Vector, b: Vector) -> bool:
     return bool(abs(a.cross(b)) < 1e-9)
-
-
-def _vector(tree: Expression) -> Layout:
-    """A vector as it is written, a pair by **i** and **j**."""
-    if isinstance(tree, Pair):
-        return lay.vector(lay.from_tree(tree.x), lay.from_tree(tree.y))
-    return lay.from_tree(tree)
 
 
 def _measure(tree: Expression) -> Layout:

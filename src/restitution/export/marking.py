@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from restitution.errors import RestitutionError, StatementError
+from restitution.problem import require_part
 
 if TYPE_CHECKING:
     from restitution.practice.marking.answers import AnswerMark
@@ -105,7 +106,7 @@ def marking_of(
         if not isinstance(meaning, str):
             raise StatementError(f"the meaning of {letter[:20]} is a text")
     if part is not None:
-        _require_part(solution, part)
+        require_part(solution.problem, part)
         return mark(solution, working, part, letters, hints=levels).json()
     markings = mark_parts(solution, working, letters, hints=levels)
     if len(markings) == 1:
@@ -157,13 +158,6 @@ def _marked(
     if task.part is not None:
         return (mark(solution, text, task.part, letters, hints=task.hints),)
     return mark_parts(solution, text, letters, hints=task.hints)
-
-
-def _require_part(solution: Solution, part: str) -> None:
-    if part not in solution.parts:
-        known = ", ".join(str(label) for label in solution.parts if label is not None)
-        rule = f"its parts are {known}" if known else "the statement has no parts"
-        raise StatementError(f"there is no part {part!r}: {rule}")
 
 
 def _of_answers(answers: Sequence[AnswerMark], form: Form) -> str:

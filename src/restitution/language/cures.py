@@ -12,13 +12,12 @@ from itertools import takewhile
 from restitution.errors import StatementError
 from restitution.expression.quantities import QUANTITIES
 from restitution.expression.words import FRAGMENTS, NAME, WORDS
-from restitution.language.lines import LogicalLine, declared_names, logical_lines
+from restitution.language.lines import LogicalLine, declared_names, logical_lines, shortened
 from restitution.mending import Edit, Fix, mended
 
 _STEPS = 8  # slips in one line that are mended one after another
 _OFFERED = 3
 _BREAK = re.compile(r"\r\n|\r|\n")
-_SHOWN = 60
 _LONGEST = 300  # characters of a line in which a line of centres is sought
 
 FirstMistake = Callable[[LogicalLine, Mapping[str, str]], StatementError | None]
@@ -52,7 +51,7 @@ def cured(
             mistake.fixes = (*mistake.fixes, held)
             written = places.lines(mended(text, held))
             if held is not fix and places.is_whole(fix) and len(written) == 1:
-                typed, meant = _short(places.text), _short(written[0])
+                typed, meant = shortened(places.text), shortened(written[0])
                 mistake.message = f"cannot read '{typed}': did you mean '{meant}'?"
                 mistake.args = (mistake.message,)
     if not mistake.fixes:
@@ -159,17 +158,12 @@ def _as_one(text: str, then: str, places: _Region) -> Fix:
         *_position(old, len(old) - behind, places.first),
         new[ahead : len(new) - behind],
     )
-    return Fix(f"Write '{_short(new)}'", (edit,))
+    return Fix(f"Write '{shortened(new)}'", (edit,))
 
 
 def _position(text: str, offset: int, first: int) -> tuple[int, int]:
     rows = text[:offset].split("\n")
     return first + len(rows) - 1, len(rows[-1]) + 1
-
-
-def _short(text: str) -> str:
-    text = " ".join(text.split())
-    return text if len(text) <= _SHOWN else text[: _SHOWN - 1] + "…"
 
 
 # --- a line of centres on a line of its own -----------------------------------------------------

@@ -14,6 +14,7 @@ from restitution.expression.words import MEANT, NAME, near
 _BREAK = re.compile(r"\r\n|\r|\n")
 _FIRST_WORD = re.compile(r"\s*(\w+)")
 _DECLARATION = re.compile(r"\s*(sphere|wall|point)\b([^:]*)")
+_SHOWN = 60  # characters of a text in a message
 
 
 @dataclass(frozen=True)
@@ -162,3 +163,9 @@ def is_nameless(lines: list[LogicalLine], kind: str) -> bool:
     """Whether a line declares a sphere, or a wall, without a name."""
     matches = (_WITHOUT_A_NAME.match(line.source.plain) for line in lines)
     return any(match is not None and match["kind"] == kind for match in matches)
+
+
+def shortened(text: str) -> str:
+    """A text on one line, cut off where it is too long for a message."""
+    text = " ".join(text.split())
+    return text if len(text) <= _SHOWN else text[: _SHOWN - 1] + "…"

@@ -10,6 +10,7 @@ from functools import cache
 from restitution.errors import StatementError
 from restitution.expression.source import Source
 from restitution.expression.words import LINE_WORDS
+from restitution.language.lines import shortened
 from restitution.language.outside import outside
 from restitution.language.slip_tables import NAME, SLIPS, Cure
 from restitution.mending import Fix
@@ -31,9 +32,6 @@ def _slips() -> tuple[_Slip, ...]:
 
 
 _EVENT = re.compile(rf"\s*{NAME}\s+(?:hits|receives|reaches)\b")
-
-
-_SHOWN = 60
 
 
 _ALTERNATIVES = 3
@@ -96,7 +94,7 @@ def _mistake(
     share = parts.get("share", "").startswith("percent")
     parts["gap"] = " " if parts.get("v", "")[-1:].isalpha() else ""
     parts["as_share"] = " as a percentage" if share else ""
-    shown = {name: _short(text) for name, text in parts.items()}
+    shown = {name: shortened(text) for name, text in parts.items()}
     cure = slip.cure
     if isinstance(cure, str):
         message = f"cannot read '{shown['x']}': {cure.format(**shown)}" if shown["x"] else cure
@@ -160,8 +158,3 @@ def _matches(source: Source, kind: str) -> Iterator[tuple[_Slip, re.Match[str]]]
         if not slip.lines or kind in slip.lines:
             for match in slip.pattern.finditer(source.plain):
                 yield slip, match
-
-
-def _short(text: str) -> str:
-    text = " ".join(text.split())
-    return text if len(text) <= _SHOWN else text[: _SHOWN - 1] + "…"

@@ -12,7 +12,7 @@ from restitution.errors import RestitutionError, StatementError, TimeLimitError,
 from restitution.export import contract
 from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve, stopped
 from restitution.language import parse
-from restitution.problem import Problem
+from restitution.problem import Problem, require_part
 from restitution.work import limited
 
 if TYPE_CHECKING:
@@ -257,7 +257,7 @@ def _payload_of(statement: str, task: Task, limit: float, **beside: Any) -> Payl
     problem: Problem | None = None
     try:
         problem = parse(statement)
-        _require_part(problem, part)
+        require_part(problem, part)
         reply = serve(Job(FILE, problem, task, limit))
     except RestitutionError as error:
         content = (
@@ -272,13 +272,6 @@ def _payload_of(statement: str, task: Task, limit: float, **beside: Any) -> Payl
     if isinstance(reply.content, str):
         return _packed(reply.content.rstrip("\n").encode(), reply.tired)
     return replace(_json(reply.content, reply.tired), fault=reply.fault)
-
-
-def _require_part(problem: Problem, label: str | None) -> None:
-    labels = [part.label for part in problem.parts if part.label is not None]
-    if label is not None and label not in labels:
-        known = f"its parts are {', '.join(labels)}" if labels else "the statement has no parts"
-        raise StatementError(f"there is no part {label!r}: {known}")
 
 
 class _NoEventError(StatementError):

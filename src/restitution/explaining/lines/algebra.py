@@ -99,7 +99,7 @@ class World(Angles):
             case Polar():
                 return self._polar(tree)
             case Negate(operand):
-                return _scaled(self.value(operand), CONSTANT(-1))
+                return multiplied(self.value(operand), CONSTANT(-1))
             case Binary(op, left, right):
                 return self._binary(tree, op, left, right)
             case Apply(function, argument):
@@ -121,18 +121,18 @@ class World(Angles):
         a, b = self.value(left), self.value(right)
         if op in "+-":
             if op == "-":
-                b = _scaled(b, CONSTANT(-1))
+                b = multiplied(b, CONSTANT(-1))
             if isinstance(a, Plane) and isinstance(b, Plane):
                 return Plane(self.reduced(a.x + b.x), self.reduced(a.y + b.y))
             return self.reduced(_scalar(a) + _scalar(b))
         if op == "*":
             if isinstance(b, Plane):
                 a, b = b, a
-            return self.reduced_value(_scaled(a, _scalar(b)))
+            return self.reduced_value(multiplied(a, _scalar(b)))
         below = _scalar(b)
         if self.printed:
             self.denominators.append(below.above)
-        return self.reduced_value(_scaled(a, CONSTANT(1) / below))
+        return self.reduced_value(multiplied(a, CONSTANT(1) / below))
 
     def _power(self, left: Expression, right: Expression) -> Quotient:
         exponent = self.scalar(right)
@@ -392,7 +392,8 @@ def _scalar(x: Value) -> Quotient:
     return x
 
 
-def _scaled(x: Value, factor: Quotient) -> Value:
+def multiplied(x: Value, factor: Quotient) -> Value:
+    """A scalar or a vector times a factor."""
     if isinstance(x, Plane):
         return Plane(x.x * factor, x.y * factor)
     return x * factor

@@ -8,6 +8,7 @@ import sympy as sp
 
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.lines import derivation
+from restitution.explaining.lines.algebra import multiplied
 from restitution.explaining.lines.angles import Identity
 from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign, whole_of
 from restitution.explaining.lines.generators import Value
@@ -174,13 +175,6 @@ def plus(a: Value, b: Value) -> Value:
     if isinstance(a, Plane) or isinstance(b, Plane):
         raise NotComparableError("a vector beside a number")
     return a + b
-
-
-def multiplied(a: Value, factor: Quotient) -> Value:
-    """A scalar or a vector times a factor."""
-    if isinstance(a, Plane):
-        return Plane(a.x * factor, a.y * factor)
-    return a * factor
 
 
 def equal_in(step: Step, a: sp.Expr, b: sp.Expr, facts: tuple[Claim, ...] = ()) -> bool:

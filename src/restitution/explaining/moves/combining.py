@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from restitution.explaining.lines.algebra import multiplied
 from restitution.explaining.lines.derivation import Link
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
-from restitution.explaining.moves.bases import matches, multiplied, pair_cited, plus
+from restitution.explaining.moves.bases import matches, pair_cited, plus
 from restitution.explaining.steps.step import Step
 
 
