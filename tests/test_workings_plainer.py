@@ -229,3 +229,39 @@ def test_a_working_says(statement: str, words: str) -> None:
 @pytest.mark.parametrize(("statement", "words"), SAYS_NOT, ids=[each for _, each in SAYS_NOT])
 def test_a_working_does_not_say(statement: str, words: str) -> None:
     assert words not in in_a_row(statement)
+
+
+DECIMALS_OF_A_TABLE = """
+wall W1: along i, through (0, 0)
+wall W2: along i, through (0, 2)
+sphere P: mass 0.1, velocity 3i - 4j
+P hits W1: e = 1/4
+P hits W2: e = 1/2
+find total_energy_lost
+"""
+DECIMALS_OF_A_RANGE = """
+wall W: along i
+sphere P: mass 0.2, velocity 5 at alpha to W
+P hits W
+given sin(alpha) = 4/5
+part a
+find impulse
+part b
+find range of impulse
+"""
+
+
+def test_terms_and_squares_are_decimals_beside_decimals() -> None:
+    text = in_a_row(DECIMALS_OF_A_TABLE)
+    assert "½ × 0.1(0.5² + 3²) = 0.4625 J" in text
+    assert "1.25 − 0.4625" in text
+
+
+def test_a_range_and_its_reason_have_the_decimals_of_their_line() -> None:
+    text = in_a_row(DECIMALS_OF_A_RANGE)
+    assert "0.8 N s ≤ magnitude of the impulse ≤ 1.6 N s" in text
+    assert "as 0.8(1 + e) increases with e" in text
+
+
+def test_a_ratio_whose_number_a_line_puts_in_is_not_told_below_it() -> None:
+    assert "It is given that sin α" not in in_a_row(DECIMALS_OF_A_RANGE)

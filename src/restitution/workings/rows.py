@@ -47,11 +47,11 @@ from restitution.workings.naming.measured import (
     Measures,
     as_answer,
     as_decimal,
-    in_decimals,
     is_long_quotient,
     is_plain,
     percentage,
     rounded,
+    terms_as_decimals,
     to_figures,
     to_three_figures,
     with_unit,
@@ -235,11 +235,11 @@ class Rows:
             left, right = map(self._naming.side, (links[0].left, links[0].right))
             return Row((operand(say(words, left=left, right=right)),), ())
         trees = [links[0].left, *(link.right for link in links)]
-        if self._measures.decimals and self._measures.unit(links[0].left):
-            trees[1:] = map(as_decimal, trees[1:])
-        if self._measures.decimals:
-            in_units = self._measures.has_units_of_its_own
-            trees = [each if in_units(each) else in_decimals(each) for each in trees]
+        # Of a range it stands between its bounds.
+        subject = trees[1] if isinstance(as_decimal(trees[0]), Number) else trees[0]
+        if self._measures.decimals and self._measures.unit(subject):
+            trees = [terms_as_decimals(as_decimal(each)) for each in trees]
+        trees = list(map(self._measures.with_decimals, trees))
         match links[0]:
             case Link(Binary("/", Quantity(), Quantity()), _, Binary("/", above, below)) if (
                 self._measures.decimals

@@ -331,9 +331,14 @@ class GivenLeads(Leads):
                         slots = {"component": component, "value": value}
                         return (say("given.multiple", fact=words, **slots),)
                     return (say("given.and", fact=words),)
-                case Link(Apply("sin" | "cos" | "tan", Letter()) as ratio, "=") if not any(
+                case Link(Apply("sin" | "cos" | "tan", Letter()) as ratio, "=") if any(
                     ratio in walk(each) for each in trees_of(line.relation)
                 ):
+                    if isinstance(line.relation, Relation) and ratio not in walk(
+                        line.relation.options[0][-1].right
+                    ):
+                        self._given.add(fact.id)  # its number is put in before the reader's eyes
+                case Link(Apply("sin" | "cos" | "tan", Letter()), "="):
                     # Its number stands in the law, and no line says where that is from.
                     self._given.add(fact.id)
                     return (say("given.and", fact=fact_in_words(self._naming, fact)),)

@@ -12,6 +12,7 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Meaning
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.dimensions import NONE, Dimension
 from restitution.expression.evaluate import in_letters
 from restitution.expression.quantities import dimension_of
@@ -77,6 +78,12 @@ class Measures:
         """Whether letters in a value stand for what has a unit: then none stands behind it."""
         return any(self._letters.get(name, NONE) != NONE for name in letters(value))
 
+    def with_decimals(self, tree: Expression) -> Expression:
+        """A tree with the decimals of a statement that has such, as coefficients of its letters."""
+        if not self.decimals or self.has_units_of_its_own(tree):
+            return tree
+        return in_decimals(tree)
+
 
 def _quantities(problem: Problem) -> Iterator[Expression]:
     """The masses, velocities and places of a statement."""
@@ -101,6 +108,32 @@ def as_decimal(tree: Expression) -> Expression:
             return Binary("*", as_decimal(size), unit)
         case Binary("+" | "-" as op, left, right) if _of_units(left) and _of_units(right):
             return Binary(op, as_decimal(left), as_decimal(right))
+    return tree
+
+
+def terms_as_decimals(tree: Expression) -> Expression:
+    """A sum of numbers whose fractions all are decimals with an end, with these in its terms.
+
+    Those below a power are decimals too: ``1.25 − 0.4625``, ``0.5² + 3²``. A factor, such as a
+    coefficient of restitution or the half of ½mv², stays as it is.
+    """
+    root = tree.argument if isinstance(tree, Apply) and tree.function == "sqrt" else tree
+    nodes = walk(root)
+    if has_quantity(root) or letters(root) or any(isinstance(e, Apply | Unit) for e in nodes):
+        return tree
+    for each in nodes:
+        match each:
+            case Binary("/", Number(above), Number(below)) if not _ends(above / below):
+                return tree
+    return rebuilt(tree, _term_as_decimal)
+
+
+def _term_as_decimal(tree: Expression) -> Expression:
+    match tree:
+        case Binary("+" | "-" as op, left, right):
+            return Binary(op, as_decimal(left), as_decimal(right))
+        case Binary("^", base, power):
+            return Binary("^", as_decimal(base), power)
     return tree
 
 

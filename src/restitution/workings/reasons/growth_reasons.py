@@ -22,6 +22,7 @@ from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import factors
 from restitution.planning.writing.inequalities import turned
 from restitution.render import layout as lay
+from restitution.workings.naming.measured import Measures
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.growing import growth, limit_at_an_end, reached_at_an_end, way_of
 from restitution.workings.reasons.seen import growth_said, less_than_its_limit, shown
@@ -41,12 +42,18 @@ class GrowthReasons:
         roles: Mapping[str, Role],
         shapes: ShapeReasons,
         reason: Known,
+        measures: Measures,
     ) -> None:
+        self._measures = measures
         self._derivation = derivation
         self._naming = naming
         self._roles = roles
         self._shapes = shapes
         self._reason = reason
+
+    def _layout(self, tree: Expression) -> lay.Layout:
+        """A tree as the rows have it, in decimals where these have them."""
+        return self._naming.layout(self._measures.with_decimals(tree))
 
     def between_ends(self, line: Line) -> Iterator[Sentence]:
         """That a quantity increases, or decreases, between the ends that are cited."""
@@ -97,9 +104,7 @@ class GrowthReasons:
                 whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
             letter_ = Letter(name)
             letter = self._naming.layout(letter_)
-            growth_, itself = growth_said(
-                whole, name, sense, ends, self._roles, self._naming.layout
-            )
+            growth_, itself = growth_said(whole, name, sense, ends, self._roles, self._layout)
             far = _far_end(line.relation, above[0].left, name, sense, ends)
             if far is not None and self._is_no_range(line):
                 less = less_than_its_limit(whole, name, sense, ends, self._roles)
@@ -121,13 +126,13 @@ class GrowthReasons:
                 reached = reached_at_an_end(above[0].right, line.relation, name, ends)
                 if reached is not None:
                     at = self._naming.relation(Relation(((Link(letter_, "=", reached[1]),),)))
-                    value_there = self._naming.layout(reached[0])
+                    value_there = self._layout(reached[0])
                     yield say("derived.it-is", value=value_there, at=at)
                     return
                 limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
             else:
                 return
-            value, end = (None if each is None else self._naming.layout(each) for each in limit)
+            value, end = (None if each is None else self._layout(each) for each in limit)
             if value is not None:
                 # Of what grows the limit may be another.
                 named = not itself or whole not in (above[0].left, above[0].right)
@@ -166,8 +171,7 @@ class GrowthReasons:
         for name in sorted(letters(worth) - letters(bound)):
             sense = way_of(worth, name, ends, Relation(((Link(worth, sign_, bound),),)))
             if names.count(name) > 1 and shown(worth, name, sense, ends, self._roles) is not None:
-                layout = self._naming.layout
-                yield growth_said(worth, name, sense, ends, self._roles, layout)[0]
+                yield growth_said(worth, name, sense, ends, self._roles, self._layout)[0]
 
     def _is_no_range(self, line: Line) -> bool:
         """Whether a line leads to what is shown, or to a value that is only approached.

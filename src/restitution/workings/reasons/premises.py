@@ -37,6 +37,7 @@ from restitution.planning.writing.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
+from restitution.workings.naming.measured import Measures
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.along_units import along_its_unit
@@ -95,7 +96,10 @@ class Reasons:
         self._shapes = ShapeReasons(derivation, naming, self._roles)
         poles = shared._right_angles.poles if shared else None
         self._right_angles: RightAngles = RightAngles(derivation, naming, self._roles, poles)
-        self._growth = GrowthReasons(derivation, naming, self._roles, self._shapes, self._reason)
+        measures = Measures(problem, derivation.meanings)
+        self._growth = GrowthReasons(
+            derivation, naming, self._roles, self._shapes, self._reason, measures
+        )
 
     def is_positive(self, name: str) -> bool:
         """Whether a letter of the statement is positive for all that it may be."""
