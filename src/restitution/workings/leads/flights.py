@@ -157,7 +157,7 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     assert isinstance(line.relation, Relation)
     left, right = line.relation.options[0][0].left, line.relation.options[0][0].right
     if is_time(left):
-        if any(str(ref).startswith("position ") for ref in line.premises) and not is_time(right):
+        if any(str(ref).split()[0] == "position" for ref in line.premises) and not is_time(right):
             return say("chord.from-centre", body=line.move.bodies[0], wall=wall)
         return say("chord.as-before") if is_time(right) else say("chord.time")
     if isinstance(left, Quantity) and left.kind == "distance":
