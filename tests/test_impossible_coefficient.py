@@ -96,3 +96,18 @@ def test_what_does_not_rest_on_an_impossible_coefficient_earns_its_marks() -> No
     )
     shown = " ".join(to_text(explain(solve(parse(text.format("2e = 5/2"))))).split())
     assert "component of 𝐯_A along 𝐣 = 1 m s⁻¹ B1" in shown
+
+
+def test_a_coefficient_in_letters_is_worked_out() -> None:
+    """v = −3u/2 and w = 2u/k."""
+    text = (
+        "sphere A: mass m, velocity u at 60°\nsphere B: mass k m, at rest\n"
+        "A hits B: along i\ngiven velocity(A) perpendicular to velocity(A, 0)\n"
+        "find e in terms of k"
+    )
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "2u/k + 3u/2 = eu cos 60°" in shown
+    assert (
+        "e = (4 + 3k)/k > 1 is impossible, as a coefficient of restitution is at most 1." in shown
+    )
+    assert "So no value of e is possible." in shown

@@ -190,7 +190,9 @@ def test_a_square_that_would_be_negative() -> None:
         "A hits B: along i\ngiven speed(A) = 2u\nfind e"
     )
     shown = working(text)
-    assert "(2u)² = v² + (3u)² M1 v² = −5u² A1 This cannot be, as u is positive." in shown
+    assert (
+        "(2u)² = v² + (3u)² M1 v² = −5u² A1 This cannot be, as a square is not negative." in shown
+    )
 
 
 @pytest.mark.parametrize(

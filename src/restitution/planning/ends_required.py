@@ -52,6 +52,8 @@ def require_answer(scene: Scene, result: ItemResult) -> None:
 
 def require_letters(scene: Scene, result: ItemResult) -> None:
     """Refuses an answer in letters that are not those of the solver's, which were asked for."""
+    if not result.answers:
+        return  # a value that cannot be, of which the solver gives no letters
     asked = {name for answer in result.answers for name in answer.letters}
     for links in scene.desk.ends[-1].answer.options:
         for link in links:

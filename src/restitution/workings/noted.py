@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from fractions import Fraction
 from itertools import groupby
 
 from restitution.explaining.lines.derivation import Derivation, Link, Note, Ref, Relation
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Expression, Letter, Name, Negate, Quantity, walk
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.problem import Extremum, Show
 from restitution.render import layout as lay
 from restitution.solving.equations.coefficients import COEFFICIENTS
@@ -171,8 +181,11 @@ class Notes:
             return self._without_a_root(relation, bounds)
         (bound,) = bounds
         left, right = _bounded(relation, self._bounds_of(bound))
-        equation = lay.equation(self._naming.layout(left), self._naming.layout(right))
         over = "<=" in str(bound)
+        links = [Link(left, "=", right)]
+        if letters(right):
+            links.append(Link(right, ">" if over else "<", Number(Fraction(int(over)))))
+        equation = self._naming.relation(Relation((tuple(links),)))
         if self._ends_in(note):
             after = self._naming.layout(left)
             more: Sentence | str = ""

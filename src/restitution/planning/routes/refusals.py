@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 
 import sympy as sp
 
+from restitution.components.verdicts import proved_sign
 from restitution.errors import (
     ContradictionError,
     ImpossibleError,
@@ -14,12 +15,14 @@ from restitution.errors import (
 )
 from restitution.explaining.lines.derivation import NoteKind, Ref
 from restitution.expression.tree import Letter
+from restitution.oracle import Oracle
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import Desk, NotPlannedError
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Value
 from restitution.solving.equations.coefficients import COEFFICIENTS
 from restitution.solving.equations.solution import ItemResult
+from restitution.solving.story.letters import roles
 
 _KINDS: tuple[tuple[type[RestitutionError], NoteKind], ...] = (
     (MissingError, "missing"),
@@ -82,7 +85,7 @@ def _impossible(
         if fact is None:
             continue
         value = scene.scalar(fact.relation.only[0].right)
-        bound = "" if value.free_symbols else _broken(f"restitution({number})", value)
+        bound = "" if value.free_symbols else _broken(f"restitution({number})", value, scene)
         if bound:
             return fact.id, bound
     return None
@@ -94,15 +97,14 @@ def _beyond(scene: Scene) -> Iterator[tuple[str, str]]:
         role = scene.model.unknowns.roles.get(symbol.name)
         if role is None or role.kind != "restitution":
             continue
-        bound = _broken(symbol.name, sp.sympify(value, strict=True))
+        bound = _broken(symbol.name, sp.sympify(value, strict=True), scene)
         if bound:
             yield symbol.name, bound
 
 
-def _broken(name: str, value: sp.Expr) -> str:
-    """The bound that a number breaks; nothing where it breaks none."""
-    if not value.is_number:
-        return ""
-    if value > 1:
+def _broken(name: str, value: sp.Expr, scene: Scene) -> str:
+    """The bound that a value breaks for all that its letters may be; nothing if it breaks none."""
+    oracle = Oracle(roles(scene.problem))
+    if proved_sign(oracle, value - 1) == 1:
         return f"{name} <= 1"
-    return f"{name} >= 0" if value < 0 else ""
+    return f"{name} >= 0" if proved_sign(oracle, value) == -1 else ""
