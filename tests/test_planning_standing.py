@@ -302,3 +302,33 @@ show {shown}
 """)
     assert "component of 𝐯_B" in text and "= −u/3" in text
     assert "not written out" not in text
+
+
+TIED = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i
+given velocity(A) perpendicular to velocity(A, 0)
+part a
+show tan^2(alpha) = (k e - 1)/(1 + k)
+part b
+given k = 3
+find range of {asked}
+"""
+
+
+@pytest.mark.parametrize(
+    ("asked", "lines"),
+    [
+        ("alpha", ("tan²α ≤ ½, as e ≤ 1", "0° < α ≤ arctan(√2/2)")),
+        ("e", ("3e − 1 > 0, as α is acute", "⅓ < e ≤ 1")),
+    ],
+)
+def test_a_letter_that_is_given_since_is_put_into_what_ties_others(
+    asked: str, lines: tuple[str, ...]
+) -> None:
+    text = to_text(explain(solve(parse(TIED.format(asked=asked))), check=True))
+    assert "Since k = 3, from (3):" in text, text
+    assert "tan²α = (3e − 1)/4" in text, text
+    assert not [each for each in lines if each not in text], text
+    assert "not written out" not in text, text

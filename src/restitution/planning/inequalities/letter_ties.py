@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    has_quantity,
     letters,
     walk,
 )
@@ -67,7 +68,9 @@ class Ties:
     def _written_ties(self) -> Iterator[int]:
         scene = self.scene
         known = [scene.desk.known(Letter(each.name)) for each in self._linked()]
-        lines = [ref for own in known if own for ref in own.refs if isinstance(ref, int)]
+        # A number ties a letter to no other.
+        tied = [own for own in known if own and sp.sympify(own.value, strict=True).free_symbols]
+        lines = [ref for own in tied for ref in own.refs if isinstance(ref, int)]
         if lines:
             yield from dict.fromkeys(self._without_roots(each) for each in lines)
             return
@@ -76,7 +79,7 @@ class Ties:
             line = self._trial(lambda each=each: self._tie(each))  # type: ignore[misc]
             if line is not None:
                 none = False
-                yield line
+                yield self._with_values(line)
         if none:
             for symbol in self._linked():
                 line = self._trial(lambda symbol=symbol: self._closed(symbol))  # type: ignore[misc]
@@ -139,6 +142,30 @@ class Ties:
         line = self._without_roots(self._neat(given))
         scene.ties[each.fact.id] = scene.desk.relation(line)
         return line
+
+    def _with_values(self, line: int) -> int:
+        """An equation for a letter with values put in that are known since; else as it is."""
+        scene = self.scene
+        link = scene.desk.last_link(line)
+        if has_quantity(link.right):
+            return line
+        right = sp.sympify(scene.scalar(link.right), strict=True)
+        numbers: dict[sp.Symbol, sp.Expr] = {}
+        refs: list[Ref] = []
+        for each in scene.given:
+            match each.link:
+                case Link(Letter(name) as letter, "=", value) if not letters(
+                    value
+                ) and not has_quantity(value):
+                    symbol = scene.model.unknowns.letter(name)
+                    if symbol in right.free_symbols and letter.name not in letters(link.left):
+                        numbers[symbol] = sp.sympify(scene.scalar(value), strict=True)
+                        refs.append(each.fact.id)
+        if not numbers:
+            return line
+        put = tree_of(tidy(right.xreplace(numbers)))
+        relation = Relation(((Link(link.left, "=", put),),))
+        return self.judge.write((Move("put"),), [line, *refs], relation) or line
 
     def _as_found(self, line: int) -> int:
         """An equation as a line below it has it that an item ends with; else as it is."""
