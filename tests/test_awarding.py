@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from dataclasses import replace
 from functools import cache
@@ -41,6 +42,7 @@ def by_hand(name: str) -> Derivation:
 @cache
 def made_up(name: str) -> Derivation:
     statement, _, working = WORKINGS[name].partition("---\n")
+    working = re.sub(r"\bx\((\w, \d)\)", r"along(position(\1), i)", working)
     derivation = derivation_of(parse(statement), working)
     inline = INLINE.get(name, ())
     lines = (
@@ -72,6 +74,26 @@ def test_totals_are_those_of_a_marker() -> None:
 
 # Workings that need not be right: marks look at moves.
 WORKINGS = {
+    # Two parallel walls, with the same component along both; how far apart two places on one are.
+    "along-two-walls": """
+wall W1: along i, through (0, 0)
+wall W2: along i, through (0, 2)
+sphere P: at (0, 2), velocity 3i - 2j
+P hits W1: e = 1/2
+P hits W2: e = 1/2
+P hits W1: e = 1/2
+find distance(position(P, 1), position(P, 3))
+---
+1 1 | law unchanged 1 P | velocity P, axis 1 | along(velocity(P, 1), i) = 3
+2 1 | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = 1
+3 1 | law unchanged 2 P | axis 2, 1 | along(velocity(P, 2), i) = 3
+4 1 | law restitution-wall 2 P | axis 2, e 2, 2 | along(velocity(P, 2), j) = -1/2
+5 1 | define straight-line 2 P | contact 1, contact 2, 2 | time(2) - time(1) = 2
+6 1 | define straight-line 3 P | contact 2, contact 3, 4 | time(3) - time(2) = 4
+7 1 | define straight-line 3 P | 1, 3, 5, 6 | x(P, 3) - x(P, 1) = 18
+8 1 | define distance | contact 1, contact 3, 7 | distance(position(P, 1), position(P, 3)) = 18
+1: 8 distance(position(P, 1), position(P, 3)) = 18
+""",
     # The impulse on a sphere, and then that on the other one.
     "opposite": """
 sphere A: mass 2, velocity 5i + 3j
@@ -637,6 +659,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("first-scalar-product", "wall-slanted", 1, "M1", "M1", "M1"),
     ("second-scalar-product", "wall-slanted", 2, "A1", "A1", "A1"),
     ("read-off", "speed-from-impulse", 5, "A1", "A1", "A1"),
+    ("component-kept-on", "along-two-walls", 3, "", "", ""),
+    ("distance-along-one-axis", "along-two-walls", 8, "A1", "A1", "A1"),
     ("opposite-impulse", "opposite", 3, "A1ft", "A1ft", "A1ft"),
     ("another-changed", "changed-along", 11, "", "", ""),
     ("another-that-is-asked", "both-asked", 9, "", "", ""),

@@ -397,3 +397,20 @@ def test_a_scalar_product_shows_a_right_angle_to_its_own_direction_alone() -> No
     along = replace(along, premises=("wall OA", product.number))
     complaints = follow(replace(derivation, lines=(*above, product, along)), Oracle(roles(problem)))
     assert along.number in [each.line for each in complaints]
+
+
+def test_a_way_over_several_impacts_is_one_product_where_the_component_stays() -> None:
+    text = (
+        "wall W1: along i, through (0, 0)\nwall W2: along i, through (0, 3)\n"
+        "sphere P: mass 0.1, at (0, 1), velocity 3i - 4j\nP hits W1: e = 1/2\n"
+        "P hits W2: e = 1/2\nP hits W1: e = 1/2\n{}"
+        "find distance(position(P, 1), position(P, 3))"
+    )
+    solution, derivation = planned(text.format("find time(1), time(3)\n"))
+    way = "along(position(P, 3), i) - along(position(P, 1), i) = "
+    assert f"{way}3(19/4 - 1/4) = 27/2 [rearrange]" in said(derivation)
+    printed = to_text(explain(solution))
+    assert "differ in their x-coordinates alone" in printed
+    assert "Pythagoras" not in printed
+    _, derivation = planned(text.format(""))
+    assert f"{way}3(3/2 + 3) = 27/2 [rearrange]" in said(derivation)

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import replace
 from fractions import Fraction
 
 from restitution.explaining.awarding.mark_rules import ENERGIES, PAIR
+from restitution.explaining.awarding.place_conditions import (
+    another_chord,
+    at_another_time,
+    displaced,
+    open_place,
+)
 from restitution.explaining.awarding.work import Work, length, single_sides, subject_of
 from restitution.explaining.data.resting import is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
@@ -20,7 +25,6 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
-    AtTime,
     Binary,
     Degrees,
     Expression,
@@ -69,6 +73,19 @@ def _is_law(line: Line, records: Collection[str], event: int | None) -> bool:
     return line.move.id == "law" and line.move.record in records and line.move.event == event
 
 
+def _kept_on(work: Work, line: Line) -> bool:
+    """A component that an impact before has left as it is: the next wall is parallel to that."""
+    subject = subject_of(line)
+    return any(
+        each.move.id == "law"
+        and each.move.record == "unchanged"
+        and isinstance(own := subject_of(each), Quantity)
+        and isinstance(subject, Quantity)
+        and own.arguments[-1] == subject.arguments[-1]
+        for each in work.cited(line)
+    )
+
+
 def _repeated(work: Work, line: Line) -> bool:
     """An earlier part has the same principle for the same bodies at the same event."""
     move, part = line.move, work.part(line)
@@ -92,42 +109,11 @@ def _zero(work: Work, line: Line) -> bool:
     return sides is not None and sides[1] == Number(Fraction(0))
 
 
-def _another_chord(work: Work, line: Line) -> bool:
-    """A component on a chord, below another one in the part: the angles are equal once more.
-
-    Or the time on a chord, as that on the one before.
-    """
-    if _is_as_before(line):
-        return True
-    match subject_of(line):
-        case Quantity("along" | "across"):
-            pass
-        case _:
-            return False
-    return any(each.move.record == "chord" for each in work.above(line))
-
-
-def _is_as_before(line: Line) -> bool:
-    """Whether a line says that a time is another one."""
-    assert isinstance(line.relation, Relation)
-    match line.relation.options[0][0].right:
-        case Quantity("time") | Binary("-", Quantity("time"), Quantity("time")):
-            return True
-    return False
-
-
-def _at_another_time(work: Work, line: Line) -> bool:
-    """A distance since a contact, below one for another time: the relative speed is the same."""
-    match subject_of(line):
-        case Quantity("distance", bodies, AtTime()):
-            pass
-        case _:
-            return False
-    above = (subject_of(each) for each in work.above(line) if each.move == line.move)
-    return any(
-        isinstance(each, Quantity) and each.arguments == bodies and isinstance(each.stage, AtTime)
-        for each in above
-    )
+_GROUPS: Mapping[str, str] = {
+    **dict.fromkeys(PAIR, "direction"),
+    **dict.fromkeys(ENERGIES, "energy"),
+    "component": "component",
+}
 
 
 def _place_of_facts(work: Work, line: Line) -> bool:
@@ -136,13 +122,6 @@ def _place_of_facts(work: Work, line: Line) -> bool:
         case Quantity("along", (Quantity("position"), _)):
             return rests_on_facts(work, line) and any("contact" in str(e) for e in line.premises)
     return False
-
-
-_GROUPS: Mapping[str, str] = {
-    **dict.fromkeys(PAIR, "direction"),
-    **dict.fromkeys(ENERGIES, "energy"),
-    "component": "component",
-}
 
 
 def _alike(work: Work, line: Line) -> list[Line]:
@@ -596,33 +575,6 @@ def _of_an_offset(work: Work, line: Line) -> bool:
     )
 
 
-def _open_place(work: Work, line: Line) -> bool:
-    """A place by a time that is not yet known, or a second coordinate by it."""
-    match subject_of(line):
-        case Quantity("position"):
-            return _by_an_open_time(line)
-        case Quantity("along", (Quantity("position"), axis)):
-            before = [
-                e for e in work.above(line) if e.move == replace(line.move, bodies=e.move.bodies)
-            ]
-            return _by_an_open_time(line) and any(
-                _by_an_open_time(each)
-                and isinstance(own := subject_of(each), Quantity)
-                and own.arguments[-1] == axis
-                for each in before
-            )
-    return False
-
-
-def _by_an_open_time(line: Line) -> bool:
-    """Whether a time stands in a line that is not what it is about."""
-    match line.relation:
-        case Relation(((first, *_), *_)):
-            nodes = walk(first.right)
-            return any(isinstance(node, Quantity) and node.kind == "time" for node in nodes)
-    return False
-
-
 def _of_an_impulse(work: Work, line: Line) -> bool:
     """An impulse by one that stands above, or that is given."""
     relations = [each.relation for each in work.cited(line)]
@@ -635,6 +587,7 @@ def _of_an_impulse(work: Work, line: Line) -> bool:
 
 CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "repeated": _repeated,
+    "kept-on": _kept_on,
     "sought": _sought,
     "zero": _zero,
     "wall": lambda work, line: work.walls.get(line.move.event or 0, False),
@@ -656,8 +609,8 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
         and not isinstance(line.relation.options[0][0].right, Binary)
     ),
     "place-of-facts": _place_of_facts,
-    "another-chord": _another_chord,
-    "another-time": _at_another_time,
+    "another-chord": another_chord,
+    "another-time": at_another_time,
     "time": lambda work, line: getattr(subject_of(line), "kind", None) == "time",
     "a-place": lambda work, line: (
         line.number not in work.ends and isinstance(subject_of(line), Quantity)
@@ -688,9 +641,10 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "fact-of-motion": _fact_of_motion,
     "claim-without-method": _claim_without_method,
     "of-an-offset": _of_an_offset,
+    "displaced": displaced,
     "of-an-impulse": _of_an_impulse,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
-    "open-place": _open_place,
+    "open-place": open_place,
     "at-rest": lambda work, line: is_of_a_body_at_rest(work.derivation, line),
 }
 """What a rule may ask of a line, and of the lines about it."""

@@ -91,6 +91,7 @@ RULES: tuple[Rule, ...] = (
     # Principles. What an earlier part has used at the same impact is no method again.
     _rule("repeated", ("law",), "", when=("repeated",)),
     _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
+    _rule("component-kept-on", ("law",), "", ("unchanged",), ("wall", "kept-on")),
     _rule("coefficient-sought", ("law",), "M A", ("restitution-wall",), ("sought",)),
     _rule(
         "component-at-a-wall", ("law",), "B", ("unchanged", "restitution-wall"), ("wall",), m4="M A"
@@ -145,6 +146,7 @@ RULES: tuple[Rule, ...] = (
     _rule("velocity-in-components", ("define",), "", ("assemble",)),
     # Facts closed into equations, and what is asked.
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
+    _rule("distance-along-one-axis", ("define",), "", ("distance",), ("displaced",)),
     _rule("distance-at-another-time", ("define",), "", ("distance",), ("another-time",)),
     _rule("product-read-off", ("define",), "", ("product",), ("of-one-component",)),
     _rule(

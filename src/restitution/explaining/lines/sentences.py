@@ -1203,6 +1203,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "were together and move on at constant velocities are apart by the size of their relative "
         "velocity times the time since."
     ),
+    "distance.along-one": "The positions differ in their {axis}-coordinates alone",
     "distance.displacements": "Distance, by Pythagoras",
     "distance.coordinates": "Distance, from the coordinates",
     "flight.several-ways": (

@@ -1,24 +1,32 @@
-"""How far a body flies between two of its events: its velocity times the time between them."""
+"""How far a body comes between two of its events: its velocity times the time between them."""
 
 from __future__ import annotations
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Binary, Name, Quantity
+from restitution.explaining.lines.derivation import Move, Ref
+from restitution.expression.tree import Binary, Expression, Name, Quantity
 from restitution.planning.formulas.whereabouts import last_move, start, velocity
 from restitution.planning.journeys.places import coordinate_given, flight_time
 from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import Source, chain, together
-from restitution.planning.writing.forms import product, swept, tree_of
-from restitution.planning.writing.place_trees import AXES, Axis, coordinate_tree, place_tree
+from restitution.planning.writing.forms import difference, product, swept, tree_of
+from restitution.planning.writing.place_trees import (
+    AXES,
+    Axis,
+    coordinate_tree,
+    duration_tree,
+    place_tree,
+    time_tree,
+)
 from restitution.planning.writing.scene import Scene
 
 
 def flown(scene: Scene, asked: Quantity) -> tuple[Source, Source] | None:
-    """How far a body comes along **i** and along **j** from one of its events to its next.
+    """How far a body comes along **i** and along **j** from one of its events to another.
 
+    Where that is not its next one, what it has in the open direction is the same all the while.
     None of another distance, where both coordinates stand or one of the places is asked, and
     where the data give the place at which it begins.
     """
@@ -33,10 +41,13 @@ def flown(scene: Scene, asked: Quantity) -> tuple[Source, Source] | None:
     if len(open_) != 1:
         return None
     (axis,) = open_
-    pace = velocity(scene, body, early, axis)
-    if pace.value == 0 or scene.unknown(pace.value):
-        return None
     mark = scene.desk.mark()
+    paces = [velocity(scene, body, stage, axis) for stage in _stages(scene, body, early, late)]
+    values = [each.value for each in paces]
+    if values[0] == 0 or scene.unknown(values[0]) or any(each != values[0] for each in values):
+        scene.desk.back(mark)
+        return None
+    pace = Source(values[0], together(*(each.refs for each in paces)))
     length = _write_length(scene, body, (early, late), axis, pace)
     if length is None:
         scene.desk.back(mark)
@@ -46,20 +57,28 @@ def flown(scene: Scene, asked: Quantity) -> tuple[Source, Source] | None:
 
 
 def _flight_of(scene: Scene, asked: Quantity) -> tuple[str, int, int] | None:
-    """The body of which a distance is that between two events, the second its next one."""
+    """The body of which a distance is that between two of its events."""
     match asked.arguments:
         case (
             Quantity("position", (Name(body),), int(one)),
             Quantity("position", (Name(other),), int(two)),
         ) if body == other:
             early, late = sorted((one, two))
-            is_flight = 0 < early < late and last_move(scene, body, late) == early
+            is_flight = 0 < early < late and _stages(scene, body, early, late)[0] == early
             if not is_flight or "start" not in scene.facts or early < start(scene)[0]:
                 return None
             met = {early, late} <= scene.model.frames.keys() and body in scene.bodies(late)
             round_ = any(circle_of(scene, each) is not None for each in (early, late))
             return (body, early, late) if met and not round_ else None
     return None
+
+
+def _stages(scene: Scene, body: str, early: int, late: int) -> list[int]:
+    """The events of a body at which its ways from one event to another begin, in order."""
+    stages = [last_move(scene, body, late)]
+    while stages[-1] > early:
+        stages.append(last_move(scene, body, stages[-1]))
+    return stages[::-1]
 
 
 def _between_given(scene: Scene, body: str, early: int, late: int, axis: Axis) -> Source | None:
@@ -75,7 +94,7 @@ def _write_length(
 ) -> Source | None:
     """The line of how far a body comes in one direction."""
     early, late = events
-    time, length, refs = flight_time(scene, early, late)
+    time, length, refs = _time_between(scene, early, late)
     value = tidy(sp.sympify(pace.value * length, strict=True))
     ends = (coordinate_tree(body, each, axis) for each in (late, early))
     right = swept(product(tree_of(pace.value), time))
@@ -83,6 +102,21 @@ def _write_length(
     move = Move("define", "straight-line", late, (body,))
     number = scene.judge.write((move,), together(pace.refs, refs), relation)
     return None if number is None else Source(value, (number,))
+
+
+def _time_between(
+    scene: Scene, early: int, late: int
+) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
+    """The time between two events: by that of each, where lines tell both as numbers."""
+    known = [scene.desk.known(time_tree(each)) for each in (early, late)]
+    ways = scene.desk.known(duration_tree(late, early))
+    first, last = known
+    if first is None or last is None or ways is not None:
+        return flight_time(scene, early, late)
+    if not (first.value.is_number and last.value.is_number):
+        return flight_time(scene, early, late)
+    tree = difference(tree_of(last.value), tree_of(first.value))
+    return tree, tidy(last.value - first.value), together(last.refs, first.refs)
 
 
 __all__ = ["flown"]

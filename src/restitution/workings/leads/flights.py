@@ -226,6 +226,9 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
     level = _apart_along_the_line(derivation, line)
     if level is not None:
         return level
+    axis = _alone_displaced(derivation, line)
+    if axis is not None:
+        return say("distance.along-one", axis="x" if axis.axis == "i" else "y")
     match line.relation:
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
             not line.move.event and not _is_a_coordinate(derivation, line)
@@ -254,6 +257,23 @@ def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
     return any(
         isinstance(e.arguments[0], Quantity) and e.arguments[0].kind == "position" for e in places
     ) and not any(is_time(each) or is_duration(each) for each in subjects)
+
+
+def _alone_displaced(derivation: Derivation, line: Line) -> Unit | None:
+    """The axis along which two places are as far apart as a line tells; None where both count."""
+    assert isinstance(line.relation, Relation)
+    for each in map(derivation.line, (ref for ref in line.premises if isinstance(ref, int))):
+        match None if each is None else each.relation:
+            case (
+                Relation(
+                    options=(
+                        (Link(Binary("-", Quantity("along", (_, Unit() as axis)))) as own, *_),
+                    )
+                ) as relation
+            ) if is_displacement(own.left):
+                if relation.only[-1].right == line.relation.only[-1].right:
+                    return axis
+    return None
 
 
 def _tells_a_displacement(derivation: Derivation, ref: Ref) -> bool:
