@@ -172,6 +172,21 @@ from restitution.workings import explain
         ),
         (
             """
+            wall W: along j
+            sphere A: mass m, velocity u at alpha
+            sphere B: mass 2m, at rest
+            A hits B: along i, e = e
+            B hits W: e = 1/2
+            A hits W: e = 1/2
+            find range of e
+            """,
+            [
+                "A moves towards W before the third impact: ⅓(1 − 2e)u cos α > 0",
+                "0 ≤ e < ½, as",
+            ],
+        ),
+        (
+            """
             wall X: along i, through (0, 0)
             wall Y: along 60°, through (0, 0)
             sphere P: at (3, 1), velocity u at -alpha

@@ -50,11 +50,31 @@ def coming_to_wall(given: Arrangement, step: Impact, number: int) -> Link | None
 def _side_of_an_earlier_impact(
     given: Arrangement, step: Impact, number: int, normal: Expression
 ) -> int | None:
-    """1 where a body came to the same wall in the direction of a normal before, −1 against it."""
+    """1 where a body came to the same wall in the direction of a normal before, −1 against it.
+
+    It is that body, or one that has met it: no sphere passes a straight wall.
+    """
+    together = {step.first}
+    for each in reversed(given.events[: number - 1]):
+        spheres = set() if each.wall else set(each.bodies)
+        together |= spheres if spheres & together else set()
     for event, other in enumerate(given.problem.events[: number - 1], 1):
-        if isinstance(other, Impact) and (other.first, other.second) == (step.first, step.second):
-            return given.component_before(step.first, event, normal)
+        if not isinstance(other, Impact) or other.second != step.second:
+            continue
+        if other.first in together:
+            own = given.component_before(other.first, event, normal)
+            return _side_from_rest(given, other.first, event, normal) if own is None else own
     return None
+
+
+def _side_from_rest(given: Arrangement, body: str, number: int, normal: Expression) -> int | None:
+    """1 where a body was set going in the direction of a normal by the one impact before, or −1."""
+    own = [n for n, event in enumerate(given.events[: number - 1], 1) if body in event.bodies]
+    step = given.problem.events[own[0] - 1] if len(own) == 1 else None
+    if not is_rest(given.sphere(body).velocity) or not isinstance(step, Impact):
+        return None
+    side = None if step.along is None else side_along(given, step, normal)
+    return side if side is None or body == step.second else -side
 
 
 def _side_off_a_sphere(

@@ -64,7 +64,7 @@ def _approach(
     ``own`` is the first body's component along c where nothing else tells which side the
     second is on: A hits B, so B lies on the side to which A moves.
     """
-    earlier = state.contact_lines.get(key)
+    earlier = state.contact_lines.get(key) or _of_who_met(state, key)
     if not unknown and earlier is None and own is not None and not state.field.is_zero(own):
         state.conditions.append(Condition(own * closing, ">", what, "approach"))
     elif unknown:
@@ -76,6 +76,22 @@ def _approach(
     oriented = c if unknown else c * closing
     state.contact_lines[key] = oriented
     state.contact_lines[key[1], key[0]] = -oriented
+
+
+def _of_who_met(state: State, key: tuple[str, str]) -> Vector | None:
+    """From which side a sphere came to a straight wall with which another one has met.
+
+    No sphere passes such a wall, so those that meet are on one side of it. None without one.
+    """
+    name, wall = key
+    if wall not in state.walls or not isinstance(state.walls[wall].shape, Line):
+        return None
+    together = {name}
+    for event in reversed(state.happenings):
+        spheres = set(event.bodies) & set(state.spheres)
+        together |= spheres if spheres & together else set()
+    sides = (state.contact_lines.get((each, wall)) for each in sorted(together))
+    return next((each for each in sides if each is not None), None)
 
 
 def _nearer(state: State, number: int, name: str, u: Vector, c: Vector, reason: str) -> None:
