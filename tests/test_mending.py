@@ -157,6 +157,7 @@ BROKEN = {
     "given A loses 16% of its kinetic energy": (
         "given energy(A, before) - energy(A) = 16% of energy(A, before)"
     ),
+    "given A loses 6 J of kinetic energy": "given energy(A, before) - energy(A) = 6",
     "given A loses half of its speed": "given speed(A) = 1/2 speed(A, before)",
     "given A loses 1/4 of its kinetic energy": (
         "given energy(A, before) - energy(A) = 1/4 energy(A, before)"

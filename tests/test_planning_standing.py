@@ -332,3 +332,9 @@ def test_a_letter_that_is_given_since_is_put_into_what_ties_others(
     assert "tan²α = (3e − 1)/4" in text, text
     assert not [each for each in lines if each not in text], text
     assert "not written out" not in text, text
+
+
+def test_where_nothing_is_asked_a_given_fact_is_no_trouble() -> None:
+    statement = "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W\ngiven impulse = 10"
+    text = to_text(explain(solve(parse(statement))))
+    assert "nothing is asked" in text

@@ -43,7 +43,7 @@ def unused_facts(
 
 def spare_facts(derivation: Derivation) -> Iterator[Fact]:
     """The given facts that no answer needs, where there are answers; where there are none, none."""
-    if all(note.kind in _OF_A_SOLUTION for note in derivation.notes):
+    if derivation.asked and all(note.kind in _OF_A_SOLUTION for note in derivation.notes):
         yield from unused_facts(derivation, partial(lines_under, derivation))
 
 

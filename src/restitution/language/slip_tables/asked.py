@@ -206,6 +206,14 @@ ASKED: tuple[Slip, ...] = (
         ),
         meant("energy({body}, before) - energy({body}) = {n} of energy({body}, before)"),
     ),
+    (
+        "given show other",
+        (
+            rf"(?P<x>{BODY}\s+loses\s+(?P<n>\d[\d.]*(?:\s*/\s*\d+)?)\s*(?:J|joules?)\s+of\s+"
+            rf"(?:its\s+)?{KINETIC})"
+        ),
+        meant("energy({body}, before) - energy({body}) = {n}"),
+    ),
     *(
         (
             "given show other",

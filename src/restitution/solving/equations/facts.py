@@ -131,7 +131,10 @@ def equal(story: Story, left: Value, right: Value, place: Place | None) -> list[
             elif not isinstance(side, Angle) and story.field.is_zero(side):
                 sides.append(Vector(zero, zero))
             else:
-                raise StatementError("a vector cannot equal a number")
+                raise StatementError(
+                    "a vector cannot equal a number: abs(…) is its magnitude and along(…, i) a "
+                    "component; 'impulse' is a magnitude, and impulse(A) the vector that acts on A"
+                )
         a, b = sides
         return [Equation(a.x - b.x, why, place, True), Equation(a.y - b.y, why, place, True)]
     if isinstance(left, Angle) or isinstance(right, Angle):
@@ -161,7 +164,10 @@ def _ordered(
     story: Story, left: Value, op: str, right: Value, trees: Sequence[Expression], now: int
 ) -> Condition:
     if isinstance(left, Vector) or isinstance(right, Vector):
-        raise StatementError("vectors cannot be compared by size: use abs(…)")
+        raise StatementError(
+            "vectors cannot be compared by size: compare abs(…), their magnitudes, or "
+            "along(…, i), the components in one direction"
+        )
     relation: Literal[">", ">="] = ">=" if op.endswith("=") else ">"
     small, large = (left, right) if op.startswith("<") else (right, left)
     reason = "a given inequality does not hold"
