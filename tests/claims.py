@@ -427,9 +427,14 @@ def number_of(text: str, letters: Mapping[str, Any]) -> Any:
     return physics.value_of(text.replace("**", "^"), letters)
 
 
+def _alternatives(outcome: str) -> list[str]:
+    """The values of an outcome, each with its condition."""
+    return re.sub(r" (reached|approached)$", "", outcome).split(" or ")
+
+
 def _outcomes(outcome: str, letters: Mapping[str, Any]) -> list[Any]:
     values = []
-    for each in re.sub(r" (reached|approached)$", "", outcome).split(" or "):
+    for each in _alternatives(outcome):
         value, _, condition = each.partition(" when ")
         if not condition or physics.true_of(condition, letters):
             values.append((physics.value_of(value, letters),))
@@ -470,7 +475,7 @@ def _points(problem: p.Problem, outcome: str, seed: int) -> list[dict[str, Any]]
     """Numbers for the letters that are data: at large, and on both sides of each border of the
     condition, a billionth away.
     """
-    conditions = [each.partition(" when ")[2] for each in outcome.split(" or ")]
+    conditions = [each.partition(" when ")[2] for each in _alternatives(outcome)]
     names = letters_of(problem) - _sought(problem)
     if not names:
         return [{}]

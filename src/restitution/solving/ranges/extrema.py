@@ -101,7 +101,7 @@ def find_extremum(
             candidates.append((trial, best))
     if not candidates:
         raise ContradictionError("no values satisfy all that is told")
-    trial, ((candidate, reached, _, _), further) = max(
+    trial, ((candidate, reached, _, data), further) = max(
         candidates, key=lambda each: sign * each[1][0][2]
     )
     if candidate.value.is_infinite:
@@ -113,6 +113,9 @@ def find_extremum(
     proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
     if reached and not place.is_infinite:
         limits = (*defined(outcome, trial, (forms.bound(place), answer.value)), *limits)
+    known = {each.text for each in limits}
+    elsewhere = _elsewhere(own, values[id(trial)], name, (candidate, reached), data, sign)
+    limits = (*limits, *(each for each in elsewhere if each.text not in known))
     assert answer.layout is not None
     answer = with_condition(answer, answer.layout, limits)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
@@ -222,6 +225,63 @@ def _proved(
     if verdict.answer == "refuted":
         raise UnsupportedError("the extremum has no exact form that is found here")
     return (verdict.proof if verdict else "undecided"), ()
+
+
+def _elsewhere(
+    outcome: Outcome,
+    value: sp.Expr,
+    name: str,
+    best: tuple[Candidate, bool],
+    data: Sample,
+    sign: int,
+) -> Iterator[Limitation]:
+    """That coefficients of the data are not at the ends of their ranges for which the extremum
+    is another one: a wall with e = 0 turns no path back, however steep it is.
+    """
+    region = Region(outcome, name)
+    roles_, (candidate, reached) = _roles(outcome), best
+    for coefficient in region.data():
+        role = roles_[coefficient]
+        if role.kind != "restitution" or role.low is None or role.high is None:
+            continue
+        symbol = role.symbol(coefficient)
+        if not any(
+            each.has(symbol) for each in (value, candidate.value, *candidate.where.values())
+        ):
+            continue
+        kept = [
+            closed and _is_best_at(region, value, (candidate, reached), {symbol: end}, data, sign)
+            for end, closed in zip((role.low, role.high), role.closed, strict=True)
+        ]
+        if tuple(kept) != role.closed:
+            piece = End(role.low, kept[0]), End(role.high, kept[1])
+            yield bounds_of(coefficient, to_set([piece]), region.roles)
+
+
+def _is_best_at(
+    region: Region,
+    value: sp.Expr,
+    best: tuple[Candidate, bool],
+    put: Mapping[sp.Symbol, sp.Expr],
+    data: Sample,
+    sign: int,
+) -> bool:
+    """Whether an extremum is one for these values of some data, where there is one at all."""
+    candidate, reached = best
+    there = value.xreplace(put)
+    drawn = {**data, **{symbol.name: at(x, {}) for symbol, x in put.items()}}
+    if not there.has(region.symbol):
+        number = limit_at(there, drawn)
+        own = limit_at(candidate.value.xreplace(put), drawn)
+        return number is None or (own is not None and not (own - number).sign)
+    try:
+        winner = _winner(region, there, _candidates(region, there), drawn, sign)
+    except UnsupportedError:
+        return False
+    if winner is None:
+        return True
+    own = limit_at(candidate.value.xreplace(put), drawn)
+    return own is not None and winner[1] == reached and not (winner[2] - own).sign
 
 
 def _without_an_end(region: Region, verdict: Verdict) -> Iterator[tuple[Formula, Limitation]]:
