@@ -356,3 +356,62 @@ find e"""
 def test_a_coefficient_upside_down_is_no_slip_and_no_datum(line: str) -> None:
     *_, last = restitution.mark(restitution.solve(restitution.parse(PARTED)), line).lines
     assert last.mistake is not None and last.mistake.id == "restitution-inverted"
+
+
+def name_of(statement: str, working: str) -> str | None:
+    marking = restitution.mark(restitution.solve(restitution.parse(statement)), working)
+    line = marking.json()["lines"][-1]
+    assert line["verdict"] == "false"
+    name: str | None = line["mistake"]["id"]
+    return name
+
+
+ROUNDED = """
+sphere A: mass 2, velocity 5 at 60°
+sphere B: mass 3, velocity 4 at 150°
+A hits B: along i, e = 1/2
+find impulse
+"""
+IN_LINE = """
+sphere A: mass 4, velocity 5i
+sphere B: mass 6, velocity -2i
+A hits B: along i, e = 1/2
+find impulse
+"""
+
+
+def test_an_impulse_of_rounded_speeds_is_named() -> None:
+    """The speed of B is 2.003, and he has 2; along one line it is the sign that is wrong."""
+    assert name_of(ROUNDED, "I = 3(4 - 2) = 6") == "impulse-of-speeds"
+    assert name_of(ROUNDED, "I = 3(4) - 3(2) = 6") == "impulse-of-speeds"
+    assert name_of(ROUNDED, "I = 3(4 - 1) = 9") != "impulse-of-speeds"
+    assert name_of(IN_LINE, "I = 6(2.2 - 2) = 1.2") != "impulse-of-speeds"
+
+
+LOST = """
+wall W: along i
+sphere P: mass 2, velocity 10 at theta to W
+P hits W
+given tan(theta) = 3/4, energy_lost = 27
+find e
+"""
+
+
+def test_squares_without_a_root_show_where_e_stands() -> None:
+    assert name_of(LOST, "73 = 6² + (8e)²") == "restitution-parallel"
+    assert name_of(LOST, "73 = 5² + (8e)²") is None
+    assert name_of(LOST, "73 = 8² + (5e)²") != "restitution-parallel"
+
+
+THREE = """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+sphere C: mass 2m, at rest
+A hits B: along i
+B hits C: along i, e = e
+find velocity(B), velocity(C)
+"""
+
+
+def test_a_law_at_a_later_impact_has_the_right_velocity_from_before_it() -> None:
+    assert name_of(THREE, "m(1+e)u/2 = mp + 2mq\nq - p = eu") is None

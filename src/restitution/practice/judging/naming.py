@@ -487,8 +487,18 @@ def _family_of(variant: VariantAt) -> str:
 
 
 def _contradicts(variant: VariantAt, stated: Stated) -> bool:
-    """Whether a law that a variant replaces is stated rightly."""
-    return any(
+    """Whether a law that a variant replaces is stated rightly, or momentum at a later impact.
+
+    Who has that has the right velocity from before it.
+    """
+    later = any(
+        principle == "momentum"
+        and event is not None
+        and event > variant.event.number
+        and set(bodies) & set(variant.event.bodies)
+        for principle, event, bodies in stated
+    )
+    return later or any(
         (law.law, variant.event.number) == (principle, event)
         and (law.law != "unchanged" or not bodies or set(bodies) & set(law.bodies))
         for law in variant.laws

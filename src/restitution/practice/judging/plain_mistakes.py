@@ -27,7 +27,9 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import Use
+from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.plain_impulses import is_impulse_of_speeds, is_impulse_reversed
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.typed_energies import (
     given_energies,
@@ -37,15 +39,15 @@ from restitution.practice.judging.typed_energies import (
 )
 from restitution.practice.reading.phrases import is_phrase, is_relative
 from restitution.practice.script import Claim
-from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, is_bare
 from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.terms import terms_of
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact, trees
+from restitution.problem import Impact
 
 _TWO = Number(Fraction(2))
 _SIGNED = frozenset({"momentum", "restitution"})
+_COEFFICIENTS = (0.37, 0.71)
 _TINY, _ROUNDED = 1e-9, 0.005
 # The largest denominator of a multiple of an energy: ¾ of it.
 _SIMPLE = 12
@@ -95,7 +97,7 @@ def _is_other_component(entry: Entry, world: World) -> bool:
         for each in walk(entry.claim.right)
     ):
         return False  # a number may be one by a slip
-    meant = _meant(entry)
+    meant = meant_by(entry)
     meant = meant.operand if isinstance(meant, Negate) else meant
     if not isinstance(meant, Quantity) or meant.kind not in ("along", "across"):
         return False
@@ -164,7 +166,7 @@ def _spread_in(tree: Expression, entry: Entry, world: World) -> Array:
 
 def is_speed_by_energies(entry: Entry, world: World) -> bool:
     """Whether a speed is that before in the ratio of the energies: V = kU where V² = kU²."""
-    meant = _meant(entry)
+    meant = meant_by(entry)
     if not isinstance(meant, Quantity) or meant.kind != "speed":
         return False
     number = len(world.events) if meant.stage is None else meant.stage
@@ -180,7 +182,7 @@ def is_whole_speed(entry: Entry, world: World) -> bool:
     """Whether a component of a velocity is given the whole speed of its body, in data alone."""
     if not letters(entry.claim.right) <= world.letters.keys():
         return False
-    meant = _meant(entry)
+    meant = meant_by(entry)
     meant = meant.operand if isinstance(meant, Negate) else meant
     match meant:
         case Quantity("along", (Quantity("velocity", (Name(),) as body, stage), _)):
@@ -188,12 +190,6 @@ def is_whole_speed(entry: Entry, world: World) -> bool:
             turned = replace(claim, right=Negate(claim.right))
             return any(holds_in(replace(entry, claim=each), world) for each in (claim, turned))
     return False
-
-
-def _meant(entry: Entry) -> Expression:
-    """What the left side of a claim means."""
-    left = entry.claim.left
-    return entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
 
 
 def _pairs_of(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
@@ -252,7 +248,7 @@ def _is_energy_of_one(entry: Entry, world: World) -> bool:
                 stage = len(world.events) if quantity.stage is None else quantity.stage
                 lost = replace(quantity, stage=stage)
                 entry = replace(entry, claim=replace(entry.claim, left=lost, right=other))
-    meant = _meant(entry)
+    meant = meant_by(entry)
     if not (isinstance(meant, Quantity) and meant.kind in ("energy", "energy_lost")):
         return False
     if meant.arguments or len(world.start) < 2:
@@ -300,7 +296,7 @@ def _is_without_mass(entry: Entry, world: World) -> bool:
 
     That is v = u + I, I = v - u, and ½(u² - v²) of bodies with one mass.
     """
-    meant = _meant(entry)
+    meant = meant_by(entry)
     match meant:
         case Quantity("velocity", (Name(),) as body, stage):
             number = len(world.events) if stage is None else stage
@@ -308,11 +304,13 @@ def _is_without_mass(entry: Entry, world: World) -> bool:
                 return False
             before = Quantity("velocity", body, number - 1)
             impulse = Quantity("impulse", body, number)
-            return _is(Binary("+", before, impulse), entry.claim.right, entry, world)
+            return has_value(Binary("+", before, impulse), entry.claim.right, entry, world)
         case Quantity("impulse" | "energy" | "energy_lost", _, _):
             return any(
-                _is(meant, Binary("*", Quantity("mass", (Name(body),)), right), entry, world)
-                and not _is(Quantity("mass", (Name(body),)), Number(Fraction(1)), entry, world)
+                has_value(meant, Binary("*", Quantity("mass", (Name(body),)), right), entry, world)
+                and not has_value(
+                    Quantity("mass", (Name(body),)), Number(Fraction(1)), entry, world
+                )
                 for body in _bodies_of(meant, world)
                 for right in _of_either_sign(meant, entry.claim.right)
             )
@@ -336,7 +334,7 @@ def _bodies_of(meant: Quantity, world: World) -> list[str]:
 
 def _is_of_other_masses(entry: Entry, world: World) -> bool:
     """Whether the energies of two spheres have each the mass of the other."""
-    meant = _meant(entry)
+    meant = meant_by(entry)
     if not isinstance(meant, Quantity) or meant.kind not in ("energy", "energy_lost"):
         return False
     number = len(world.events) if meant.stage is None else meant.stage
@@ -351,7 +349,9 @@ def _is_of_other_masses(entry: Entry, world: World) -> bool:
         stages = (number,) if meant.kind == "energy" else (number - 1, number)
         energies = [_energy_by_masses(bodies, other, stage) for stage in stages]
         value = energies[0] if len(energies) == 1 else Binary("-", energies[0], energies[1])
-        if _is(value, entry.claim.right, entry, world) and not _is(value, meant, entry, world):
+        if has_value(value, entry.claim.right, entry, world) and not has_value(
+            value, meant, entry, world
+        ):
             return True
     return False
 
@@ -370,7 +370,7 @@ def _is_other_function(entry: Entry, world: World) -> bool:
     match entry.claim.left:
         case Apply("sin" | "cos" as name, Letter() as angle):
             other = Apply("cos" if name == "sin" else "sin", angle)
-            return letters(entry.claim.right) == set() and _is(
+            return letters(entry.claim.right) == set() and has_value(
                 other, entry.claim.right, entry, world
             )
     return False
@@ -381,12 +381,12 @@ def _is_relative_speed_across(entry: Entry, world: World) -> bool:
     left = entry.claim.left
     if not (isinstance(left, Letter) and is_phrase(left.name) and is_relative(left.name)):
         return False
-    meant = _meant(entry)
+    meant = meant_by(entry)
     meant = meant.operand if isinstance(meant, Negate) else meant
     if not isinstance(meant, Quantity) or meant.kind != "along":
         return False
     across = Apply("abs", replace(meant, kind="across"))
-    return _is(across, Apply("abs", entry.claim.right), entry, world)
+    return has_value(across, Apply("abs", entry.claim.right), entry, world)
 
 
 def is_law_of_speeds(entry: Entry, world: World) -> bool:
@@ -399,7 +399,7 @@ def is_law_of_speeds(entry: Entry, world: World) -> bool:
         before, after = (Quantity("speed", (Name(step.first),), n) for n in (number - 1, number))
         slowed = Binary("*", Quantity("restitution", (), number), before)
         for one, other in permutations((entry.claim.left, entry.claim.right)):
-            worth = _is(one, after, entry, world) and _is(other, slowed, entry, world)
+            worth = has_value(one, after, entry, world) and has_value(other, slowed, entry, world)
             if worth and not is_bare(one) and not is_bare(other):
                 return True
     return False
@@ -407,7 +407,7 @@ def is_law_of_speeds(entry: Entry, world: World) -> bool:
 
 def _is_without_across(entry: Entry, world: World) -> bool:
     """Whether a velocity after an impact of two spheres has nothing across their line."""
-    match _meant(entry):
+    match meant_by(entry):
         case Quantity("velocity", (Name(),), stage) as velocity:
             number = len(world.events) if stage is None else stage
         case _:
@@ -417,12 +417,12 @@ def _is_without_across(entry: Entry, world: World) -> bool:
     line = Quantity("line_of_centres", (), number)
     kept = Binary("*", Quantity("along", (velocity, line)), line)
     moved = Quantity("across", (velocity, line))
-    return _is(kept, entry.claim.right, entry, world) and not is_zero(moved, world)
+    return has_value(kept, entry.claim.right, entry, world) and not is_zero(moved, world)
 
 
 def _is_angle_of_other_wall(entry: Entry, world: World) -> bool:
     """Whether an angle to a wall has the value of that to a wall which the sphere left before."""
-    match _meant(entry):
+    match meant_by(entry):
         case Quantity("angle", (Quantity("velocity", (Name(body),)), Name(wall))):
             pass
         case _:
@@ -435,7 +435,7 @@ def _is_angle_of_other_wall(entry: Entry, world: World) -> bool:
     second = next((number for number, other in struck if other == wall), 0)
     earlier = [each for each in struck if each[0] < second and each[1] != wall]
     return any(
-        _is(Quantity("angle", (velocity, Name(other))), entry.claim.right, entry, world)
+        has_value(Quantity("angle", (velocity, Name(other))), entry.claim.right, entry, world)
         for number, other in earlier
         if other not in world.start
         for velocity in (Quantity("velocity", (Name(body),), number),)
@@ -444,7 +444,7 @@ def _is_angle_of_other_wall(entry: Entry, world: World) -> bool:
 
 def _is_share_by_speeds(entry: Entry, world: World) -> bool:
     """Whether the share of an energy is that of the speed: lost = 1 - v/u."""
-    meant = _meant(entry)
+    meant = meant_by(entry)
     if len(world.start) != 1:
         return False
     (body,) = world.start
@@ -457,13 +457,10 @@ def _is_share_by_speeds(entry: Entry, world: World) -> bool:
             )
             share = ratio if kind == "energy" else Binary("-", Number(Fraction(1)), ratio)
             percent = Binary("*", share, Number(Fraction(100)))
-            return any(_is(each, entry.claim.right, entry, world) for each in (share, percent))
+            return any(
+                has_value(each, entry.claim.right, entry, world) for each in (share, percent)
+            )
     return False
-
-
-def _is(value: Expression, tree: Expression, entry: Entry, world: World) -> bool:
-    """Whether a tree of an entry has the value of another one in a world, to three figures."""
-    return holds_in(replace(entry, claim=Claim(value, "=", tree)), world)
 
 
 def is_direct(number: int, world: World) -> bool:
@@ -577,33 +574,45 @@ def is_of_energy(entry: Entry) -> bool:
     return False
 
 
-def _is_impulse_reversed(entry: Entry, world: World) -> bool:
-    """Whether a velocity after an impulse is worked out with the impulse in the other sense."""
-    given = (each for tree in trees(world.problem) for each in walk(tree))
-    if not any(isinstance(each, Quantity) and each.kind == "impulse" for each in given):
-        return False
-    meant = _meant(entry)
-    inside = meant.operand if isinstance(meant, Negate) else meant
-    match inside:
-        case Quantity("velocity", _, int(stage)) if stage:
-            after: Expression = inside
-        case Quantity("along", (Quantity("velocity", _, int(stage)), _)) if stage:
-            after = inside
-        case _:
-            return False
-    twice = Binary("*", Number(Fraction(2)), _at_stage(after, stage - 1))
-    value: Expression = Binary("-", twice, after)
-    value = Negate(value) if inside is not meant else value
-    return _is(value, entry.claim.right, entry, world)
+def _is_of_exchanged_squares(entry: Entry, world: World) -> bool:
+    """Whether e is with the square of the wrong component at a wall: ``73 = 6² + (8e)²``."""
+    for side in (entry.claim.left, entry.claim.right):
+        if "e" not in letters(side) & world.letters.keys() or not isinstance(side, Binary):
+            continue
+        for number, (body,) in _walls_of(world):
+            before = Quantity("velocity", (Name(body),), number - 1)
+            line = Quantity("line_of_centres", (), number)
+            into, along = (
+                Binary("^", Quantity(kind, (before, line)), _TWO) for kind in ("along", "across")
+            )
+            wrong, right = (_with_square_of_e(*pair) for pair in ((along, into), (into, along)))
+            ratios = [_ratios_for(side, each, entry, world) for each in (wrong, right)]
+            if _are_constant(ratios[0]) and not _are_constant(ratios[1]):
+                return True
+    return False
 
 
-def _at_stage(tree: Expression, stage: int) -> Expression:
-    match tree:
-        case Quantity("velocity", arguments):
-            return Quantity("velocity", arguments, stage)
-        case Quantity("along", (velocity, axis)):
-            return Quantity("along", (_at_stage(velocity, stage), axis))
-    return tree
+def _with_square_of_e(one: Expression, other: Expression) -> Expression:
+    """The sum of a square times e², and of another square."""
+    return Binary("+", Binary("*", one, Binary("^", Letter("e"), _TWO)), other)
+
+
+def _ratios_for(tree: Expression, other: Expression, entry: Entry, world: World) -> Array | None:
+    """The ratios of two trees for two values of e, shape (2, samples)."""
+    ratios: list[Array] = []
+    for value in _COEFFICIENTS:
+        e = np.full(world.samples, value)
+        changed = world.replaced(letters={**world.letters, "e": e})
+        try:
+            own = changed.scalar(tree, entry.meanings, scope=entry.scope)
+            ratios.append(world.spread(own / changed.scalar(other)))
+        except RestitutionError:
+            return None
+    return np.stack(ratios)
+
+
+def _are_constant(ratios: Array | None) -> bool:
+    return ratios is not None and bool(np.allclose(ratios[0], ratios[1], rtol=1e-6, atol=0))
 
 
 def is_sought_angle(entry: Entry, world: World) -> bool:
@@ -630,9 +639,9 @@ def is_deflection_as_angle(entry: Entry, world: World) -> bool:
             turned = Quantity("deflection", (Name(name),), number)
             try:
                 if (
-                    _is(after, entry.claim.right, entry, world)
-                    and _is(turned, left.argument, entry, world)
-                    and not _is(after, left, entry, world)
+                    has_value(after, entry.claim.right, entry, world)
+                    and has_value(turned, left.argument, entry, world)
+                    and not has_value(after, left, entry, world)
                 ):
                     return True
             except RestitutionError:
@@ -661,15 +670,6 @@ def not_negative(tree: Expression, world: World) -> bool:
         return False
 
 
-def holds_in(entry: Entry, world: World) -> bool:
-    """Whether a claim holds in a world, exactly or to three figures."""
-    try:
-        grade = agrees(entry.claim, world, entry.meanings, entry.decimals, entry.scope)
-    except RestitutionError:
-        return False
-    return grade in ("exact", "rounded")
-
-
 # What a line shows by itself, the first that fits; a name may have several signs.
 _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (_is_other_component, "sine-cosine"),
@@ -685,6 +685,8 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (_is_other_function, "sine-cosine"),
     (_is_relative_speed_across, "restitution-parallel"),
     (_is_without_across, "across-changed"),
-    (_is_impulse_reversed, "impulse-sign"),
+    (_is_of_exchanged_squares, "restitution-parallel"),
+    (is_impulse_reversed, "impulse-sign"),
+    (is_impulse_of_speeds, "impulse-of-speeds"),
     (_is_angle_of_other_wall, "second-wall-angle"),
 )
