@@ -415,3 +415,60 @@ find velocity(B), velocity(C)
 
 def test_a_law_at_a_later_impact_has_the_right_velocity_from_before_it() -> None:
     assert name_of(THREE, "m(1+e)u/2 = mp + 2mq\nq - p = eu") is None
+
+
+ACROSS = """
+sphere A: mass m, velocity 3u i + 4u j
+sphere B: mass 3m, velocity u i
+A hits B: along j, e = e
+find along(velocity(A), j)
+"""
+SLOWED = """
+sphere A: mass 2, velocity 5i + j
+sphere B: mass 3, at rest
+A hits B: e = e
+given velocity(A) = 2i - 2j
+find impulse
+"""
+CORNER = """
+wall W: along i
+wall X: along j
+sphere P: mass 3, velocity 10 at theta to W
+P hits W: e = 1/2
+P hits X: e = 1/4
+given tan(theta) = 4/3
+find total_energy_lost
+"""
+TURNED = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given tan(alpha) = 3/2, deflection(P) = 90°
+let beta = angle(velocity(P), W)
+find energy_lost/energy(0)
+"""
+HALVED = """
+sphere A, B: mass m
+sphere A: velocity u at 60°
+sphere B: at rest
+A hits B: along i, e = 1/2
+find speed(A), speed(B)
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "name"),
+    [
+        (ACROSS, "3mu + 3mu = mp + 3mq", "sine-cosine"),
+        (SLOWED, "I = 2(√8 - √26) = -4.54", "impulse-of-speeds"),
+        (CORNER, "loss = ½×3×(10 - 4.27)² = 49.2", "energy-of-difference"),
+        (CORNER, "loss = ½×3×(10 - 3)² = 73.5", None),
+        (TURNED, "fraction lost = 1 - e² = 65/81", "energy-fraction-of-line"),
+        (TURNED, "tan β = tan α/e", "restitution-inverted"),
+        (HALVED, "speed A = u/8", "across-changed"),
+    ],
+)
+def test_lines_of_the_nineteenth_scripts_have_their_names(
+    statement: str, line: str, name: str | None
+) -> None:
+    assert name_of(statement, line) == name

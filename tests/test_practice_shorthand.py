@@ -315,3 +315,90 @@ def test_letters_of_the_data_and_values_from_rounded_equations() -> None:
     lines = "u cosθ = 2.83", "v + w = 2.83", "w - v = 2.60", "w = 2.715, v = 0.115"
     assert verdicts(OBLIQUE, *lines) == ["true"] * 4
     assert verdicts(OBLIQUE, *lines[:3], "w = 2.715, v = 0.135")[-1] == "false"
+
+
+RANGED = (
+    "sphere A: mass m, velocity 3u i\nsphere B: mass k m, at rest\nA hits B: along i, e = 1/2\n"
+    "given along(velocity(A), i) < 0\nfind range of k\n"
+)
+UNASKED = (
+    "sphere A: mass m, velocity 3u i + 4u j\nsphere B: mass 5/4 m, velocity u i\n"
+    "A hits B: along j, e = e\nfind along(velocity(A), j)\n"
+)
+
+
+def test_what_an_inequality_leads_to_is_claimed_under_it_alone() -> None:
+    """Behind *if v < 0* nothing is false where nobody knows that v is negative, or what v is."""
+    for line in ("if v < 0 → 5e > 4 → e > 4/5", "if v < 0 then 4 - 5e < 0 so e > 4/5"):
+        assert verdicts(UNASKED, line) == ["remark"]
+    for line in ("reversed if v<0 → 2 - k < 0 → k > 2", "A bounces back when k > 2 (heavy B)"):
+        marking = restitution.mark(solution_of(RANGED), line).json()
+        assert marking["lines"][0]["verdict"] == "true"
+        assert marking["marks"]["earned"] == marking["marks"]["of"]
+    assert verdicts(RANGED, "A is positive when k < 2") == ["remark"]
+
+
+def test_what_stands_before_the_mistake_of_a_line_keeps_its_credit() -> None:
+    parts = RANGED.replace("given", "part a\nfind along(velocity(A), i)\npart b\ngiven")
+    marking = restitution.mark(solution_of(parts), "2 - k < 0 → k < 2", part="b").json()
+    states = {each["for"]: each["state"] for each in marking["marks"]["points"]}
+    assert states == {"the condition used": "earned", "correct answer": "lost"}
+
+
+CHAIN = (
+    "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, at rest\nsphere C: mass 3m, at rest\n"
+    "A hits B: along i, e = 1/2\nB hits C: along i, e = 1/2\nshow A and B collide again\n"
+)
+TWO = (
+    "sphere A: mass 3, velocity 4i + 2j\nsphere B: mass 2, velocity -i - j\n"
+    "A hits B: along i, e = 2/5\nfind velocity(A), velocity(B)\n"
+)
+
+
+def test_relations_and_words_that_only_blanks_part() -> None:
+    assert verdicts(CHAIN, "yes, as 1.5u > -0.375u A catches B") == ["true"]
+    lines = "3x4 + 2x1 = 3a+2b", "b-a = 2", "14 = 5a + 4 a = 2 b = 4"
+    assert verdicts(TWO, *lines) == ["false", "true", "follows"]
+    assert verdicts(CHAIN, "2(3u) = 2v + w", "w - v = 1.5u", "2w = 6u w = 3u") == ["true"] * 3
+
+
+BACK = (
+    "wall W: along j, through (3, 0)\nsphere A: mass 2, velocity 4i, at (-1, 0)\n"
+    "sphere B: mass 1, at rest, at (0, 0)\nA hits B: along i, e = 1/2\nB hits W: e = 1/2\n"
+    "B hits A\nfind along(position(B, 3), i)\n"
+)
+
+
+def test_moments_at_a_wall_gaps_and_places_of_two() -> None:
+    assert verdicts(BACK, "speed of B after wall = 4") == ["false"]
+    assert verdicts(BACK, "speed of B after hitting the wall = 2") == ["true"]
+    lines = "A has gone 2 x ¾ = 1.5", "gap 1.5, closing speed 4, t = 3/8", "x = 3 - 2(3/8) = 2.25"
+    marking = restitution.mark(solution_of(BACK), "\n".join(lines)).json()
+    assert [line["verdict"] for line in marking["lines"]] == ["true"] * 3
+    assert marking["marks"]["earned"] == marking["marks"]["of"]
+
+
+RAILS = (
+    "wall W: along i, through (0, 0)\nwall X: along i, through (0, 3)\n"
+    "sphere P: velocity 2i - 6j, at (0, 1)\nP hits W: e = 1/2\nP hits X: e = 1/3\n"
+    "find time(1), time(2)\n"
+)
+
+
+def test_units_of_speeds_are_no_letters_and_t1_is_the_first_time() -> None:
+    lines = "1 m to W at 6 m/s: t = 1/6 s", "rebounds at 3, 3m to go so t = 1s", "total time 7/6 s"
+    marking = restitution.mark(solution_of(RAILS), "\n".join(lines)).json()
+    assert marking["marks"]["earned"] == marking["marks"]["of"]
+    assert verdicts(RAILS, "speed = √(4+36) = 6.32 so t1 = 1/6.32 = 0.158") == ["false"]
+
+
+TAPPED = (
+    "wall W: along j\nsphere P: mass 3, velocity i - 2j\nP receives 6i + 9j\n"
+    "P hits W: e = 2/3\nfind speed(P), energy_lost\n"
+)
+
+
+def test_a_vector_v_behind_a_blow_and_one_impact_is_the_velocity_that_is_asked() -> None:
+    assert verdicts(TAPPED, "v after = -3i + ⅔j") == ["false"]
+    assert verdicts(TAPPED, "v = -2i + j") == ["true"]
+    assert verdicts(TAPPED, "v = 3i + j") == ["true"]

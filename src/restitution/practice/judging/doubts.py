@@ -143,6 +143,7 @@ class Doubts:
             for name in self.meanings.doubtful(rival, number)
             if force[name].by not in ("declared", "agreed")
             and not self._is_of_a_letter(rival, name, number)
+            and not self._is_asked_speed(name, number)
         )
 
     def _is_of_a_letter(self, rival: Interpretation, name: str, number: int) -> bool:
@@ -158,6 +159,14 @@ class Doubts:
             return False
         parts = (each.quantity for each in meanings.values() if not is_phrase(each.letter))
         return any(_sphere_of(each) and self._agree(Apply("abs", each), other) for each in parts)
+
+    def _is_asked_speed(self, name: str, number: int) -> bool:
+        """Whether words name the very speed that the part asks for, and so no component of it."""
+        meant = self.meanings.best.at(number)[name].quantity
+        if not (is_phrase(name) and isinstance(meant, Quantity) and meant.kind == "speed"):
+            return False
+        asked = (tree for tree, _ in self.bench.wanted.asked if isinstance(tree, Quantity))
+        return any((x.kind, x.arguments) == (meant.kind, meant.arguments) for x in asked)
 
     def _agree(self, first: Expression, second: Expression) -> bool:
         """Whether two quantities are equal in the first true world."""

@@ -38,12 +38,12 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import Mistake, Use
+from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
 from restitution.practice.judging.other_forms import is_turn, kind_of
 from restitution.practice.judging.plain_mistakes import (
     has_coefficient,
-    holds_in,
     is_coefficient,
     is_deflection_as_angle,
     is_direct,
@@ -56,6 +56,7 @@ from restitution.practice.judging.plain_mistakes import (
     is_whole_speed,
     is_worth,
     is_zero,
+    leaves_out_across,
     not_negative,
     plainly,
     sign_of_a_component,
@@ -178,7 +179,7 @@ class Names:
         at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
         whole = is_whole_speed(entry, judge.base)
         law = is_law_of_speeds(entry, judge.base)
-        unresolved = is_momentum_of_speeds(entry, judge.base)
+        unresolved = not self._is_of_impulse(entry) and is_momentum_of_speeds(entry, judge.base)
         of_deflection = is_deflection_as_angle(entry, judge.base)
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
@@ -207,6 +208,8 @@ class Names:
             plain = "restitution-whole-speed" if law else "speed-for-component"
         if variants and all(_is_of_a_whole_speed(each, judge.base) for each in variants):
             variants, plain = (), "speed-for-component"
+        if variants and all(leaves_out_across(each, judge.base) for each in variants):
+            variants, plain = (), "across-changed"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
             left, right = entry.claim.left, entry.claim.right
@@ -558,11 +561,12 @@ def _plausible(variant: VariantAt, world: World) -> bool:
 
 
 def _is_of_a_whole_speed(variant: VariantAt, world: World) -> bool:
-    """Whether sine and cosine are exchanged of a sphere that moves across the line of centres.
+    """Whether sine and cosine are exchanged of spheres that move across the line of centres alone.
 
-    Its component along the line, zero, is its speed then.
+    Their components along the line, zero, are their speeds then.
     """
-    return variant.mistake in _OF_ANGLES and any(is_zero(x, world) for x in variant.senses)
+    zero = [is_zero(x, world) for x in variant.senses]
+    return variant.mistake in _OF_ANGLES and bool(zero) and all(zero)
 
 
 def _replaces(variant: VariantAt, law: str) -> bool:

@@ -14,6 +14,7 @@ from itertools import combinations, permutations, product
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -29,6 +30,12 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Use
 from restitution.practice.judging.claimed import has_value, holds_in, meant_by
 from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.plain_energies import (
+    is_energy_of_difference,
+    is_fraction_of_line,
+    is_of_exchanged_squares,
+    is_tangent_inverted,
+)
 from restitution.practice.judging.plain_impulses import is_impulse_of_speeds, is_impulse_reversed
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.typed_energies import (
@@ -47,7 +54,6 @@ from restitution.problem import Impact
 
 _TWO = Number(Fraction(2))
 _SIGNED = frozenset({"momentum", "restitution"})
-_COEFFICIENTS = (0.37, 0.71)
 _TINY, _ROUNDED = 1e-9, 0.005
 # The largest denominator of a multiple of an energy: ¾ of it.
 _SIMPLE = 12
@@ -79,7 +85,8 @@ def plainly(
         "factor",
     }
     above = (each for each in entries if each.claim.left == entry.claim.left)
-    if squares and _is_of_squares(entry) and not any(map(is_energetic, above)):
+    worked = isinstance(entry.claim.right, Binary | Apply)
+    if squares and worked and _is_of_squares(entry) and not any(map(is_energetic, above)):
         return "square-not-taken"  # where no line above has squares that may be copied wrongly
     return None
 
@@ -481,6 +488,17 @@ def is_zero(tree: Expression, world: World) -> bool:
     return bool(np.all(size < _TINY))
 
 
+def leaves_out_across(variant: VariantAt, world: World) -> bool:
+    """Whether components across are exchanged with one that is zero: it is left out."""
+    number = variant.event.number
+    line = Quantity("line_of_centres", (), number)
+    across = (
+        Quantity("across", (Quantity("velocity", (Name(body),), number - 1), line))
+        for body in variant.event.bodies
+    )
+    return variant.mistake == "across-exchanged" and any(is_zero(x, world) for x in across)
+
+
 def has_coefficient(event: object) -> bool:
     """Whether an event has a coefficient of restitution that the question tells."""
     return isinstance(event, Impact) and event.e is not None
@@ -574,47 +592,6 @@ def is_of_energy(entry: Entry) -> bool:
     return False
 
 
-def _is_of_exchanged_squares(entry: Entry, world: World) -> bool:
-    """Whether e is with the square of the wrong component at a wall: ``73 = 6² + (8e)²``."""
-    for side in (entry.claim.left, entry.claim.right):
-        if "e" not in letters(side) & world.letters.keys() or not isinstance(side, Binary):
-            continue
-        for number, (body,) in _walls_of(world):
-            before = Quantity("velocity", (Name(body),), number - 1)
-            line = Quantity("line_of_centres", (), number)
-            into, along = (
-                Binary("^", Quantity(kind, (before, line)), _TWO) for kind in ("along", "across")
-            )
-            wrong, right = (_with_square_of_e(*pair) for pair in ((along, into), (into, along)))
-            ratios = [_ratios_for(side, each, entry, world) for each in (wrong, right)]
-            if _are_constant(ratios[0]) and not _are_constant(ratios[1]):
-                return True
-    return False
-
-
-def _with_square_of_e(one: Expression, other: Expression) -> Expression:
-    """The sum of a square times e², and of another square."""
-    return Binary("+", Binary("*", one, Binary("^", Letter("e"), _TWO)), other)
-
-
-def _ratios_for(tree: Expression, other: Expression, entry: Entry, world: World) -> Array | None:
-    """The ratios of two trees for two values of e, shape (2, samples)."""
-    ratios: list[Array] = []
-    for value in _COEFFICIENTS:
-        e = np.full(world.samples, value)
-        changed = world.replaced(letters={**world.letters, "e": e})
-        try:
-            own = changed.scalar(tree, entry.meanings, scope=entry.scope)
-            ratios.append(world.spread(own / changed.scalar(other)))
-        except RestitutionError:
-            return None
-    return np.stack(ratios)
-
-
-def _are_constant(ratios: Array | None) -> bool:
-    return ratios is not None and bool(np.allclose(ratios[0], ratios[1], rtol=1e-6, atol=0))
-
-
 def is_sought_angle(entry: Entry, world: World) -> bool:
     """Whether a claim gives an angle that the part has to find, by itself: ``tan α = 1/3``."""
     left = entry.claim.left
@@ -685,7 +662,10 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (_is_other_function, "sine-cosine"),
     (_is_relative_speed_across, "restitution-parallel"),
     (_is_without_across, "across-changed"),
-    (_is_of_exchanged_squares, "restitution-parallel"),
+    (is_energy_of_difference, "energy-of-difference"),
+    (is_fraction_of_line, "energy-fraction-of-line"),
+    (is_tangent_inverted, "restitution-inverted"),
+    (is_of_exchanged_squares, "restitution-parallel"),
     (is_impulse_reversed, "impulse-sign"),
     (is_impulse_of_speeds, "impulse-of-speeds"),
     (_is_angle_of_other_wall, "second-wall-angle"),

@@ -9,9 +9,9 @@ from itertools import pairwise
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Apply, Expression, Name, Quantity, letters
+from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity, letters
 from restitution.practice.judging.entries import Entry, Meanings
-from restitution.practice.script import Claim, ScriptLine
+from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.student import facts_of, laws_of, student_world
 from restitution.practice.worlds.world import World
@@ -26,6 +26,15 @@ _BECOMING = re.compile(r"\b(becomes?|changes? to|goes to|turns into)\b", re.IGNO
 def speaks_of_an_extreme(line: ScriptLine) -> bool:
     """Whether a line speaks of a greatest or least value: ``max e is 1``."""
     return bool(_EXTREME.search(line.text))
+
+
+def answer_in(line: ScriptLine) -> Link | None:
+    """The only bound that a remark supposes, with a letter on one side: ``when k > 2``."""
+    if line.kind != "remark" or len(line.supposed) != 1 or line.supposed[0].sign == "=":
+        return None
+    (claim,) = line.supposed
+    single = any(isinstance(side, Letter) for side in (claim.left, claim.right))
+    return Link((claim,), 1, len(line.text)) if single else None
 
 
 def cases_in(
@@ -56,7 +65,8 @@ def supposed_in(
 ) -> tuple[World, ...] | None:
     """The world in which what a line supposes holds, if there is one that can be worked out.
 
-    None where it supposes nothing, or what holds in any case.
+    None where it supposes nothing, or what holds in any case; no world where nobody knows what
+    its letters mean.
     """
     if not supposed:
         return None
@@ -64,7 +74,7 @@ def supposed_in(
         if all(agrees(each, base, meanings, ()) for each in supposed):
             return None
     except RestitutionError:
-        return None
+        return ()
     claims = [each for each in supposed if each.sign == "="]
     if not claims:
         return ()

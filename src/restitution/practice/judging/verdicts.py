@@ -57,6 +57,7 @@ from restitution.practice.judging.other_forms import (
 from restitution.practice.judging.own_values import Naming
 from restitution.practice.judging.support import Support
 from restitution.practice.judging.supposing import (
+    answer_in,
     cases_in,
     changes_of_sizes,
     speaks_of_an_extreme,
@@ -70,7 +71,7 @@ from restitution.practice.judging.uses import (
     uses_of_variants,
 )
 from restitution.practice.letters.candidates import suffix
-from restitution.practice.reading.lines import read_as
+from restitution.practice.reading.lines import lines_of_letters, read_as
 from restitution.practice.reading.phrases import is_phrase, names_time, tells_after
 from restitution.practice.reading.quoted import beyond_formula, has_data, is_of_impulse, is_quoted
 from restitution.practice.script import Claim, Link, Script, ScriptLine
@@ -119,7 +120,7 @@ class Judge(Unlabelled):
         self._take_acute(script)
         question = self.question
         self._support = Support(self._base, question.wanted, question.unknown, question.given)
-        self._lines_of = _lines_of(script)
+        self._lines_of = lines_of_letters(script)
         lines: list[JudgedLine] = []
         for line in script.lines:
             lines.append(self._judged(line))
@@ -243,6 +244,7 @@ class Judge(Unlabelled):
         if line.kind == "remark" and len(line.values) == 2:
             worlds = (self._base, *(self.students() if self.wrong else ()))
             line = as_components(line, worlds, self.meanings(line.number))
+        line = self._with_supposed_answer(line)
         if line.kind in ("remark", "heading", "crossed") or not line.links:
             seen = dict.fromkeys(self._seen(line))
             self._stated.update((use.principle, use.event, use.bodies) for use, _ in seen)
@@ -296,6 +298,13 @@ class Judge(Unlabelled):
             meant={**self._meant, **dict(pair for link in links for pair in link.meant)},
         )
 
+    def _with_supposed_answer(self, line: ScriptLine) -> ScriptLine:
+        """A remark with a true bound behind *when* as an answer, where a range is asked."""
+        answer = answer_in(line) if self.question.extreme else None
+        if answer is None or self._holds(answer, line, self.worlds) is None:
+            return line
+        return replace(line, kind="relations", links=(answer,), supposed=())
+
     def _is_of_the_book(self, line: ScriptLine, unknown: frozenset[str]) -> bool:
         """Whether a line only quotes a formula, ``I = m(v - u)``, of which some letters are idle.
 
@@ -319,7 +328,8 @@ class Judge(Unlabelled):
         cases = [each for each in line.links if each.supposed and not self._misquoted(line, each)]
         if any(self._supposing(line, each) == () for each in cases):
             return True
-        return unequal and self._supposing(line) is not None
+        worlds = self._supposing(line)
+        return worlds == () or (unequal and worlds is not None)
 
     def _supposing(self, line: ScriptLine, link: Link | None = None) -> tuple[World, ...] | None:
         supposed = link.supposed if link is not None and link.supposed else line.supposed
@@ -682,17 +692,6 @@ class Judge(Unlabelled):
         if len(uses) > 1:
             uses.pop(Use("arithmetic"), None)
         return tuple(uses), tuple(stated)
-
-
-def _lines_of(script: Script) -> dict[str, set[int]]:
-    """The numbers of the lines in which a letter stands."""
-    lines: dict[str, set[int]] = {}
-    for line in script.lines:
-        for link in line.links:
-            for side in (link.readings[0].left, link.readings[0].right):
-                for name in letters(side):
-                    lines.setdefault(name, set()).add(line.number)
-    return lines
 
 
 def _goes_on(before: JudgedLink, link: JudgedLink) -> bool:

@@ -11,6 +11,7 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Name,
     Negate,
     Quantity,
     letters,
@@ -247,6 +248,8 @@ class LettersOfLines:
             if not own:
                 own = [each for each in after if each.event == self._event_numbered(name)]
                 own = own if len(own) == 1 else []
+            if not own and len(after) > 1:
+                own = self._asked_velocities(after)
             return own[-1] if own else after[0] if len(after) == 1 else None
         if name.partition("_")[0] in _IMPULSES and (self._points(name) or name in self.vectors):
             return self._vector_impulse(name, scope)
@@ -257,6 +260,17 @@ class LettersOfLines:
         known = usual(usage, self.around.candidates, self.around.problem, self.around.events)
         known = known or self._resolved_speed(name, scope) or self._asked_speed(name)
         return known or self._by_shape(name)
+
+    def _asked_velocities(self, after: Sequence[Candidate]) -> list[Candidate]:
+        """The velocity that the part asks for, or whose size it does, of one body that is struck.
+
+        Behind several impacts nobody knows of which a letter speaks.
+        """
+        impacts = sum(isinstance(each, Impact) for each in self.around.events)
+        asked = [each for each in self.around.asked if isinstance(each, Quantity)]
+        stages = {(x.arguments[0], x.stage) for x in asked if x.kind in ("velocity", "speed")}
+        own = [x for x in after if (Name(x.body or ""), x.event) in stages]
+        return own if len(own) == 1 and impacts == 1 and len({x.body for x in after}) == 1 else []
 
     def _event_of(self, candidate: Candidate) -> Event | None:
         """The event after which a quantity is taken."""

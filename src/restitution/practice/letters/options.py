@@ -75,6 +75,8 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
             continue
         place = kinds.index(each.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
         place += (_WANTED if each.asked else _STRANGE) if strange else 0.0
+        if each.kind == "place" and each.asked:
+            place -= _ODD  # where two meet both are: the one that is asked for is meant
         extra += place + _by_scope(usage.scope, each) + _by_axis(usage.letter, each)
         yield replace(each, cost=max(0.0, min(1.0, each.cost + extra)))
 
@@ -228,6 +230,8 @@ def usual(
             struck = struck if len(struck) == 1 else impacts  # that of a kick is known
             only = struck[0] if len(struck) == 1 else usage.scope.event
             return _first(candidates, "impulse", None, only) if only else None
+        case "t" | "T" if below == "1" and any(_is_time(x) and x.asked for x in candidates):
+            return next((x for x in candidates if _is_time(x)), None)
         case "m" | "M":
             return _mass(candidates, below, problem)
         case "v" | "u" | "V" | "U" if any(sphere.name == below for sphere in problem.spheres):
@@ -237,6 +241,11 @@ def usual(
         case _ if usage.in_angle:
             return _usual_angle(candidates, events)
     return None
+
+
+def _is_time(candidate: Candidate) -> bool:
+    """Whether a quantity is the time of the first event."""
+    return candidate.kind == "time" and candidate.quantity == Quantity("time", (), 1)
 
 
 def _usual_component(

@@ -202,16 +202,13 @@ class EachPoint:
         return self._inequality() if shown and point.principle == "solve" else None
 
     def _inequality(self) -> JudgedLine | None:
-        """A sound line that compares two values."""
-        return next(
-            (
-                line
-                for line in self.lines
-                if line.verdict in SOUND
-                and {link.readings[0].sign for link in line.line.links} - {"=", "!="}
-            ),
-            None,
-        )
+        """A sound line that compares two values; of a false one what stands before its mistake."""
+        for line in self.lines:
+            end = line.link or 0 if line.verdict == "false" else len(line.line.links)
+            signs = {link.readings[0].sign for link in line.line.links[:end]}
+            if line.verdict in (*SOUND, "false") and signs - {"=", "!="}:
+                return line
+        return None
 
     def _by_value(self, point: MarkPoint) -> JudgedLine | None:
         """A line that gives what a method is for, from true values or the student's own."""

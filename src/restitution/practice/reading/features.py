@@ -42,7 +42,7 @@ class Features:
     """Features of a phrase; ``names`` stand in the order of the words.
 
     ``timed`` tells that its words say whether it is before or after the event, ``start`` that
-    they speak of the very beginning.
+    they speak of the very beginning, ``at_wall`` that they do of the moment at a wall.
     """
 
     heads: frozenset[str] = frozenset()
@@ -54,6 +54,7 @@ class Features:
     event: int | None = None
     target: str | None = None
     wall: bool = False
+    at_wall: bool = False
     both: bool = False
     mass_centre: bool = False
     timed: bool = False
@@ -99,7 +100,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
         elif low in ORDINALS and _counts_events(words, place):
             features = replace(features, event=ORDINALS[low])
         elif low in ("wall", "cushion", "barrier"):
-            features = replace(features, wall=True)
+            met = previous in STAGES or (bool(features.stage) and previous in EVENT_WORDS)
+            features = replace(features, wall=True, at_wall=met)
         elif low in ("total", "both", "system", "overall", "combined"):
             features = replace(features, both=True)
         elif len(low) == 2 and low[0] in "uvw" and low[1] in "xy":

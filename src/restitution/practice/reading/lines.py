@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from restitution.expression.tree import Expression, Letter, walk
+from restitution.expression.tree import Expression, Letter, letters, walk
 from restitution.expression.writing import write_expression
-from restitution.practice.script import Claim
+from restitution.practice.script import Claim, Script
 from restitution.render.layout import Layout, Words
 from restitution.render.layout.statements import from_tree
 from restitution.render.text import to_text
@@ -43,3 +43,14 @@ def _layout(tree: Expression) -> Layout:
     if isinstance(tree, Letter) and " " in tree.name:
         return Words(tree.name)
     return from_tree(tree)
+
+
+def lines_of_letters(script: Script) -> dict[str, set[int]]:
+    """The numbers of the lines in which a letter stands."""
+    lines: dict[str, set[int]] = {}
+    for line in script.lines:
+        for link in line.links:
+            for side in (link.readings[0].left, link.readings[0].right):
+                for name in letters(side):
+                    lines.setdefault(name, set()).add(line.number)
+    return lines

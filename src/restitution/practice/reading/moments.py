@@ -45,6 +45,11 @@ class Moments:
         if named and len(named) < len(impacts):
             return named
         bodies = {each for each in self.features.names if each in self.spheres}
+        if self.features.at_wall:
+            known = [n for n in impacts if self.met(n) & set(self.walls)]
+            struck = [n for n in known if not bodies or bodies & self.met(n)]
+            if struck:
+                return list(reversed(struck))
         walled = [n for n in impacts if self.met(n) & set(self.walls) & set(self.features.names)]
         if walled:
             return list(reversed(walled))

@@ -232,6 +232,7 @@ class _Reader(Moments):
                 yield from self.momentum(event)
             elif heads == {"distance"} and len(self.features.names) != 2:
                 yield from self.travelled()
+                yield from self.gaps()
                 yield from self.asked("distance")
             elif "change" in heads and heads & {"velocity", "component"}:
                 yield from self.change(event)
@@ -288,6 +289,14 @@ class _Reader(Moments):
                 for later, earlier in combinations(reversed(at), 2):
                     moved = Binary("-", later, earlier)
                     yield Apply("abs", moved if axis is None else Quantity("along", (moved, axis)))
+
+    def gaps(self) -> Iterator[Expression]:
+        """The distances of two spheres whose places are known, at every event."""
+        placed = [each.name for each in self.problem.spheres if each.position is not None]
+        named = set(self.features.names)
+        for one, other in combinations(placed, 2):
+            for stage in range(len(self.events), -1, -1) if named <= {one, other} else ():
+                yield Quantity("distance", (Name(one), Name(other)), stage)
 
     # -- quantities ---------------------------------------------------------------------------
 

@@ -57,7 +57,7 @@ def segments(tokens: Sequence[Token], case: bool = False) -> list[Segment]:
     loose = _loose_brackets(tokens)
     depth = 0
     for place, token in enumerate(tokens):
-        if place in loose:
+        if place in loose or (not depth and _begins_sentence(tokens, place, pending)):
             separator = True
         elif token.kind == "(":
             depth, separator = depth + 1, False
@@ -146,6 +146,15 @@ def _begins_body(tokens: Sequence[Token], place: int, pending: Sequence[Token]) 
     ended = len(pending) > 1 and pending[-1].kind in (*_CLOSING, "measure")
     stated = any(each.kind == "relation" for each in pending)
     return ended and (behind in ("relation", ":") or (stated and behind in ("number", "function")))
+
+
+def _begins_sentence(tokens: Sequence[Token], place: int, pending: Sequence[Token]) -> bool:
+    """Whether words of a body begin behind a relation: ``1.5u > -0.4u A catches B``."""
+    token = tokens[place]
+    spoken = place + 1 < len(tokens) and tokens[place + 1].kind == "word"
+    ended = bool(pending) and pending[-1].kind in (*_CLOSING, "measure")
+    stated = any(each.kind == "relation" for each in pending)
+    return token.kind == "name" and token.gap > 0 and spoken and ended and stated
 
 
 def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
@@ -334,12 +343,25 @@ def _is_solved_for(tokens: Sequence[Token], first: int, place: int, second: int)
     own = tokens[place].name
     stop = next((n for n in range(second + 1, len(tokens)) if tokens[n].kind == "relation"), None)
     value, behind = tokens[first + 1 : place], tokens[second + 1 : stop]
-    plain = not any(each.kind == "letter" for each in value)
-    elsewhere = any(each.kind == "letter" and each.name == own for each in behind)
     left = tokens[start:first]
+    if _is_contradicted(left, value, behind, own):
+        return True
+    given = {each.name for each in value if each.kind == "letter"}
+    plain = given <= {each.name for each in behind if each.kind == "letter"} - {own}
+    elsewhere = any(each.kind == "letter" and each.name == own for each in behind)
     kinds = [each.kind for each in left if each.kind != "-"]
     multiple = kinds in (["number", "letter"], ["letter", "^", "number"])
     return multiple and plain and not elsewhere and any(each.name == own for each in left)
+
+
+def _is_contradicted(
+    left: Sequence[Token], value: Sequence[Token], behind: Sequence[Token], own: str
+) -> bool:
+    """Whether a chain would say of a number that it is another: ``14 = 5a + 4 a = 2``."""
+    end = next((n for n, each in enumerate(behind) if n and each.gap), len(behind))
+    sides = (left, behind[:end])
+    numbers = [side[0].value for side in sides if [x.kind for x in side] == ["number"]]
+    return len(numbers) == 2 and numbers[0] != numbers[1] and any(x.name == own for x in value)
 
 
 def _may_part(tokens: Sequence[Token], place: int) -> bool:

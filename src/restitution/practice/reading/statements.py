@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from itertools import pairwise, permutations
 
@@ -22,7 +23,7 @@ from restitution.practice.reading.chains import Chains, Past, Statements
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.grammar import is_vector
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.reading.readings import Side
 from restitution.practice.reading.relations import (
     finished,
@@ -176,7 +177,7 @@ class _Reader(Chains):
             self.supposes, self.case = False, self.condition
         if words & _CONDITIONS:
             self.supposes = True
-        elif words & _ENDING:
+        elif words & _ENDING or self._is_implied(words):
             self.supposes = False
         self.defines = "where" in words or (self.defines and not words - {",", "and"})
         if not any(each.kind in (*_OPERANDS, "|", "phrase", "relation") for each in segment.tokens):
@@ -281,6 +282,12 @@ class _Reader(Chains):
             for one, other in permutations((claims[0].left, claims[0].right))
         )
         return claims if single else ()
+
+    def _is_implied(self, words: AbstractSet[str]) -> bool:
+        """Whether a relation is what an inequality leads to: ``if v < 0 → 2 - k < 0``."""
+        leads = "then" in words or any(each.endswith((">", "→")) for each in words)
+        supposed = self.statements.supposed if self.supposes and leads else ()
+        return bool(supposed) and all(each.sign != "=" for each in supposed)
 
     def _is_under_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a relation holds in the case before it: ``least when e = 0, v = u cos α``."""
@@ -479,6 +486,11 @@ class _Reader(Chains):
                 self.labelled(tokens[place], sides, stretch)
         return True
 
+    def _is_unknown_distance(self, label: Token) -> bool:
+        """Whether a phrase says how far something is of which the question does not tell where."""
+        heads = {HEADS[each] for each in label.name.split() if each in HEADS}
+        return heads == {"distance"} and not read_phrase(label.name, self.problem)
+
     def _waiting(self, segment: Segment) -> tuple[tuple[Side, ...], Sign]:
         """The left side that waits for its right one, on this line or the one above."""
         if self.waiting:
@@ -509,6 +521,9 @@ class _Reader(Chains):
             self.statements.values += (sides[0].tree,)
             return  # B: u/√2 before, (1 + k)u/√2 after
         own = [Side(self.label_tree(label, sides, tokens))]
+        if self._is_unknown_distance(label):
+            self.statements.values += (sides[0].tree,)
+            return
         if label.name in self.usage.spheres and own[0].tree == Letter(f"speed of {label.name}"):
             own = list(worths_of(label.name, sides[0].tree))
         elif own[0].tree == Letter(f"velocity of {label.name}"):

@@ -64,6 +64,8 @@ _LATIN_FOR = {
 
 # Between these a letter is a unit: time = 4 s, and 1 m from W.
 _BEFORE_A_UNIT = re.compile(r"\d\s+$")
+# Metres a second, which are no letters: ``at 6 m/s:``, ``4ms^-1``.
+_SPEED_UNIT = re.compile(r"(?<=\d)\s*m\s?(?:/\s?s\b|s\s?\^?\(?-1\)?)")
 _BEFORE_METRES = re.compile(r"(?:^|[=:,]|[a-z]{2} )[\s\d.+*×()-]*\d\s*$")
 _BEFORE_GLUED = re.compile(r"\d\)?\s*$")
 _BEHIND_A_UNIT = re.compile(r"$|[,;=)]|\.(?:\s|$)|[A-Za-z]{2,}")
@@ -74,7 +76,8 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     of_question = letters_of_question(problem)
     text = "\n".join(lines)
     runs = _RUN.findall(text)
-    metres = all(each.mass and not letters(each.mass) for each in problem.spheres)
+    numeric = all(each.mass and not letters(each.mass) for each in problem.spheres)
+    metres = numeric or all(each.mass is None and each.position for each in problem.spheres)
     alone = _alone(lines, metres)
     trigonometric = set(_in_functions(text))
     greek = {GREEK_SIGNS[sign] for sign in text if sign in GREEK_SIGNS}
@@ -170,7 +173,7 @@ def _alone(lines: Sequence[str], metres: bool) -> set[str]:
     glued = {"m": _BEFORE_METRES if metres else _BEFORE_A_UNIT, "s": _BEFORE_GLUED}
     alone: set[str] = set()
     for line in lines:
-        for match in _ALONE.finditer(line):
+        for match in _ALONE.finditer(_SPEED_UNIT.sub(lambda each: " " * len(each[0]), line)):
             behind = line[match.end() :].lstrip()
             word = re.match(r"[A-Za-z]{3,}", behind)
             if match[1] in "aI" and word and word[0].lower() in PROSE | PHRASE_WORDS:

@@ -1,0 +1,161 @@
+"""Energies, shares of energies and tangents that a line shows by itself to be wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
+from restitution.practice.judging.claimed import has_value, meant_by
+from restitution.practice.judging.entries import Entry
+from restitution.practice.worlds.arrays import Array
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+
+_NEAR = 0.006
+"""What a student's own rounding may move a speed by."""
+_TWO = Number(Fraction(2))
+_COEFFICIENTS = (0.37, 0.71)
+_OF_ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
+
+
+def is_energy_of_difference(entry: Entry, world: World) -> bool:
+    """Whether an energy is that of a difference of speeds of one body: ``½m(10 - 4.27)²``."""
+    meant = meant_by(entry)
+    kinds = {each.kind for each in walk(meant) if isinstance(each, Quantity)}
+    if not kinds & _OF_ENERGIES:
+        return False
+    return any(
+        _are_speeds_of_one(left, right, entry, world)
+        for each in walk(entry.claim.right)
+        for left, right in _squared_difference(each)
+    )
+
+
+def _squared_difference(tree: Expression) -> Iterator[tuple[Expression, Expression]]:
+    match tree:
+        case Binary("^", Binary("-", left, right), Number(power)) if power == 2:
+            yield left, right
+
+
+def _are_speeds_of_one(one: Expression, other: Expression, entry: Entry, world: World) -> bool:
+    """Whether two trees are worth the speeds of one body before and after, but for rounding."""
+    own = _size(one, entry, world), _size(other, entry, world)
+    if own[0] is None or own[1] is None:
+        return False
+    for body in world.start:
+        stages = range(len(world.events) + 1)
+        speeds = [world.scalar(Quantity("speed", (Name(body),), stage)) for stage in stages]
+        near = [{n for n, x in enumerate(speeds) if _are_near(size, x)} for size in own]
+        if near[0] and near[1] and near[0].isdisjoint(near[1]):
+            return True
+    return False
+
+
+def _size(tree: Expression, entry: Entry, world: World) -> Array | None:
+    try:
+        return np.abs(world.spread(world.scalar(tree, entry.meanings, scope=entry.scope)))
+    except RestitutionError:
+        return None
+
+
+def _are_near(one: Array | None, other: Array) -> bool:
+    assert one is not None
+    return bool(np.all(other > 0) and np.all(np.abs(one - other) <= _NEAR * other))
+
+
+def is_fraction_of_line(entry: Entry, world: World) -> bool:
+    """Whether a share lost at a wall is that of the energy along its normal: ``1 - e²``."""
+    match meant_by(entry):
+        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+            pass
+        case _:
+            return False
+    for number, _ in _walls_of(world):
+        e = Quantity("restitution", (), number)
+        share = Binary("-", Number(Fraction(1)), Binary("^", e, _TWO))
+        if has_value(share, entry.claim.right, entry, world):
+            return True
+    return False
+
+
+def is_tangent_inverted(entry: Entry, world: World) -> bool:
+    """Whether the tangent after a wall is that before it over e, and not times e."""
+    left = entry.claim.left
+    if not (isinstance(left, Apply) and left.function == "tan"):
+        return False
+    if not any(isinstance(each, Apply) for each in walk(entry.claim.right)):
+        return False
+    for number, body in _walls_of(world):
+        line = Quantity("line_of_centres", (), number)
+        velocities = (Quantity("velocity", (Name(body),), n) for n in (number - 1, number))
+        before, after = (
+            Apply("cot", Quantity("angle", (velocity, line))) for velocity in velocities
+        )
+        wrong = Binary("/", before, Quantity("restitution", (), number))
+        if has_value(after, left, entry, world) and has_value(
+            wrong, entry.claim.right, entry, world
+        ):
+            return True
+    return False
+
+
+def is_of_exchanged_squares(entry: Entry, world: World) -> bool:
+    """Whether e is with the square of the wrong component at a wall: ``73 = 6² + (8e)²``."""
+    for side in (entry.claim.left, entry.claim.right):
+        if "e" not in letters(side) & world.letters.keys() or not isinstance(side, Binary):
+            continue
+        for number, body in _walls_of(world):
+            before = Quantity("velocity", (Name(body),), number - 1)
+            line = Quantity("line_of_centres", (), number)
+            into, along = (
+                Binary("^", Quantity(kind, (before, line)), _TWO) for kind in ("along", "across")
+            )
+            wrong, right = (_with_square_of_e(*pair) for pair in ((along, into), (into, along)))
+            ratios = [_ratios_for(side, each, entry, world) for each in (wrong, right)]
+            if _are_constant(ratios[0]) and not _are_constant(ratios[1]):
+                return True
+    return False
+
+
+def _with_square_of_e(one: Expression, other: Expression) -> Expression:
+    """The sum of a square times e², and of another square."""
+    return Binary("+", Binary("*", one, Binary("^", Letter("e"), _TWO)), other)
+
+
+def _ratios_for(tree: Expression, other: Expression, entry: Entry, world: World) -> Array | None:
+    """The ratios of two trees for two values of e, shape (2, samples)."""
+    ratios: list[Array] = []
+    for value in _COEFFICIENTS:
+        e = np.full(world.samples, value)
+        changed = world.replaced(letters={**world.letters, "e": e})
+        try:
+            own = changed.scalar(tree, entry.meanings, scope=entry.scope)
+            ratios.append(world.spread(own / changed.scalar(other)))
+        except RestitutionError:
+            return None
+    return np.stack(ratios)
+
+
+def _are_constant(ratios: Array | None) -> bool:
+    return ratios is not None and bool(np.allclose(ratios[0], ratios[1], rtol=1e-6, atol=0))
+
+
+def _walls_of(world: World) -> Iterator[tuple[int, str]]:
+    """The impacts with walls, each with its sphere."""
+    for number, step in enumerate(world.events, 1):
+        if isinstance(step, Impact) and step.second in world.walls:
+            yield number, step.first
