@@ -280,6 +280,15 @@ show angle(velocity(P), W) <= alpha
         HALF_KNOWN + "part a\nfind e1 e2\npart b\nunknown e2\nfind range of e1",
         ["e₁e₂ = ⅓", "e₁ = 1/(3e₂), as e₂ ≠ 0"],
     ),
+    # sin²α + 4e₂² cos²α = 1, and so (4e₂² − 1) cos²α = 0.
+    "a factor that sin² + cos² = 1 leaves is not zero": (
+        (
+            "wall W1: along i\nwall W2: along j\nsphere P: velocity u at alpha to W1\n"
+            "P hits W1: e = e1\nP hits W2: e = e2\n"
+            "given energy(P) = 1/4 energy(P, 0), e1 = 1/2\nfind e2"
+        ),
+        ["4e₂² − 1 = 0, as α is acute"],
+    ),
     # cos²α = 3/((1 + e)(3 − e)) < 1: 3 < 3 + 2e − e².
     "a bound that is a product of the letter is one before it is solved": (
         REST.format(angle="alpha", m="m", e="")

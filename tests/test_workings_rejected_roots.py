@@ -33,10 +33,20 @@ given speed(B) = u
 find cos(alpha)
 """
 
+# v = u/√2: w − v = u/√2, and u(1 − k)/√2 = u/√2 + √2 ku.
+NO_MASS = """
+sphere A: mass m, velocity u at 45°
+sphere B: mass k m, velocity u at 45° from -i
+A hits B: along i, e = 1/2
+given energy(A) = energy(A, 0)
+find k
+"""
+
 
 @pytest.mark.parametrize(
     ("statement", "reason"),
     [
+        (NO_MASS, "as v = √2 u/2 would give w = √2 u and k = 0 by (2) and (3), but k > 0"),
         (
             OBTUSE,
             "as w = −u/2 would give v = −u/2 and cos α = −¼ by (2) and (3), but α is acute",

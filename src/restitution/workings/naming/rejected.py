@@ -55,8 +55,11 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
         for links in read_relation(ref, bodies).options
     ]
     if not bounds and len(dropped) == 1:
-        of_a_ratio = _ratio_broken(derivation, line, dropped[0])
-        return of_a_ratio or _made_negative(derivation, line, dropped[0])
+        return (
+            _ratio_broken(derivation, line, dropped[0])
+            or _made_negative(derivation, line, dropped[0])
+            or _positive_broken(derivation, line, dropped[0])
+        )
     if len(dropped) != 1 or len(bounds) != 1 or bounds[0].sign not in OPPOSITE:
         return None
     bound = bounds[0]
@@ -106,6 +109,24 @@ def _made_negative(
                 return None
             if worth.subs(sp.Symbol(root.name, positive=True), value).is_negative:
                 return dropped, Link(other, "<", Number(Fraction(0)))
+    return None
+
+
+def _positive_broken(
+    derivation: Derivation, line: Line, dropped: tuple[Link, ...]
+) -> tuple[tuple[Link, ...], Link] | None:
+    """A root and the letter of the statement that it makes 0 or less, which is positive silently.
+
+    None where a line cites what else its letters may be.
+    """
+    if any(isinstance(ref, str) for ref in line.premises):
+        return None
+    pairs = equations_of(derivation, line)
+    names = {name for pair in pairs for side in pair for name in letters(side)}
+    for name in sorted(names - derivation.meanings.keys()):
+        bound = Link(Letter(name), "<=", Number(Fraction(0)))
+        if made_by_a_root(derivation, line, dropped, bound):
+            return dropped, bound
     return None
 
 
@@ -173,12 +194,8 @@ def made_by_a_root(
     put = [gap for gap in (each.xreplace(signed) for each in put) if gap != 0]
     if len(put) != len(unknowns) or last not in names:
         return ()
-    try:
-        (solution,) = sp.linsolve(put, list(signed.values()))
-    except (ValueError, sp.polys.polyerrors.PolynomialError):
-        return ()
-    values = [tidy(each) for each in solution]
-    if any(each.free_symbols & set(signed.values()) for each in values):
+    values = _solved(put, list(signed.values()))
+    if not values or any(each.free_symbols & set(signed.values()) for each in values):
         return ()
     if _BEYOND[bound.sign](values[-1], limit) != sp.true:
         return ()
@@ -196,6 +213,32 @@ def made_by_a_root(
         beyond = Link(trees[-1], bound.sign, bound.right)
         relations[-1] = Relation(((Link(bound.left, "=", trees[-1]), beyond),))
     return tuple(relations)
+
+
+def _solved(gaps: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[sp.Expr]:
+    """The values of unknowns, in their order, by equations that are linear in all or one by one.
+
+    Empty where they are not.
+    """
+    try:
+        (solution,) = sp.linsolve(gaps, list(unknowns))
+        return [tidy(each) for each in solution]
+    except (ValueError, sp.polys.polyerrors.PolynomialError):
+        pass
+    found: dict[sp.Symbol, sp.Expr] = {}
+    rest = list(gaps)
+    while rest:
+        for gap in rest:
+            left = sp.expand(gap.subs(found))
+            open_ = left.free_symbols & set(unknowns)
+            if len(open_) == 1 and left.is_polynomial(*open_) and sp.degree(left, *open_) == 1:
+                (unknown,) = open_
+                found[unknown] = tidy(-left.subs(unknown, 0) / sp.diff(left, unknown))
+                rest.remove(gap)
+                break
+        else:
+            return []
+    return [found[each] for each in unknowns]
 
 
 def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Expression]]:

@@ -152,7 +152,7 @@ class Reasons:
         reasoned = line.move.id in _REASONED or self._ordered(line) or self._is_root(line)
         reasoned = reasoned or any(self._cleared(line)) or any(self._dropped(line))
         reasoned = reasoned or self._by_its_sense(line) or self._in_its_case(line)
-        reasoned = reasoned or self._divided_by_ratios(line)
+        reasoned = reasoned or self._divided_by_ratios(line) or self._divided_by_a_ratio(line)
         if not reasoned and not self._of_sizes(line) and not grounds:
             return ()
         if line.move.id == "cancel" and factor_cancelled(self._derivation, line) is not None:
@@ -219,6 +219,12 @@ class Reasons:
         signs = {link.sign for links in line.relation.options for link in links}
         of_angles = any(str(ref).startswith("acute:") for ref in line.premises)
         return line.move.id == "rearrange" and bool(signs & {*UP, *DOWN}) and of_angles
+
+    @staticmethod
+    def _divided_by_a_ratio(line: Line) -> bool:
+        """Whether sin² + cos² = 1 leaves a factor of an equation that is not zero by its angle."""
+        of_angles = any(str(ref).startswith("acute:") for ref in line.premises)
+        return line.move.id == "identity" and line.move.record == "pythagoras" and of_angles
 
     def _by_a_cotangent(self, line: Line) -> bool:
         """Whether the bounds of an angle come of those of its cotangent, which falls."""
