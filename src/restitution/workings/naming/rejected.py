@@ -175,11 +175,13 @@ def made_by_a_root(
     own = {each.relation.letter for each in derivation.lines if isinstance(each.relation, Meaning)}
     if not isinstance(dropped[0].left, Letter) or not isinstance(bound.left, Letter | Apply):
         return ()
-    root, last = dropped[0].left.name, getattr(bound.left, "name", "ratio of the angle")
+    root, last = dropped[0].left.name, getattr(bound.left, "name", "_ratio")
     try:
         ratio = {in_letters(bound.left, positive=True): sp.Symbol(last, positive=True)}
         gaps = [
-            sp.sympify(in_letters(a, positive=True) - in_letters(b, positive=True)).xreplace(ratio)
+            sp.sympify(
+                in_letters(a, positive=True) - in_letters(b, positive=True), strict=True
+            ).xreplace(ratio)
             for a, b in equations
         ]
         value = in_letters(dropped[-1].right, positive=True)
