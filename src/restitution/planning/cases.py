@@ -20,7 +20,7 @@ def joined(before: Desk, drafts: Sequence[Desk]) -> Desk:
         return drafts[0]
     desk = _joined(before, drafts, 0)
     if len(drafts) > 1:
-        desk.forget(min(each[0] for draft in drafts for each in draft.splits[:1]))
+        desk.forget(min(split[0] for draft in drafts for split in draft.splits[:1]))
     return desk
 
 
@@ -32,9 +32,9 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
     """The same, of solutions that have parted so many times already."""
     if len(drafts) == 1:
         return drafts[0]
-    splits = [each.splits[depth] if len(each.splits) > depth else None for each in drafts]
-    parted = {each[0] for each in splits if each is not None}
-    options = list(dict.fromkeys(each[1] for each in splits if each is not None))
+    splits = [draft.splits[depth] if len(draft.splits) > depth else None for draft in drafts]
+    parted = {split[0] for split in splits if split is not None}
+    options = list(dict.fromkeys(split[1] for split in splits if split is not None))
     if len(parted) != 1 or None in splits or len(options) < 2:
         raise NotPlannedError("solutions that do not part at one line")
     (split,) = parted
@@ -50,11 +50,11 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
     desk.cases = list(before.cases)
     ends: list[ItemEnd] = []
     for option, group in zip(options, groups, strict=True):
-        for each in _added_case(before, desk, _joined(before, group, depth + 1), split, option):
-            if each not in ends:
-                ends.append(each)
+        for end in _added_case(before, desk, _joined(before, group, depth + 1), split, option):
+            if end not in ends:
+                ends.append(end)
     items = list(dict.fromkeys(end.item for end in ends))
-    desk.ends += sorted(ends, key=lambda each: items.index(each.item))
+    desk.ends += sorted(ends, key=lambda end: items.index(end.item))
     desk.splits = first.splits[:depth]
     if any(draft.notes != first.notes for draft in drafts):
         raise NotPlannedError("solutions of which one has no answer")
@@ -97,14 +97,14 @@ def _added_case(before: Desk, desk: Desk, draft: Desk, split: int, option: int) 
     """Adds what follows from one of some alternatives; returns its last lines of items."""
     numbers = _added(desk, draft, split)
     own = tuple(
-        numbers[each.number] for each in draft.lines[split:] if split in draft.under(each.number)
+        numbers[line.number] for line in draft.lines[split:] if split in draft.under(line.number)
     )
     count = len(desk.cases) + 1
     desk.cases.append(Case(count, split, option, own))
     within = {}
     for case in draft.cases[len(before.cases) :]:
         within[case.number] = len(desk.cases) + 1
-        lines = tuple(numbers.get(each, each) for each in case.lines)
+        lines = tuple(numbers.get(number, number) for number in case.lines)
         line = numbers.get(case.line, case.line)
         desk.cases.append(Case(within[case.number], line, case.option, lines))
     ends = []

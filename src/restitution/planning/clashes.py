@@ -73,10 +73,10 @@ def write_clash(
 
     None where no item has such a reason, and where no fact is refuted in lines.
     """
-    ranges = all(isinstance(each.item, Range) for each in part.items)
+    ranges = all(isinstance(item.item, Range) for item in part.items)
     if (part.branches and not ranges) or not names:
         return None
-    if not all(isinstance(each.error, ContradictionError) for each in part.items):
+    if not all(isinstance(item.error, ContradictionError) for item in part.items):
         return None
     for given, relation, events in reversed(list(_facts(solution.problem, part.part))):
         note = None
@@ -102,9 +102,9 @@ def write_clash(
 def _is_in_letters_asked(part: PartSolution, desk: Desk, note: Note) -> bool:
     """Whether the last line of a contradiction still has a letter of which the value is asked."""
     asked = {
-        each.item.expression.name
-        for each in part.items
-        if isinstance(each.item, Value) and isinstance(each.item.expression, Letter)
+        item.item.expression.name
+        for item in part.items
+        if isinstance(item.item, Value) and isinstance(item.item.expression, Letter)
     }
     lines = note.lines if note.kind == "contradiction" else ()
     return any(asked & letters(tree) for e in lines for tree in trees_of(desk.relation(e)))
@@ -118,14 +118,14 @@ def _facts(problem: Problem, part: Part) -> Iterator[tuple[Given, Said, int]]:
     for step, events, _ in problem.timeline(part):
         if not isinstance(step, Given):
             continue
-        for each in step.relations:
-            match each:
+        for relation in step.relations:
+            match relation:
                 case AtRest() | Aligned() | Meets():
-                    yield step, each, events
+                    yield step, relation, events
                 case Compare(operators=("=" | "<" | "<=" | ">" | ">=",)) if any(
-                    map(has_quantity, each.operands)
+                    map(has_quantity, relation.operands)
                 ):
-                    yield step, each, events
+                    yield step, relation, events
 
 
 def _refuted(
@@ -144,7 +144,7 @@ def _refuted(
     """
     without = _without(problem, given, relation)
     solved = solve(without)
-    own = next(each for each in solved.parts.values() if each.part.label == part.label)
+    own = next(other for other in solved.parts.values() if other.part.label == part.label)
     if len(own.branches) != 1:
         return None
     scene = scene_without(problem, part, without, own, desk, name)
@@ -220,10 +220,10 @@ def _without_a_value(scene: Scene, note: Note, facts: Collection[str]) -> Note |
     """The bound of a letter that an inequality becomes, which no value of the letter satisfies."""
     solver = Solver(scene)
     scene.desk.withheld = frozenset()
-    senses = [each.replace("given", "sense") for each in facts]
+    senses = [ref.replace("given", "sense") for ref in facts]
     own = [scene.facts[each] for each in (*facts, *senses) if each in scene.facts]
     for fact in own:
-        if any(each.sign not in FLIPPED for links in fact.relation.options for each in links):
+        if any(link.sign not in FLIPPED for links in fact.relation.options for link in links):
             continue
         standing, start = solver.mark(), len(scene.desk.lines)
         try:
@@ -251,12 +251,12 @@ def scene_without(
 
     The facts among these are withheld from the desk. The part has one solution.
     """
-    given = (each for each in facts_of(without) if each.id.startswith("given "))
-    kept = [(each.relation, each.part) for each in given]
+    given = (fact for fact in facts_of(without) if fact.id.startswith("given "))
+    kept = [(fact.relation, fact.part) for fact in given]
     desk.withheld = frozenset(
-        each.id
-        for each in facts_of(problem)
-        if each.id.startswith("given ") and (each.relation, each.part) not in kept
+        fact.id
+        for fact in facts_of(problem)
+        if fact.id.startswith("given ") and (fact.relation, fact.part) not in kept
     )
     desk.item = name
     protected = protected_letters(own.part)
@@ -279,11 +279,11 @@ def _without_a_root(scene: Scene, note: Note, facts: Collection[str]) -> Note | 
                     solver.determine([goal])
             scene.desk.withheld = frozenset()
             line = write_given(scene, given)
-            own = {each.symbol for each in scene.model.components.values()}
+            own = {component.symbol for component in scene.model.components.values()}
             symbols = sorted(
                 residual(scene, line).free_symbols, key=lambda s: (s not in own, str(s))
             )
-            names = [each.name for each in symbols]
+            names = [symbol.name for symbol in symbols]
             # What is seen from the line in a shorter form is better than what is decided of it.
             for shorter, symbol in product((True, False), symbols):
                 mark = solver.mark()
@@ -336,7 +336,7 @@ def _of_no_square(scene: Scene, line: int, ratio: sp.Expr, above: sp.Expr) -> in
         for e in (link.left, link.right)
     )
     value = tree_of(tidy(-own.nth(0) / own.nth(1)))
-    known = background(scene, {str(each) for each in ratio.free_symbols})
+    known = background(scene, {str(symbol) for symbol in ratio.free_symbols})
     for move, relation in (
         (Move("identity", "pythagoras"), equation(*sides)),
         (Move("rearrange"), equation(tree_of(ratio), value)),
@@ -367,8 +367,8 @@ def _of_a_square(scene: Scene, line: int, symbol: sp.Symbol) -> int:
 
 def with_what_is_needed(scene: Scene, note: Note) -> Note:
     """A note without the premises that it can do without."""
-    for each in note.premises:
-        less = replace(note, premises=tuple(ref for ref in note.premises if ref != each))
+    for other in note.premises:
+        less = replace(note, premises=tuple(ref for ref in note.premises if ref != other))
         if less.lines and scene.judge.excludes(less):
             note = less
     return note
@@ -382,7 +382,7 @@ def _without(problem: Problem, given: Given, relation: Said) -> Problem:
             if step is not given:
                 yield step
                 continue
-            left = tuple(each for each in given.relations if each is not relation)
+            left = tuple(other for other in given.relations if other is not relation)
             if left:
                 yield replace(given, relations=left)
 

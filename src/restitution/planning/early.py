@@ -63,7 +63,7 @@ def above_event(problem: Problem, part: PartSolution) -> Early | None:
         return None
     number = problem.parts.index(part.part)
     without = replace(problem, parts=(*problem.parts[:number], before.part))
-    late = frozenset(each.id for each in _late(problem, without, before.part))
+    late = frozenset(fact.id for fact in _late(problem, without, before.part))
     items = range(1, len(before.items) + 1)
     return Early(without, before, late, items, frozenset(items))
 
@@ -74,7 +74,7 @@ def _without(
     """The items between two numbers, without the facts from a step on; None where none is told."""
     problem = solution.problem
     steps = part.part.steps
-    later = tuple(each for each in steps[cut:] if not isinstance(each, Given | Find | Show))
+    later = tuple(step for step in steps[cut:] if not isinstance(step, Given | Find | Show))
     own = replace(part.part, steps=(*steps[:cut], *later))
     number = problem.parts.index(part.part)
     without = replace(problem, parts=(*problem.parts[:number], own))
@@ -98,8 +98,8 @@ def _without(
         in_terms = terms(part.part, index) is not None
         if in_terms or (alone.kind == "show" if same else closes and _serves(alone, late)):
             count = index
-    ended = {each for each in ended if each <= count}
-    ids = frozenset(each.id for each in late)
+    ended = {number for number in ended if number <= count}
+    ids = frozenset(fact.id for fact in late)
     return Early(without, solved, ids, range(start + 1, count + 1), frozenset(ended))
 
 
@@ -134,7 +134,7 @@ def _are_directions_after(problem: Problem, late: tuple[Fact, ...]) -> bool:
         for fact in facts_of(problem)
         if event.wall and fact.id == f"axis {event.number}"
     }
-    ties = [tie_of(each.relation.only[0]) for each in late if len(each.relation.options) == 1]
+    ties = [tie_of(fact.relation.only[0]) for fact in late if len(fact.relation.options) == 1]
     pairs = [pair for tie in ties if tie is not None for pair in (tie[:2], tie[1::-1])]
     return any(
         isinstance(other, Unit | Pair) and not isinstance(axes.get(one, Unit("i")), Unit)
@@ -158,14 +158,16 @@ def _serves(result: ItemResult, late: tuple[Fact, ...]) -> bool:
     item = result.item
     match item.expression if isinstance(item, Value) else None:
         case Quantity("energy" | "energy_lost" | "total_energy_lost" | "impulse" as kind):
-            sides = (tree for each in late for tree in trees_of(each.relation))
+            sides = (tree for fact in late for tree in trees_of(fact.relation))
             nodes = (node for tree in sides for node in walk(tree))
             return any(isinstance(node, Quantity) and node.kind == kind for node in nodes)
     return True
 
 
 def _answers(result: ItemResult) -> list[object]:
-    return [(each.exact, each.where, each.reached, each.condition) for each in result.distinct]
+    return [
+        (answer.exact, answer.where, answer.reached, answer.condition) for answer in result.distinct
+    ]
 
 
 def _is_in_letters(alone: ItemResult, whole: ItemResult) -> bool:
@@ -177,9 +179,9 @@ def _is_in_letters(alone: ItemResult, whole: ItemResult) -> bool:
 
 def _late(problem: Problem, without: Problem, part: Part) -> tuple[Fact, ...]:
     """The facts that a part has lost."""
-    kept = [each.relation for each in facts_of(without) if each.part == part.label]
+    kept = [fact.relation for fact in facts_of(without) if fact.part == part.label]
     return tuple(
-        each
-        for each in facts_of(problem)
-        if each.part == part.label and each.id.startswith("given ") and each.relation not in kept
+        fact
+        for fact in facts_of(problem)
+        if fact.part == part.label and fact.id.startswith("given ") and fact.relation not in kept
     )

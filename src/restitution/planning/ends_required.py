@@ -19,7 +19,7 @@ from restitution.solving.equations.solution import ItemResult
 def require_found(scene: Scene, asked: Expression) -> None:
     """Refuses an answer with a letter that the solution finds."""
     own = letters(asked)
-    open_letters = {each.name for each in scene.model.final if each not in scene.free} - own
+    open_letters = {value.name for value in scene.model.final if value not in scene.free} - own
     for links in scene.desk.ends[-1].answer.options:
         if any(open_letters & letters(link.right) for link in links):
             raise NotPlannedError(f"an answer with {', '.join(sorted(open_letters))}")
@@ -36,7 +36,7 @@ def require_answer(scene: Scene, result: ItemResult) -> None:
     That its lines are true is seen at the numbers of the solution, where signs may be others.
     """
     number, options = scene.model.branch.number, scene.desk.ends[-1].answer.options
-    answer = next((each for each in result.answers if each.solution == number), None)
+    answer = next((answer for answer in result.answers if answer.solution == number), None)
     if answer is None or len(options) != 1 or options[0][-1].sign != "=":
         return
     written, wanted = (
@@ -64,11 +64,11 @@ def require_letters(scene: Scene, result: ItemResult) -> None:
             parts = value if isinstance(value, tuple) else (value,)
             others = {
                 symbol.name
-                for each in map(sp.sympify, parts)
-                for symbol in each.free_symbols
+                for value in map(sp.sympify, parts)
+                for symbol in value.free_symbols
                 if symbol.name not in asked and symbol.name in letters(link.right)
                 # What cancels in the value is no letter of the answer.
-                if not scene.model.identically_zero(sp.diff(each, symbol))
+                if not scene.model.identically_zero(sp.diff(value, symbol))
             }
             if others:
                 raise NotPlannedError(f"an answer in {', '.join(sorted(others))}")

@@ -33,13 +33,13 @@ def write_idle_facts(
 
     None where the items are no letters that are open, and where no fact of them holds anyway.
     """
-    errors = [each.error for each in part.items]
-    if len(part.branches) != 1 or not all(isinstance(each, MissingError) for each in errors):
+    errors = [item.error for item in part.items]
+    if len(part.branches) != 1 or not all(isinstance(error, MissingError) for error in errors):
         return None
     open_ = _letters_asked(part) - part.branches[0].values.keys()
     if not open_ or len(open_) < len(names):
         return None
-    reason = next(each.because or each.message for each in errors if each is not None)
+    reason = next(error.because or error.message for error in errors if error is not None)
     problem, own = solution.problem, part.part
     story = model(
         problem, own, part.branches[0], part.roles, protected_letters(own), question=problem
@@ -64,9 +64,9 @@ def write_idle_facts(
 def _letters_asked(part: PartSolution) -> set[str]:
     """The letters that the items of a part ask for by themselves."""
     return {
-        each.item.expression.name
-        for each in part.items
-        if isinstance(each.item, Value) and isinstance(each.item.expression, Letter)
+        item.item.expression.name
+        for item in part.items
+        if isinstance(item.item, Value) and isinstance(item.item.expression, Letter)
     }
 
 
@@ -76,7 +76,7 @@ def with_facts_that_agree(solution: Solution, desk: Desk, spare: Iterable[Fact])
     ``spare`` are these facts; one without a plan has no lines.
     """
     problem = solution.problem
-    parts = [each for each in solution.parts.values() if each.items]
+    parts = [part for part in solution.parts.values() if part.items]
     for fact in spare:
         part = next((e for e in parts if e.part.label == fact.part), parts[-1])
         if len(part.branches) != 1:
@@ -87,7 +87,7 @@ def with_facts_that_agree(solution: Solution, desk: Desk, spare: Iterable[Fact])
         draft = desk.fork()
         draft.part = part.part.label
         scene = Scene(problem, part.part, part, story, draft, find_frame=frame_at)
-        for given in (each for each in scene.given if each.fact.id == fact.id):
+        for given in (equation for equation in scene.given if equation.fact.id == fact.id):
             if given.link.sign != "=" or not any(map(has_quantity, trees_of(fact.relation))):
                 continue
             with suppress(*UNPLANNED, RestitutionError):

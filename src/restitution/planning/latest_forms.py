@@ -49,7 +49,7 @@ def with_squares_of_speeds(derivation: Derivation, oracle: Oracle) -> Derivation
 
 def _without_its_root(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:
     """With the square of a speed by its components, where the line below it is that square."""
-    users = [each for each in derivation.lines if line.number in each.premises]
+    users = [other for other in derivation.lines if line.number in other.premises]
     if len(users) != 1 or derivation.held & {line.number, users[0].number}:
         return derivation
     (user,) = users
@@ -68,9 +68,11 @@ def _without_its_root(derivation: Derivation, line: Line, oracle: Oracle) -> Der
         links.append(Link(squares, "=", value, "rearrange"))
     direct = replace(line, relation=Relation((tuple(links),)))
     lines = tuple(
-        replace(each, premises=tuple(line.number if e == user.number else e for e in each.premises))
-        for each in (direct if each == line else each for each in derivation.lines)
-        if each.number != user.number
+        replace(
+            other, premises=tuple(line.number if e == user.number else e for e in other.premises)
+        )
+        for other in (direct if other == line else other for other in derivation.lines)
+        if other.number != user.number
     )
     whole = replace(derivation, lines=lines)
     read = reader_of(whole, oracle)
@@ -82,14 +84,14 @@ def _from_factors(derivation: Derivation, line: Line, oracle: Oracle) -> Derivat
         form = derivation.line(ref) if isinstance(ref, int) else None
         if form is None or form.move.id != "rearrange" or len(form.premises) != 1:
             continue
-        users = [each for each in derivation.lines if form.number in each.premises]
+        users = [line for line in derivation.lines if form.number in line.premises]
         fixed = any(end.line == form.number for end in derivation.items)
         (first,) = form.premises
         product = derivation.line(first) if isinstance(first, int) else None
         if len(users) > 1 or fixed or product is None or not _is_multiplied_out(product, form):
             continue
         direct = replace(line, premises=tuple(first if e == ref else e for e in line.premises))
-        lines = tuple(direct if each == line else each for each in derivation.lines)
+        lines = tuple(direct if other == line else other for other in derivation.lines)
         whole = replace(derivation, lines=lines)
         read = reader_of(whole, oracle)
         if read.accepts(read.lines[line.number]):
@@ -104,7 +106,7 @@ def _is_multiplied_out(product: Line, form: Line) -> bool:
             Relation(((Link(left, sign, right),),)),
             Relation(((Link(Binary("+" | "-"), other, zero),),)),
         ) if is_zero(right) and is_zero(zero):
-            sums = [each for each in factors_above(left) if isinstance(each, Binary)]
+            sums = [factor for factor in factors_above(left) if isinstance(factor, Binary)]
             ordered = sign in FLIPPED and other in FLIPPED
             return ordered and len(sums) > 1 and not isinstance(left, Negate)
     return False
@@ -116,7 +118,7 @@ def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle)
         if form in line.premises:
             return derivation
         direct = replace(line, premises=(form, *line.premises[1:]))
-        lines = tuple(direct if each == line else each for each in derivation.lines)
+        lines = tuple(direct if other == line else other for other in derivation.lines)
         whole = replace(derivation, lines=lines)
         read = reader_of(whole, oracle)
         if read.accepts(read.lines[line.number]):

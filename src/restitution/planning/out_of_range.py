@@ -29,8 +29,8 @@ def write_out_of_range(
     value of a coefficient the items are written, as far as they do not rest on it.
     """
     branches = part.beyond or (part.branches if len(part.branches) > 1 else ())
-    errors = [each.error for each in part.items]
-    if not branches or not all(isinstance(each, ImpossibleError) for each in errors):
+    errors = [item.error for item in part.items]
+    if not branches or not all(isinstance(error, ImpossibleError) for error in errors):
         return None
     part = replace(part, beyond=branches)
     for name in _letters_out_of_range(part):
@@ -40,7 +40,7 @@ def write_out_of_range(
         except UNPLANNED:
             continue
         if premises is not None:
-            reason = next(each.because or each.message for each in errors if each is not None)
+            reason = next(error.because or error.message for error in errors if error is not None)
             for each in names:
                 draft.note(each, "impossible", reason, premises=premises)
             return draft
@@ -98,7 +98,7 @@ def _values(
     relation = desk.relation(line)
     names = {name}.union(*(letters(e.right) for links in relation.options for e in links))
     own_bounds = background(scene, {name})
-    for bounds in ((), *((each,) for each in own_bounds), own_bounds, background(scene, names)):
+    for bounds in ((), *((bound,) for bound in own_bounds), own_bounds, background(scene, names)):
         if scene.judge.excludes(replace(note, premises=(line, *bounds))):
             return (line, *bounds)
     return None

@@ -85,15 +85,15 @@ def note_unwritten(
         return
     outcome = {True: "shown", False: "not true", None: "not decided"}[result.holds]
     # What holds under conditions is no choice.
-    between = "; " if any(each.condition for each in result.distinct) else " or "
-    answers = between.join(each.display for each in result.distinct)
+    between = "; " if any(answer.condition for answer in result.distinct) else " or "
+    answers = between.join(answer.display for answer in result.distinct)
     reason = outcome if result.kind == "show" else answers
     desk.note(name, "unwritten", reason, premises=tuple(premises), claim=claim)
 
 
 def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int) -> Relation | None:
     """The answer of an item as a relation; None where no line could say it."""
-    if any(each.condition for each in result.distinct):
+    if any(answer.condition for answer in result.distinct):
         return None
     try:
         match item:
@@ -105,8 +105,8 @@ def answer_of(problem: Problem, item: Item | Show, result: ItemResult, now: int)
             case Value(expression):
                 asked = staged(problem, expression, now)
                 trees = [
-                    tree_of(each.value, angle=each.angle, as_it_is=each.angle)
-                    for each in result.distinct
+                    tree_of(answer.value, angle=answer.angle, as_it_is=answer.angle)
+                    for answer in result.distinct
                 ]
                 return Relation(tuple((Link(asked, "=", tree),) for tree in trees))
     except UNPLANNED:
@@ -171,8 +171,8 @@ def _equations(scene: Scene, solver: Solver, trees: Sequence[Expression]) -> Ite
             for body in scene.spheres(number):
                 for write in (unchanged, rebound):
                     yield partial(_at_a_wall, scene, number, body, write)
-    for each in scene.given:
-        yield partial(_given, scene, each)
+    for equation in scene.given:
+        yield partial(_given, scene, equation)
 
 
 def _law(

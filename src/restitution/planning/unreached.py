@@ -47,10 +47,10 @@ def write_unreached(
 
     None where no item has such a reason, and where no lines tell that the bodies do not approach.
     """
-    errors = [each.error for each in part.items]
-    if part.branches or not all(isinstance(each, ImpossibleError) for each in errors):
+    errors = [item.error for item in part.items]
+    if part.branches or not all(isinstance(error, ImpossibleError) for error in errors):
         return None
-    reason = next(each.because or each.message for each in errors if each is not None)
+    reason = next(error.because or error.message for error in errors if error is not None)
     before = _up_to_it(solution.problem, part.part)
     if before is None:
         return None
@@ -79,7 +79,7 @@ def _up_to_it(problem: Problem, part: Part) -> tuple[Problem, PartSolution, Impa
         without = _before(problem, step)
         try:
             own = next(
-                each for each in solve(without).parts.values() if each.part.label == part.label
+                other for other in solve(without).parts.values() if other.part.label == part.label
             )
         except (RestitutionError, StopIteration):
             return None
@@ -136,13 +136,13 @@ def _receding(
     ]
     pool: list[Ref] = []
     with Claims(scene, Solver(scene)) as claims:
-        for each in velocities:
-            if not claims.worths.is_data(each):
-                pool.append(claims.worths.quantity(each))
-            elif (component := _component(scene, each, line, number)) is not None:
+        for velocity in velocities:
+            if not claims.worths.is_data(velocity):
+                pool.append(claims.worths.quantity(velocity))
+            elif (component := _component(scene, velocity, line, number)) is not None:
                 pool.append(component)
             else:
-                pool += claims.worths.data_of(each)
+                pool += claims.worths.data_of(velocity)
     if not any(isinstance(ref, int) for ref in pool):
         return None  # nothing would be said but that
     require_true(scene.model, desk.lines, desk.lines, desk.facts)
@@ -158,7 +158,7 @@ def _receding(
     relative = velocities[0] if len(velocities) == 1 else Binary("-", *velocities)
     claim = Relation(((Link(Quantity("dot", (relative, line)), sign, ZERO),),))
     if isinstance(line, Unit):
-        sides: list[Expression] = [Quantity("along", (each, line)) for each in velocities]
+        sides: list[Expression] = [Quantity("along", (velocity, line)) for velocity in velocities]
         claim = Relation(((Link(sides[0], sign, sides[1] if len(sides) > 1 else ZERO),),))
     premises = together(pool, background(scene, own_letters))
     note = replace(desk.new_note(name, "impossible"), premises=premises, claim=claim)
@@ -187,9 +187,10 @@ def _sense(scene: Scene, step: Impact, number: int, line: Expression) -> Sign | 
     along = scene.value(line)
     pair = {step.first, step.second}
     met = [
-        each
-        for each in story.happenings
-        if isinstance(each.step, Impact) and {each.step.first, each.step.second} == pair
+        happening
+        for happening in story.happenings
+        if isinstance(happening.step, Impact)
+        and {happening.step.first, happening.step.second} == pair
     ]
     wall = story.walls.get(step.second)
     if not isinstance(along, Vector) or (wall is not None and isinstance(wall.shape, Circle)):

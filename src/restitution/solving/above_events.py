@@ -36,7 +36,7 @@ def answered_above(
             _kept(own_result, whole, sought)
             for own_result, whole in zip(before.items, results[:above], strict=True)
         )
-        if all(each.error is not None for each in merged):
+        if all(result.error is not None for result in merged):
             return results, None
         return (*merged, *results[above:]), before
     return results, None
@@ -65,6 +65,6 @@ def _kept(own: ItemResult, whole: ItemResult, sought: frozenset[str]) -> ItemRes
     if isinstance(own.item, Show):
         return own if own.holds else whole
     # A range hangs on all that happens; and what holds under a condition may hang on it as well.
-    plain = isinstance(own.item, Value) and not any(each.condition for each in own.answers)
-    determined = all(sought.isdisjoint(each.letters) for each in own.answers)
+    plain = isinstance(own.item, Value) and not any(answer.condition for answer in own.answers)
+    determined = all(sought.isdisjoint(answer.letters) for answer in own.answers)
     return own if plain and determined else whole

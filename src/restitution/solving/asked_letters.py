@@ -23,7 +23,7 @@ def in_asked_letters(
     first = 0
     for cut, step in enumerate(part.part.steps):
         last = first + count_of_items(step)
-        later = any(isinstance(each, Given) for each in part.part.steps[cut:])
+        later = any(isinstance(step, Given) for step in part.part.steps[cut:])
         if isinstance(step, Find) and step.in_terms_of and later:
             listed = frozenset(step.in_terms_of)
             lacking = [n for n in range(first, last) if _lacks(items[n], listed)]
@@ -49,7 +49,7 @@ def _without_facts_after(problem: Problem, part: Part, cut: int) -> Problem:
     """The problem without the facts of a part from a step on."""
     steps = part.steps
     own = replace(part, steps=(*steps[:cut], *(s for s in steps[cut:] if not isinstance(s, Given))))
-    return replace(problem, parts=tuple(own if each is part else each for each in problem.parts))
+    return replace(problem, parts=tuple(own if other is part else other for other in problem.parts))
 
 
 def _in_letters(whole: ItemResult, alone: ItemResult, listed: frozenset[str]) -> ItemResult:
@@ -60,5 +60,5 @@ def _in_letters(whole: ItemResult, alone: ItemResult, listed: frozenset[str]) ->
     own = value.letters
     if not own <= listed or not all(answer.letters < own for answer in whole.answers):
         return whole
-    answers = tuple(replace(value, solution=each.solution) for each in whole.answers)
+    answers = tuple(replace(value, solution=answer.solution) for answer in whole.answers)
     return replace(whole, answers=answers, rejected=())

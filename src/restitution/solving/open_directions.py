@@ -76,7 +76,7 @@ def _parts(direction: Expression) -> frozenset[str] | None:
             pass
         case _:
             return None
-    pairs = [_letter_and_unit(each) for each in (left, right)]
+    pairs = [_letter_and_unit(tree) for tree in (left, right)]
     names = frozenset(pair[0] for pair in pairs if pair is not None)
     axes = {pair[1] for pair in pairs if pair is not None}
     return names if len(names) == 2 and axes == {"i", "j"} else None

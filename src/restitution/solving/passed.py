@@ -47,7 +47,7 @@ def _passed(
 ) -> Iterator[str]:
     """The walls between the last event of a body, of those told so far, and its place at a time."""
     story = enumerate(problem.events[:now], 1)
-    events = [n for n, each in story if body in bodies_of(each)]
+    events = [n for n, event in story if body in bodies_of(event)]
     last = max(events, default=0)
     (branch,) = part.branches
     evaluator = branch.story.evaluator(now)
@@ -60,10 +60,10 @@ def _passed(
         start = end - velocity * duration
     except RestitutionError:
         return
-    numbers = (sp.sympify(each, strict=True) for each in (*start, *end, duration))
-    if not all(each.is_number for each in numbers) or bool(duration <= 0):
+    numbers = (sp.sympify(value, strict=True) for value in (*start, *end, duration))
+    if not all(number.is_number for number in numbers) or bool(duration <= 0):
         return
-    sphere = next(each for each in problem.spheres if each.name == body)
+    sphere = next(sphere for sphere in problem.spheres if sphere.name == body)
     for wall in problem.walls:
         level = level_of(wall) if sphere.radius is None else None
         if level is not None and level[1].is_number:

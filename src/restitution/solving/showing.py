@@ -113,7 +113,7 @@ def show(results: Results, step: Show, now: int) -> ItemResult:
                 trials=verdict.trials,
             )
         verdicts.append(verdict)
-    worst = max(verdicts, key=lambda each: _WEAKNESS.index(each.proof))
+    worst = max(verdicts, key=lambda verdict: _WEAKNESS.index(verdict.proof))
     return ItemResult(
         step,
         line,
@@ -121,7 +121,7 @@ def show(results: Results, step: Show, now: int) -> ItemResult:
         "show",
         holds=None if worst.answer == "undecided" else True,
         proof=worst.proof,
-        trials=max(each.trials for each in verdicts),
+        trials=max(verdict.trials for verdict in verdicts),
     )
 
 
@@ -190,9 +190,9 @@ def _sizes(branch: Branch, step: Show, now: int) -> list[Formula]:
     evaluator = branch.story.evaluator(now)
     values = (evaluator.value(side) for side in (claim.left, claim.right))
     sizes = (
-        sp.sympify(each.x**2 + each.y**2, strict=True)
-        for each in values
-        if isinstance(each, Vector)
+        sp.sympify(value.x**2 + value.y**2, strict=True)
+        for value in values
+        if isinstance(value, Vector)
     )
     return [Relation(size, ">") for size in sizes if size.free_symbols]
 
@@ -329,7 +329,7 @@ def _deciding(value: sp.Expr) -> frozenset[str]:
     if sp.count_ops(value) > LONG:
         return symbol_names(value)
     parts = [
-        each for side in sp.fraction(sp.factor(neat(value))) for each in sp.Mul.make_args(side)
+        factor for side in sp.fraction(sp.factor(neat(value))) for factor in sp.Mul.make_args(side)
     ]
     return symbol_names(*(part for part in parts if not (part.is_positive or part.is_negative)))
 
@@ -373,7 +373,7 @@ def _show_set_or_extremum(results: Results, step: Show, now: int, line: int | No
     evaluator = Evaluator(SYMBOLIC, letters_.letter)
     if isinstance(subject, Extremum):
         claimed = evaluator.scalar(step.relation.operands[-1])
-        verdicts = [same_value(claimed, each.value, roles) for each in result.answers]
+        verdicts = [same_value(claimed, answer.value, roles) for answer in result.answers]
         if len(verdicts) > 1 and not all(verdicts):
             raise UnsupportedError(
                 f"the {subject.kind} has another form for other data: {result.answers[0].display}; "

@@ -37,8 +37,8 @@ def with_note_of_signs(solution: Solution, solved: Callable[[Problem], Solution]
         return solution
     if not any(_is_one(other.parts[label].items[number]) for label, number in split):
         return solution
-    shown = [to_text(display(roles(problem)[each].symbol(each))) for each in names]
-    facts = ", ".join(f"{each} > 0" for each in names)
+    shown = [to_text(display(roles(problem)[name].symbol(name))) for name in names]
+    facts = ", ".join(f"{name} > 0" for name in names)
     note = (
         f"{' and '.join(shown)} may have either sign, as components and coordinates may: write "
         f"'given {facts}' where positive values are meant"
@@ -54,7 +54,7 @@ def _components(problem: Problem) -> list[str]:
             asked |= set(step.letters)
         elif isinstance(step, Find):
             own = (item.expression for item in step.items)
-            asked |= {each.name for each in own if isinstance(each, Letter)}
+            asked |= {tree.name for tree in own if isinstance(tree, Letter)}
     return sorted(
         name for name, role in roles(problem).items() if role.kind == "real" and name not in asked
     )
@@ -63,7 +63,7 @@ def _components(problem: Problem) -> list[str]:
 def _is_split(item: ItemResult) -> bool:
     """Whether an item has several answers, or one under a condition."""
     return item.error is None and (
-        len(item.distinct) > 1 or any(each.condition for each in item.distinct)
+        len(item.distinct) > 1 or any(answer.condition for answer in item.distinct)
     )
 
 
@@ -73,4 +73,4 @@ def _is_one(item: ItemResult) -> bool:
 
 def _positive(problem: Problem, names: list[str]) -> Problem:
     zero = Number(Fraction(0))
-    return with_facts(problem, *(Compare((Letter(each), zero), (">",)) for each in names))
+    return with_facts(problem, *(Compare((Letter(name), zero), (">",)) for name in names))

@@ -84,8 +84,8 @@ def _under_own_facts(part: PartSolution) -> dict[str, str]:
     given = [step for step in part.part.steps if isinstance(step, Given)]
     if label is None or not given:
         return {}
-    relations = [each for step in given for each in step.relations]
-    data = {name for each in relations for name in _letters_with_values(each)}
+    relations = [relation for step in given for relation in step.relations]
+    data = {name for relation in relations for name in _letters_with_values(relation)}
     return dict.fromkeys((name for name in _solved_letters(part) if name not in data), label)
 
 
@@ -94,8 +94,8 @@ def _letters_with_values(relation: Relation) -> Iterator[str]:
     if not isinstance(relation, Compare) or set(relation.operators) != {"="}:
         return
     operands = relation.operands
-    if any(not has_quantity(each) and not letters(each) for each in operands):
-        yield from (each.name for each in operands if isinstance(each, Letter))
+    if any(not has_quantity(operand) and not letters(operand) for operand in operands):
+        yield from (operand.name for operand in operands if isinstance(operand, Letter))
 
 
 def _solved_letters(part: PartSolution) -> list[str]:

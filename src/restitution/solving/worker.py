@@ -255,7 +255,7 @@ class Worker:
             accepted = self._with_impossible_coefficient(outcome)
             if not accepted:
                 raise impossible(outcome.setting, outcome.trials, self.part.place)
-        branches = [self._branch(outcome.setting, each, n) for n, each in enumerate(accepted, 1)]
+        branches = [self._branch(outcome.setting, trial, n) for n, trial in enumerate(accepted, 1)]
         if not outcome.accepted:
             self._warn_of_coefficient(branches)
         return branches
@@ -302,7 +302,7 @@ class Worker:
             implied = set(trial.root.values)
             if not all(coefficient_letters(h.step) <= implied for h in wrong):
                 continue  # a letter that is data: the facts about it clash
-            negative = any(each.e < 0 for each in wrong)
+            negative = any(happening.e < 0 for happening in wrong)
             (through if negative else kept).append(
                 replace(trial, samples=(values,), admission=None, story=None, numbers=None)
             )
@@ -355,13 +355,13 @@ class Worker:
             except (UndefinedError, KeyError, ImpossibleError, ZeroDivisionError):
                 continue
             if out_of_range:
-                wanted = tuple(each for each in wanted if isinstance(each, Equation))
-            if all(each.kind == "coefficient" or is_met(each) for each in wanted):
+                wanted = tuple(condition for condition in wanted if isinstance(condition, Equation))
+            if all(condition.kind == "coefficient" or is_met(condition) for condition in wanted):
                 return values, story
         return None
 
     def _warn_of_coefficient(self, branches: list[Branch]) -> None:
-        implied = [wrong.text for each in branches for wrong in impossible_coefficients(each)]
+        implied = [wrong.text for branche in branches for wrong in impossible_coefficients(branche)]
         text = f"the data imply {' or '.join(dict.fromkeys(implied))}, and {COEFFICIENTS}"
         if implied and text not in self.warnings:
             self.warnings.append(text)
@@ -420,7 +420,7 @@ class Worker:
             solved = all(item.expression.name in t.root.values for t in outcome.refused)
             if outcome.accepted or not solved:
                 return ()
-            if any(each.startswith("_c_") for t in outcome.refused for each in t.root.values):
+            if any(value.startswith("_c_") for t in outcome.refused for value in t.root.values):
                 return ()  # of the places of contact those that cannot be are left out earlier
             angle = self._is_angle(item.expression, outcome.setting)
             return self._rejected(item, outcome, [], now, kind, angle)
@@ -467,7 +467,9 @@ class Worker:
             if kind != "direction":
                 verify_value(value, item, branch, now)
             answer = answer_of(branch.number, value, kind, angle, item.percentage)
-            twin = next((each for each in answers if is_same_value(each.value, answer.value)), None)
+            twin = next(
+                (other for other in answers if is_same_value(other.value, answer.value)), None
+            )
             if twin is not None:
                 answer = replace(twin, solution=answer.solution)
             if trial is not None:
@@ -484,18 +486,18 @@ class Worker:
         Where ``(1 − e²)(3k − 1 − k) = 0`` gives k, the other solution is that of e = 1 alone.
         """
         own = letters(item.expression) & outcome.setting.asked
-        fixed = [each for each in branches if own <= each.values.keys()]
+        fixed = [branche for branche in branches if own <= branche.values.keys()]
         if not own or not fixed or has_quantity(item.expression):
             return branches
         eliminated = outcome.setting.extra_unknown - outcome.setting.asked
         special = [
-            each
-            for each in branches
-            if not own & each.values.keys()
-            and any(each.values[name].is_number for name in eliminated & each.values.keys())
-            and all(eliminated & each.values.keys() - one.values.keys() for one in fixed)
+            branche
+            for branche in branches
+            if not own & branche.values.keys()
+            and any(branche.values[name].is_number for name in eliminated & branche.values.keys())
+            and all(eliminated & branche.values.keys() - one.values.keys() for one in fixed)
         ]
-        return [each for each in branches if each not in special]
+        return [branche for branche in branches if branche not in special]
 
     def _limited(
         self, answer: Answer, item: Value, kind: ItemKind, outcome: Outcome, trial: Trial
@@ -623,7 +625,7 @@ class Worker:
                 value = forms.plain(value, samples)
             except (RestitutionError, ArithmeticError, TypeError, ValueError):
                 continue
-            if any(is_same_value(value, each.value) for each in answers):
+            if any(is_same_value(value, answer.value) for answer in answers):
                 continue
             if isinstance(item.expression, Letter) and item.expression.name not in {
                 *trial.root.values,
@@ -636,7 +638,7 @@ class Worker:
             if any(part.has(sp.nan, sp.zoo) for part in parts):
                 continue
             answer = answer_of(0, value, kind, angle, item.percentage)
-            if not any(answer.exact == each.exact for each in rejected):
+            if not any(answer.exact == root.exact for root in rejected):
                 reason = trial.reason or ""
                 rejected.append(
                     Rejected(answer.value, answer.exact, answer.display, reason, answer.angle)
@@ -675,11 +677,11 @@ class Worker:
 
         steps = self.part.steps
         cut = next(n for n, each in enumerate(steps, 1) if each is step)
-        rest = tuple(each for each in steps[cut:] if not isinstance(each, Given | Find | Show))
-        if not any(isinstance(each, Given) for each in steps[cut:]):
+        rest = tuple(step for step in steps[cut:] if not isinstance(step, Given | Find | Show))
+        if not any(isinstance(step, Given) for step in steps[cut:]):
             return None
         own = replace(self.part, steps=(*steps[:cut], *rest))
-        parts = tuple(own if each is self.part else each for each in self.problem.parts)
+        parts = tuple(own if part is self.part else part for part in self.problem.parts)
         without = Worker(Desk(replace(self.problem, parts=parts), own, self.desk.carried))
         try:
             result = show(without, step, now)

@@ -48,19 +48,19 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
     for label, part in solution.parts.items():
         names = [each for each, own in derivation.asked.items() if own == label]
         for name, item in zip(names, part.items, strict=True):
-            ends = [each.line for each in derivation.items if each.item == name]
+            ends = [item.line for item in derivation.items if item.item == name]
             answers = item.distinct
             by_case = isinstance(item.item, Range) and len(answers) > 1
             general = general_answer(item) if by_case else None
             if general is not None and ends:
                 sentences[ends[-1]] = _by_case(item, general)
-            if by_case or not ends or all(each.condition_layout is None for each in answers):
+            if by_case or not ends or all(answer.condition_layout is None for answer in answers):
                 continue
             if _is_asked(solution, part, item) or _speaks_of_others(solution, item, answers):
                 continue
             if _is_of_itself(item, answers) or _is_derived(derivation, name, ends, answers):
                 continue
-            alike = len({each.condition for each in answers}) == 1
+            alike = len({answer.condition for answer in answers}) == 1
             if not alike and len(ends) == 1 and isinstance(item.item, Value):
                 above = {each for each, first in subjects.items() if first <= ends[0]}
                 known = Known(subjects.keys(), above, squares)
@@ -82,7 +82,7 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
 def is_same(one: Sentence, other: Sentence) -> bool:
     """Whether two sentences say one condition, perhaps with more or less of its reasons."""
     kinds = ("answer.only", "answer.only-as")
-    conditions = [dict(each.slots).get("condition") for each in (one, other)]
+    conditions = [dict(sentence.slots).get("condition") for sentence in (one, other)]
     return one == other or (
         one.id in kinds and other.id in kinds and conditions[0] == conditions[1] is not None
     )
@@ -96,14 +96,14 @@ def _is_asked(solution: Solution, part: PartSolution, item: ItemResult) -> bool:
     own = item.item.expression if isinstance(item.item, Value) else None
     tied = frozenset() if own is None else letters(own)
     conditions = {each for answer in item.distinct for each in answer.condition}
-    named = [set(_names_in(each)) for each in conditions]
+    named = [set(_names_in(condition)) for condition in conditions]
     for other in _parts_with_its_facts(solution, part):
-        for each in other.items:
-            if not isinstance(each.item, Range) or each.error is not None:
+        for result in other.items:
+            if not isinstance(result.item, Range) or result.error is not None:
                 continue
-            names = letters(each.item.expression)
-            alone = isinstance(each.item.expression, Letter)
-            if has_quantity(each.item.expression) or (alone and len(conditions) > 1):
+            names = letters(result.item.expression)
+            alone = isinstance(result.item.expression, Letter)
+            if has_quantity(result.item.expression) or (alone and len(conditions) > 1):
                 continue
             if all(names & own for own in named) or (names and names < tied):
                 return True
@@ -116,7 +116,7 @@ def _parts_with_its_facts(solution: Solution, part: PartSolution) -> list[PartSo
     if _has_facts(part):
         return [part]
     later = solved[solved.index(part) + 1 :]
-    return [part, *(each for each in later if not _has_facts(each))]
+    return [part, *(part for part in later if not _has_facts(part))]
 
 
 def _has_facts(part: PartSolution) -> bool:
@@ -138,7 +138,7 @@ def _is_derived(
 ) -> bool:
     """Whether a line below, of what is to be shown, tells from a sign what the condition does."""
     names = [set(_names_in(text)) for answer in answers for text in answer.condition]
-    shown = {each.item for each in derivation.items if each.shown}
+    shown = {item.item for item in derivation.items if item.shown}
     for line in derivation.lines:
         if line.item in shown - {item} and line.move.id == "sign" and line.number > max(ends):
             match line.relation:
@@ -152,7 +152,7 @@ def _sides(condition: Layout | None) -> list[Layout]:
     """What stands between the signs of a condition."""
     match condition:
         case lay.Phrase(items):
-            return [side for each in items for side in _sides(each)]
+            return [side for item in items for side in _sides(item)]
         case lay.Relation(operands):
             return list(operands)
     return []
@@ -172,13 +172,13 @@ def _speaks_of_others(solution: Solution, item: ItemResult, answers: Sequence[An
         (
             step.in_terms_of
             for _, step in solution.problem.steps()
-            if isinstance(step, Find) and any(each is item.item for each in step.items)
+            if isinstance(step, Find) and any(other is item.item for other in step.items)
         ),
         None,
     )
     if asked is None:
         return False
-    names = {each for answer in answers for text in answer.condition for each in _names_in(text)}
+    names = {name for answer in answers for text in answer.condition for name in _names_in(text)}
     known = set(roles(solution.problem))
     own = item.item.expression if isinstance(item.item, Value) else None
     return bool(names & known - {*asked, own.name if isinstance(own, Letter) else ""})
@@ -214,8 +214,8 @@ def _square_of_a_ratio(line: Line) -> tuple[str, Layout, sp.Expr] | None:
             value = in_letters(right, positive=True)
         case _:
             return None
-    roots = (each for each in value.atoms(sp.Pow) if not each.exp.is_Integer)
-    if not any(each.free_symbols for each in roots):
+    roots = (power for power in value.atoms(sp.Pow) if not power.exp.is_Integer)
+    if not any(root.free_symbols for root in roots):
         return None
     whole = (sp.sin if ratio == "sin" else sp.cos)(sp.Symbol(name)) ** 2
     sides = (lay.Number("0"), lay.from_sympy(whole), lay.from_sympy(value**2), lay.Number("1"))
@@ -249,17 +249,17 @@ def _bound_alike(
     oracle, letter = Oracle(roles(solution.problem)), sp.Symbol
     try:
         conditions = [
-            compared(evaluate(each.left, letter), each.sign, evaluate(each.right, letter))
+            compared(evaluate(link.left, letter), link.sign, evaluate(link.right, letter))
             for text in answer.condition
-            for each in relation_of_condition(text).only
+            for link in relation_of_condition(text).only
         ]
     except (RestitutionError, ValueError):
         return ()
     both = oracle.with_facts(conditions)
     for layout, claims in bounds:
-        if not conditions or not all(_follows(both, each) for each in claims):
+        if not conditions or not all(_follows(both, claim) for claim in claims):
             continue
-        if all(_follows(oracle.with_facts(claims), each) for each in conditions):
+        if all(_follows(oracle.with_facts(claims), condition) for condition in conditions):
             return (layout,)
     return ()
 
@@ -300,23 +300,23 @@ def _sentence(
     place = _place_missing(item, answer)
     if place is not None:
         return say("answer.only-range", condition=condition, letter=lay.from_sympy(place))
-    branch = next(each for each in part.branches if each.number == answer.solution)
+    branch = next(branche for branche in part.branches if branche.number == answer.solution)
     protected = protected_letters(part.part)
     own = model(solution.problem, part.part, branch, part.roles, protected)
     unknowns, above = (
-        {each for each in own.final if each.name in names}
+        {value for value in own.final if value.name in names}
         for names in (known.anywhere, known.above)
     )
     reasons = reasons_that_bind(own, unknowns, above)
     if not all(_is_of_what_is_found(own, text) for text in answer.condition):
         reasons = ()  # it is one of the equation, which holds of itself otherwise
-    tied = {each.name for each in own.final}
+    tied = {value.name for value in own.final}
     if any(tied.intersection(_names_in(text)) for text in answer.condition):
         # The condition is one of the coefficient itself.
         reasons = tuple(_acute_behind(own, answer.condition))
     for name, square in known.squares.items():
         acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
-        reasons = tuple(square if each == acute else each for each in reasons)
+        reasons = tuple(square if reason == acute else reason for reason in reasons)
     reasons = reasons or _bound_alike(solution, answer, known.bounds)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
@@ -376,14 +376,14 @@ def _is_of_what_is_found(model: Model, text: str) -> bool:
     letter = model.unknowns.letter
     claims = (compared(evaluate(e.left, letter), e.sign, evaluate(e.right, letter)) for e in links)
     try:
-        return not any(model.oracle.decide(each).answer == "refuted" for each in claims)
+        return not any(model.oracle.decide(claim).answer == "refuted" for claim in claims)
     except BeyondError:
         return True
 
 
 def _by_case(item: ItemResult, general: Answer) -> Sentence:
     """For which values of the data a range holds, and all its forms."""
-    forms = tuple(each.layout or "" for each in item.distinct)
+    forms = tuple(answer.layout or "" for answer in item.distinct)
     return say("answer.by-case", condition=general.condition_layout or "", forms=forms)
 
 
@@ -392,9 +392,9 @@ def _acute_behind(model: Model, condition: Sequence[str]) -> Iterator[Sentence]:
     for symbol, value in model.final.items():
         if tuple(condition) != (f"0 < {symbol.name}",):
             continue
-        roles_ = {each: model.unknowns.roles.get(each.name) for each in value.free_symbols}
+        roles_ = {symbol: model.unknowns.roles.get(symbol.name) for symbol in value.free_symbols}
         if all(role == ACUTE for role in roles_.values()) and roles_:
-            yield from (say("derived.acute", angle=lay.from_sympy(each)) for each in roles_)
+            yield from (say("derived.acute", angle=lay.from_sympy(value)) for value in roles_)
 
 
 Bound = tuple[Formula, tuple[sp.Symbol, str]]
@@ -413,7 +413,7 @@ def reasons_that_bind(
     if model.branch.oracle is None:
         return ()
     ends = list(_ends(model))
-    angles = [each for each in ends if each[1][1] != "positive"]
+    angles = [end for end in ends if end[1][1] != "positive"]
     groups = (angles, _divisors(model), ends, _squares(model), _motions(model))
     for bounds in map(list, groups):
         needed = _enough(model, bounds)
@@ -427,7 +427,7 @@ def reasons_that_bind(
 def _enough(model: Model, bounds: Sequence[Bound]) -> list[Bound]:
     """Those bounds without which the solution is not one; none where they are not enough."""
     # A sphere that is at rest at the end gives no bound by its motion.
-    held = [each for each in bounds if _follows(model.oracle, each[0])]
+    held = [bound for bound in bounds if _follows(model.oracle, bound[0])]
     needed = [each for each in held if not _follows(model.ground, each[0])]
     for bound in list(needed):
         fewer = [each for each in needed if each is not bound]
@@ -470,7 +470,7 @@ def _squares(model: Model) -> Iterator[Bound]:
     """That the squares of letters that are roots are not negative."""
     for symbol, value in model.final.items():
         square = tidy(value**2)
-        roots_ = [each for each in square.atoms(sp.Pow) if not each.exp.is_integer]
+        roots_ = [power for power in square.atoms(sp.Pow) if not power.exp.is_integer]
         if symbol.name in model.unknowns.roles and not roots_:
             yield Claim(square, ">="), (symbol, "square")
 

@@ -46,10 +46,10 @@ class Notes:
 
     def of_part(self, label: str | None) -> list[Note]:
         """The notes of a part, in the order asked; why none can have an answer once for all."""
-        own = [each for each in self._derivation.notes if each.part == label]
+        own = [note for note in self._derivation.notes if note.part == label]
         clashes: set[object] = set()
         kept = []
-        for note in sorted(own, key=lambda each: each.place):
+        for note in sorted(own, key=lambda note: note.place):
             clash = note.reason, note.lines
             if note.lines and (note.kind == "contradiction" or self._is_out_of_range(note)):
                 if clash in clashes:
@@ -121,7 +121,7 @@ class Notes:
     def _given_fact(self, note: Note) -> Sentence | lay.Layout:
         """The given fact among the premises of a note."""
         facts = (self._derivation.fact(e) for e in note.premises if isinstance(e, str))
-        fact = next(each for each in facts if each is not None and each.kind == "given")
+        fact = next(fact for fact in facts if fact is not None and fact.kind == "given")
         return fact_in_words(self._naming, fact)
 
     def _against(self, note: Note) -> Sentence:
@@ -166,7 +166,7 @@ class Notes:
             label = None if line is None else self._ends.part(line)
             if label != note.part:
                 own = [fact for e in bounds if (fact := self._derivation.fact(str(e))) is not None]
-                if label is not None and any(each.part == note.part for each in own):
+                if label is not None and any(fact.part == note.part for fact in own):
                     reasons = tuple(self._known(bounds).values())
                     own_value = self._naming.relation(relation)
                     return say(
@@ -194,7 +194,7 @@ class Notes:
                 more = say("note.rests-on") if rests else say("note.goes-on", letter=after)
             name = "note.above-one" if over else "note.below-zero"
             return say(name, value=equation, letter=after, more=more)
-        if any(each.premises == note.premises and self._ends_in(each) for each in self._all):
+        if any(other.premises == note.premises and self._ends_in(other) for other in self._all):
             return say("note.none-either", items=items)
         if isinstance(value, int):
             name = "note.none-above-one" if over else "note.none-below-zero"
@@ -215,13 +215,13 @@ class Notes:
                 return None
         nodes = (node for side in (link.left, link.right) for node in walk(side))
         velocities = [e for e in nodes if isinstance(e, Quantity) and e.kind == "velocity"]
-        pair = [each.arguments[0] for each in velocities]
-        names = tuple(each.name for each in pair if isinstance(each, Name))
-        if len(names) != 2 or any(self._naming.bodies.get(each) != "sphere" for each in names):
+        pair = [velocity.arguments[0] for velocity in velocities]
+        names = tuple(tree.name for tree in pair if isinstance(tree, Name))
+        if len(names) != 2 or any(self._naming.bodies.get(name) != "sphere" for name in names):
             return None
         stage = max((e.stage for e in velocities if isinstance(e.stage, int)), default=0)
-        before = (each for n, each in self._naming.events.items() if n <= stage)
-        if any(set(each.bodies) == set(names) for each in before):
+        before = (event for n, event in self._naming.events.items() if n <= stage)
+        if any(set(event.bodies) == set(names) for event in before):
             return None
         one, other = names
         direction = self._naming.layout(axis if sign == ">" else Negate(axis))
@@ -239,11 +239,11 @@ class Notes:
         about = self._known(bounds)
         if subject not in about:
             given = [
-                each.id
-                for each in self._derivation.facts
-                if each.kind == "range" and each.id.partition(" ")[0] == "given"
-                if each.part in (None, part) and len(each.relation.options) == 1
-                if {node for tree in trees_of(each.relation) for node in walk(tree)} & {subject}
+                fact.id
+                for fact in self._derivation.facts
+                if fact.kind == "range" and fact.id.partition(" ")[0] == "given"
+                if fact.part in (None, part) and len(fact.relation.options) == 1
+                if {node for tree in trees_of(fact.relation) for node in walk(tree)} & {subject}
             ]
             about = {subject: self._positive(subject), **about, **self._known(given)}
         return say("note.out-of-range", reasons=tuple(about.values()))
@@ -255,7 +255,7 @@ class Notes:
             return say("note.no-root", reasons=(own,))
         about = self._known(bounds)
         known = roles(self._naming.problem)
-        for node in (each for tree in trees_of(relation) for each in walk(tree)):
+        for node in (node for tree in trees_of(relation) for node in walk(tree)):
             if not isinstance(node, Letter) or node in about:
                 continue
             if node.name in known and known[node.name].kind == "positive":

@@ -84,7 +84,7 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
     asked = ends.item(note.item)
     relation = asked.relation if isinstance(asked, Show) else None
     claim = claim_of(note, naming, ends)
-    values = tuple(_side(each, naming) for each in note.instance)
+    values = tuple(_side(link, naming) for link in note.instance)
     equations = (_side(side, naming) for side in note.sides)
     sides = tuple(_with_article(equation) for equation in equations if len(equation.operands) > 1)
     match relation:
@@ -121,12 +121,12 @@ def refutation(note: Note, derivation: Derivation, naming: Naming, ends: Ends) -
             other = replace(relation, happens=not relation.happens)
             return say("refuted.opposite", claim=claim_of_meeting(other, naming))
     claimed = trees_of(note.claim) if note.claim is not None else ()
-    beside = tuple(each for each in note.sides if each not in note.instance)
-    if sides and note.sides != beside and not any(each.left in claimed for each in beside):
-        letter, value = (naming.layout(each) for each in (note.sides[0].left, note.sides[0].right))
+    beside = tuple(side for side in note.sides if side not in note.instance)
+    if sides and note.sides != beside and not any(link.left in claimed for link in beside):
+        letter, value = (naming.layout(side) for side in (note.sides[0].left, note.sides[0].right))
         slots = {"claim": claim, "letter": letter, "value": value}
         if beside:
-            others = tuple(_side(each, naming) for each in beside)
+            others = tuple(_side(link, naming) for link in beside)
             return say("refuted.possible-when", **slots, values=others)
         return say("refuted.possible", **slots)
     if len(beside) == 1:
@@ -151,7 +151,7 @@ def _compared(
     note: Note, sides: tuple[Sentence | lay.Layout, ...], naming: Naming
 ) -> Sentence | None:
     """What the sides of a claim are worth, and how they compare; None where they are no numbers."""
-    values = {each.left: each.right for each in (*note.sides, *note.instance)}
+    values = {link.left: link.right for link in (*note.sides, *note.instance)}
     assert note.claim is not None
     for link in note.claim.only:
         ends = (link.left, link.right)
@@ -305,7 +305,7 @@ def _may_agree(claimed: Expression, value: Expression) -> bool:
     if not letters(claimed) | letters(value):
         return False
     try:
-        ends: list[Any] = [in_letters(each, positive=True) for each in (claimed, value)]
+        ends: list[Any] = [in_letters(tree, positive=True) for tree in (claimed, value)]
     except RestitutionError:
         return True
     if not all(isinstance(end, sp.Expr) and end != 0 for end in ends):
@@ -318,13 +318,13 @@ def _scalar_product(note: Note) -> tuple[Link, ...] | None:
     if len(note.sides) != 2 or any(not isinstance(e.left, Quantity) for e in note.sides):
         return None
     try:
-        vectors = [in_letters(each.right, positive=True) for each in note.sides]
+        vectors = [in_letters(side.right, positive=True) for side in note.sides]
     except RestitutionError:
         return None
-    if not all(isinstance(each, Vector) for each in vectors):
+    if not all(isinstance(vector, Vector) for vector in vectors):
         return None
     value = tidy(vectors[0].dot(vectors[1]))
-    whole = Quantity("dot", tuple(each.left for each in note.sides))
+    whole = Quantity("dot", tuple(side.left for side in note.sides))
     if value == 0:
         return None
     return Link(whole, "=", tree_of(value)), Link(tree_of(value), "!=", ZERO)
@@ -354,7 +354,7 @@ def _differ(
             compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
             for link in facts
         )
-        one, other = (evaluate(each, symbol) for each in (claimed, value))
+        one, other = (evaluate(tree, symbol) for tree in (claimed, value))
         if isinstance(one, Vector) and isinstance(other, Vector):
             apart = Vector(one.x - other.x, one.y - other.y)
             oracle = Oracle(known, bounds)

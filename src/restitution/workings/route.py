@@ -73,7 +73,7 @@ def _printed(
     """A derivation in steps and rows."""
     conditions = {**other_bounds(solution, derivation), **conditions_of(solution, derivation)}
     whole = explanation_of(derivation, solution.problem, conditions=conditions)
-    steps = {each.label: each.steps for each in whole.parts}
+    steps = {part.label: part.steps for part in whole.parts}
     parts = tuple(
         PartExplanation(
             label,
@@ -101,7 +101,7 @@ def _printed(
 
 def _proved_on_paper(solution: Solution, derivation: Derivation) -> set[str]:
     """The warnings of what was only sought, of which the lines of the working are the proof."""
-    ended = {each.item for each in derivation.items}
+    ended = {item.item for item in derivation.items}
     return {
         item.not_proved
         for label, part in solution.parts.items()
@@ -127,7 +127,7 @@ def _answers(item: ItemResult) -> str:
         return str(say("answer.reason", item=item.text, reason=item.error.message))
     if item.undecided:
         return str(say("answer.undecided", item=item.text))
-    displays = [each.display for each in item.distinct]
+    displays = [answer.display for answer in item.distinct]
     if item.holds is not None:
         outcome = say("answer.shown" if item.holds else "answer.false")
         return str(say("answer.outcome", item=item.text, outcomes=[outcome, *displays]))

@@ -140,7 +140,7 @@ class Rows:
             if same and goes_on and (self._single or whole[0].sign == "≈"):
                 row = replace(row, operands=(None, *row.operands[1:]))
             yield row
-            if all(each.sign == "=" for each in whole):
+            if all(link.sign == "=" for link in whole):
                 self._left, self._single = (whole[0].left, line.item), len(whole) == 1
             fresh = False
 
@@ -183,7 +183,7 @@ class Rows:
             return "derived.all-possible"
         left = relation.options[0][0].left
         values = [worth(links[-1].right) for links in relation.options]
-        if not all(each.is_positive for each in values):
+        if not all(value.is_positive for value in values):
             return "derived.both-possible"
         roles_ = roles(self._naming.problem)
         match left:
@@ -223,7 +223,7 @@ class Rows:
         compared = with_values(self._derivation, self._naming, line, links)
         if compared != links:
             trees = [compared[0].left, *(link.right for link in compared)]
-            layouts = [self._naming.layout(each) for each in trees]
+            layouts = [self._naming.layout(tree) for tree in trees]
             if is_zero(trees[-1]) and is_plain(layouts[1]):
                 layouts[1] = with_unit(layouts[1], self._measures.unit(trees[0]))
             return Row(tuple(layouts), tuple(map(_sign, compared)))
@@ -238,7 +238,7 @@ class Rows:
         # Of a range it stands between its bounds.
         subject = trees[1] if isinstance(as_decimal(trees[0]), Number) else trees[0]
         if self._measures.decimals and self._measures.unit(subject):
-            trees = [terms_as_decimals(as_decimal(each)) for each in trees]
+            trees = [terms_as_decimals(as_decimal(tree)) for tree in trees]
         trees = list(map(self._measures.with_decimals, trees))
         match links[0]:
             case Link(Binary("/", Quantity(), Quantity()), _, Binary("/", above, below)) if (
@@ -247,7 +247,7 @@ class Rows:
                 trees[1] = Binary("/", as_decimal(above), as_decimal(below))
         match links[0]:
             case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
-                trees[1:] = [unit_vector(each) or each for each in trees[1:]]
+                trees[1:] = [unit_vector(tree) or tree for tree in trees[1:]]
         in_figures = self._in_figures(line, links, trees)
         sides = [self._naming.layout(tree) for tree in trees]
         idle = {
@@ -268,8 +268,8 @@ class Rows:
         typed = self._ends.typed(line, replace(links[0], sign=links[-1].sign)) if last else None
         if typed is not None and not is_vector(links[0].left):
             sides[-1] = typed
-        for n, each in enumerate(links, 1):
-            if each.sign == "≈":
+        for n, link in enumerate(links, 1):
+            if link.sign == "≈":
                 sides[n] = to_three_figures(trees[n]) or sides[n]
         signs = ["≈" if n in in_figures else _sign(link) for n, link in enumerate(links, 1)]
         if (angle := self._tangent_of(line, links[0])) is not None:
@@ -308,7 +308,7 @@ class Rows:
             self._placed(line, links, sides, signs)
             # Behind figures a value is not written once more exactly.
             for n in range(len(sides) - 1, 0, -1):
-                if any(sides[n] is each for each in idle.values()):
+                if any(sides[n] is layout for layout in idle.values()):
                     del sides[n], signs[n - 1]
             if idle:
                 without_doubles(sides, signs)
@@ -363,8 +363,8 @@ class Rows:
         flight = line.move.record == "straight-line" and is_time(link.left)
         match link.right:
             case Binary("/", above, below) if flight or line.move.record in _TANGENTS:
-                sides = [self._naming.layout(each) for each in (above, below)]
-                if all(isinstance(each, lay.Number) for each in sides):
+                sides = [self._naming.layout(tree) for tree in (above, below)]
+                if all(isinstance(side, lay.Number) for side in sides):
                     return lay.Fraction(*sides)
         return None
 
@@ -421,7 +421,7 @@ class Rows:
             and any(
                 isinstance(link.left, Quantity)
                 and link.left.kind == "position"
-                and any(isinstance(each, Unit) for each in walk(link.right))
+                and any(isinstance(node, Unit) for node in walk(link.right))
                 for link in line.relation.options[0]
             )
             for line in self._derivation.lines
@@ -502,7 +502,7 @@ class Rows:
 
     def _bounded(self, trees: Sequence[Expression], sides: list[lay.Layout]) -> None:
         """Puts the unit of what a range is of behind the numbers that bound it."""
-        subject = [each for each in trees if has_quantity(each) or isinstance(each, Letter)]
+        subject = [tree for tree in trees if has_quantity(tree) or isinstance(tree, Letter)]
         unit = self._measures.unit(subject[0]) if len(subject) == 1 else ""
         for n, tree in enumerate(trees):
             if unit and tree not in subject and not is_zero(tree):
@@ -518,7 +518,7 @@ class Rows:
         if not isinstance(left, Letter) or left.name not in self._naming.meanings:
             return None
         meaning = self._naming.meanings[left.name]
-        numbers = [each.number for each in self._derivation.lines]
+        numbers = [line.number for line in self._derivation.lines]
         since = next(e.number for e in self._derivation.lines if e.relation == meaning)
         if numbers.index(line.number) - numbers.index(since) <= _REMEMBERED:
             return None
@@ -539,7 +539,7 @@ class Rows:
         sides = [links[0].left, *(link.right for link in links)]
         ends = [rounded(side) if _has_function(side) else None for side in sides]
         exact = tuple(self._naming.layout(side) for side in sides)
-        figures = tuple(new or each for new, each in zip(ends, exact, strict=True))
+        figures = tuple(new or layout for new, layout in zip(ends, exact, strict=True))
         if figures == exact:
             return None
         reasons = (say("shown.figures", figures="3"),)
@@ -570,7 +570,7 @@ class Rows:
         if isinstance(first[0].left, Quantity) and first[0].left.kind in _VECTORS:
             asked = False  # the line above has the value
         row = self._bare(first, asked)
-        others: list[lay.Layout] = [self._bare(each, asked) for each in rest]
+        others: list[lay.Layout] = [self._bare(chain, asked) for chain in rest]
         if isinstance(first[0].left, Quantity) and all(len(option) == 1 for option in options):
             # A quantity in words stands once.
             others = [
@@ -651,7 +651,7 @@ def _is_value(tree: Expression) -> bool:
 
 def _has_root(tree: Expression) -> bool:
     """Whether a tree has a root in it."""
-    return any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+    return any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
 
 
 def _sign(link: Link) -> str:

@@ -55,7 +55,7 @@ _AXES: Mapping[Expression, Expression] = {
 @once_a_problem
 def events_of(problem: Problem) -> tuple[Event, ...]:
     """The events of a problem, in the order told."""
-    walls = {each.name for each in problem.walls}
+    walls = {wall.name for wall in problem.walls}
     events: list[Event] = []
     for number, step in enumerate(problem.events, 1):
         match step:
@@ -82,7 +82,7 @@ class Arrangement:
         """The direction of a straight wall: as told, or from one end of it to the other."""
         if isinstance(wall.along, Expression):
             return wall.along
-        ends = [self.place_of(each) for each in (wall.start, wall.end)]
+        ends = [self.place_of(end) for end in (wall.start, wall.end)]
         match ends:
             case [Pair(a, b), Pair(c, d)]:
                 return Pair(difference(c, a), difference(d, b))
@@ -103,7 +103,7 @@ class Arrangement:
     def radius(self) -> Expression | None:
         """The radius of all spheres; None where they are small."""
         radii = (sphere.radius for sphere in self.problem.spheres)
-        return next((each for each in radii if isinstance(each, Expression)), None)
+        return next((radius for radius in radii if isinstance(radius, Expression)), None)
 
     def latest(self, bodies: list[str], events: int) -> int:
         """The last event so far in which one of some bodies took part; of all, if there is none."""
@@ -139,13 +139,13 @@ class Arrangement:
         world = world_of(self.problem)
         steps = [step for step in self.problem.parts[0].steps if isinstance(step, Given)]
         own: list[Formula] = []
-        for relation in (each for step in steps for each in step.relations):
+        for relation in (relation for step in steps for relation in step.relations):
             match relation:
                 case Compare(operands, operators) if set(operators) <= {"<", "<=", ">", ">="}:
                     pass
                 case _:
                     continue
-            if any(isinstance(node, Quantity) for each in operands for node in walk(each)):
+            if any(isinstance(node, Quantity) for operand in operands for node in walk(operand)):
                 continue
             try:
                 values = [world.expression(world.scalar(e), world.roles) for e in operands]
@@ -344,8 +344,8 @@ class Arrangement:
     def approach(self, first: Sphere, second: Sphere, axis: Expression) -> int | None:
         """In which sense of an axis the first sphere comes nearer to the second at the start."""
         paces = [
-            Number(Fraction(0)) if is_rest(each.velocity) else each.velocity
-            for each in (first, second)
+            Number(Fraction(0)) if is_rest(sphere.velocity) else sphere.velocity
+            for sphere in (first, second)
         ]
         if not all(isinstance(pace, Expression) for pace in paces):
             return None

@@ -59,17 +59,17 @@ class _Ahead:
     def of(cls, arrangement: Arrangement, relation: Meets, events: int) -> _Ahead | None:
         """The pair that a relation names; None where no place tells how they lie."""
         names = [relation.first.name, relation.second.name]
-        walls = [each for each in names if each in arrangement.walls]
+        walls = [name for name in names if name in arrangement.walls]
         if relation.again or len(walls) != 1 or arrangement.radius is not None:
             return None
-        (body,) = (each for each in names if each not in walls)
+        (body,) = (name for name in names if name not in walls)
         wall = arrangement.walls[walls[0]]
         along = arrangement.along_of(wall)
         if isinstance(wall.shape, Circle) or along is None:
             return None
         if not (_is_level(along) or _is_upright(along)):
             return None
-        if any({body, wall.name} == set(each.bodies) for each in arrangement.events[:events]):
+        if any({body, wall.name} == set(event.bodies) for event in arrangement.events[:events]):
             return None
         world = arrangement.world()
         place = _Path(arrangement, body, events, world).place()
@@ -129,7 +129,7 @@ class _Ahead:
 
     def between(self, happens: bool) -> Relation | None:
         """That its path comes to the line of the wall between both ends, or does not."""
-        first, last = (self.arrangement.place_of(each) for each in (self.wall.start, self.wall.end))
+        first, last = (self.arrangement.place_of(end) for end in (self.wall.start, self.wall.end))
         assert isinstance(first, Pair)
         assert isinstance(last, Pair)
         ends = (first.x, last.x) if self.horizontal else (first.y, last.y)
@@ -182,7 +182,7 @@ class _Path:
     def resting(self) -> Plane | None:
         """The place of a sphere that is at rest there until its first event."""
         sphere = self.arrangement.sphere(self.body)
-        met = any(self.body in each.bodies for each in self.arrangement.events[: self.events - 1])
+        met = any(self.body in event.bodies for event in self.arrangement.events[: self.events - 1])
         return self._point(sphere.position) if is_rest(sphere.velocity) and not met else None
 
     def _is_wall(self, target: object) -> bool:

@@ -17,14 +17,14 @@ def axis_of_all(given: Arrangement) -> Unit | None:
     """
     problem = given.problem
     places = [sphere.position for sphere in problem.spheres]
-    pairs = [each for each in places if isinstance(each, Pair)]
+    pairs = [place for place in places if isinstance(place, Pair)]
     if not pairs or len(pairs) < len(places):
         return None
     if any(isinstance(step, Kick | Arrival) for step in problem.events):
         return None
     for axis in (Unit("i"), Unit("j")):
-        level = [each.y if axis == Unit("i") else each.x for each in pairs]
-        if not all(is_zero(difference(each, level[0])) for each in level):
+        level = [pair.y if axis == Unit("i") else pair.x for pair in pairs]
+        if not all(is_zero(difference(tree, level[0])) for tree in level):
             continue
         moving = all(_moves_along(given, sphere, axis) for sphere in problem.spheres)
         if moving and all(_is_struck_straight(given, step, axis) for step in problem.events):
@@ -62,7 +62,7 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
     Who met before stays in order.
     """
     one, other = (given.sphere(each) for each in (step.first, step.second))
-    places = [each.position for each in (one, other) if isinstance(each.position, Pair)]
+    places = [sphere.position for sphere in (one, other) if isinstance(sphere.position, Pair)]
     if len(places) == 1:
         return None
     if places:
@@ -88,7 +88,7 @@ def with_lines_of_centres(given: Arrangement) -> Problem:
     """
     problem = given.problem
     steps = [step for step in problem.events if isinstance(step, Impact)]
-    open_ = [each for each in steps if each.along is None and each.second not in given.walls]
+    open_ = [step for step in steps if step.along is None and step.second not in given.walls]
     axis = axis_of_all(given) if open_ else None
     if axis is None:
         return problem

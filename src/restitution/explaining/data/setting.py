@@ -84,11 +84,11 @@ class Setting:
 
     def event(self, number: int | None) -> Event | None:
         """The event with a number."""
-        return next((each for each in self.events if each.number == number), None)
+        return next((event for event in self.events if event.number == number), None)
 
     def settled(self, link: Link) -> Link:
         """A link in which velocities have the number of the last event that changed them."""
-        left, right = (settled(each, self.events) for each in (link.left, link.right))
+        left, right = (settled(side, self.events) for side in (link.left, link.right))
         return Link(left, link.sign, right, link.by)
 
     def quantity(self, tree: Expression) -> Expression:
@@ -108,9 +108,9 @@ class Setting:
             return replace(self, bounces=()).of_letters(names, with_bounces=True)
         names |= {
             name
-            for each in self.bounces
-            if isinstance(each.relation, Relation)
-            for links in each.relation.options
+            for premise in self.bounces
+            if isinstance(premise.relation, Relation)
+            for links in premise.relation.options
             for link in links
             for side in (link.left, link.right)
             for name in letters(side)
@@ -126,8 +126,8 @@ class Setting:
             return self
         return replace(
             self,
-            meanings={n: each for n, each in self.meanings.items() if n in kept},
-            values={n: each for n, each in self.values.items() if n in kept},
+            meanings={n: meaning for n, meaning in self.meanings.items() if n in kept},
+            values={n: value for n, value in self.values.items() if n in kept},
         )
 
     def __hash__(self) -> int:
@@ -154,7 +154,7 @@ class Setting:
     @cached_property
     def vectors(self) -> frozenset[str]:
         """The letters that are vectors."""
-        return frozenset(name for name, each in self.meanings.items() if each.vector)
+        return frozenset(name for name, meaning in self.meanings.items() if meaning.vector)
 
     @cached_property
     def silent(self) -> Mapping[str, Role]:

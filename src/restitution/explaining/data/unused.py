@@ -66,7 +66,7 @@ def is_of_open_data(fact: Fact, derivation: Derivation) -> bool:
     """
     trees = tuple(trees_of(fact.relation))
     valued = set(first_lines_of_letters(derivation))
-    return not any(map(has_quantity, trees)) and not any(valued & letters(each) for each in trees)
+    return not any(map(has_quantity, trees)) and not any(valued & letters(tree) for tree in trees)
 
 
 def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:

@@ -43,8 +43,8 @@ def unit_vector(axis: str) -> Expression:
 
 def whole_links(step: Step) -> Iterator[Link]:
     """What is cited without alternatives, each chain from its first side to its last."""
-    for each in step.cited:
-        if isinstance(each.relation, Relation) and len(each.relation.options) == 1:
-            whole = whole_of(each.relation.only)
+    for premise in step.cited:
+        if isinstance(premise.relation, Relation) and len(premise.relation.options) == 1:
+            whole = whole_of(premise.relation.only)
             if whole is not None:
                 yield whole

@@ -69,8 +69,10 @@ def _changes_along(
 
 def _by_its_letter(step: Step, component: Quantity) -> Expression:
     """A component as the letter that is cited for it: of a line in letters no vector tells it."""
-    named = (each for each in step.lets if each.quantity == component)
-    own = next((each for each in named if each.sense in (None, component.arguments[1])), None)
+    named = (meaning for meaning in step.lets if meaning.quantity == component)
+    own = next(
+        (meaning for meaning in named if meaning.sense in (None, component.arguments[1])), None
+    )
     return component if own is None else Letter(own.letter)
 
 
@@ -232,9 +234,9 @@ def total_lost(step: Step, event: Event | None) -> Iterator[Link]:
     before, after = (Quantity("energy", (), stage) for stage in (0, event.number))
     lost = Binary("-", before, after)
     yield Link(Quantity("total_energy_lost", (), event.number), "=", lost)
-    earlier = [each for each in step.setting.events if each.number <= event.number]
-    if all(each.kind != "arrival" for each in earlier):
-        losses = [Quantity("energy_lost", (), each.number) for each in earlier]
+    earlier = [other for other in step.setting.events if other.number <= event.number]
+    if all(event.kind != "arrival" for event in earlier):
+        losses = [Quantity("energy_lost", (), event.number) for event in earlier]
         yield Link(Quantity("total_energy_lost", (), event.number), "=", total_of(losses))
     if event.number == 1 and event.kind == "impact":
         # Nothing else has happened: it is what the impact takes.
@@ -247,7 +249,7 @@ def energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
     """The energy that the bodies of an event lose: whole, or by components along the line."""
     if event is None:
         return
-    spheres = [each for each in event.bodies if each in step.setting.spheres]
+    spheres = [body for body in event.bodies if body in step.setting.spheres]
     cited = _cited_energies(step)
     for form in ("components", "along", "vectors", "speed", "energy"):
         terms = [

@@ -46,12 +46,12 @@ def places(step: Step, event: Event | None, line: Link) -> Iterator[Link]:
                 yield Link(tree, "=", _place_of(tree, event))
             case Quantity("distance", (a, b), stage):
                 there = [
-                    Quantity("position", (each,), _stage_of(step, each, stage))
-                    if isinstance(each, Name)
-                    else each
-                    for each in (a, b)
+                    Quantity("position", (tree,), _stage_of(step, tree, stage))
+                    if isinstance(tree, Name)
+                    else tree
+                    for tree in (a, b)
                 ]
-                places = [_place_of(each, event) for each in there]
+                places = [_place_of(tree, event) for tree in there]
                 yield Link(tree, "=", Apply("abs", Binary("-", places[0], places[1])))
                 if places != there:
                     yield Link(tree, "=", Apply("abs", Binary("-", there[0], there[1])))
@@ -74,8 +74,8 @@ def _journey(body: str, since: int, event: Event) -> Iterator[Link]:
     if since == event.number - 1:
         return
     name = Name(body)
-    last, first = (Quantity("position", (name,), each) for each in (event.number, since))
-    late, early = (Quantity("time", (), each) for each in (event.number, since))
+    last, first = (Quantity("position", (name,), number) for number in (event.number, since))
+    late, early = (Quantity("time", (), number) for number in (event.number, since))
     velocity = Quantity("velocity", (name,), since)
     flight = Binary("-", late, early)
     yield Link(Binary("-", last, first), "=", Binary("*", velocity, flight))
@@ -92,13 +92,15 @@ def _several_ways(step: Step, event: Event) -> Iterator[Link]:
     """How far a body comes from an earlier event over several ways, in one direction."""
     for body in step.move.bodies:
         own = [e.number for e in step.setting.events if body in e.bodies[:2]]
-        stages = [0, *(each for each in own if each < event.number), event.number]
+        stages = [0, *(number for number in own if number < event.number), event.number]
         for first, axis in product(range(len(stages) - 2), "ij"):
             lengths: list[Expression] = []
             for early, late in pairwise(stages[first:]):
                 flight = Binary("-", Quantity("time", (), late), Quantity("time", (), early))
                 lengths.append(Binary("*", _along("velocity", body, early, axis), flight))
-            ends = (_along("position", body, each, axis) for each in (stages[-1], stages[first]))
+            ends = (
+                _along("position", body, number, axis) for number in (stages[-1], stages[first])
+            )
             yield Link(Binary("-", *ends), "=", total_of(lengths))
 
 
@@ -128,8 +130,8 @@ def _gaps_closed(step: Step, event: Event) -> Iterator[Link]:
         sign = step.signs.of(pace)
         if sign not in (1, -1):
             continue
-        along = [Quantity("along", (each, unit_vector(axis))) for each in paces[::sign]]
-        times = (Quantity("time", (), each) for each in (event.number, since))
+        along = [Quantity("along", (pace, unit_vector(axis))) for pace in paces[::sign]]
+        times = (Quantity("time", (), number) for number in (event.number, since))
         quotient = Binary("*", Binary("-", *along), Binary("-", *times))
         for pair in (bodies, bodies[::-1]):
             yield Link(Quantity("distance", pair, since), "=", quotient)
@@ -170,7 +172,7 @@ def chords(step: Step, event: Event | None) -> Iterator[Link]:
         return
     body, number = Name(event.bodies[0]), event.number
     own = [e.number for e in step.setting.events if body.name in e.bodies[:2]]
-    since = max((each for each in own if each < number), default=0)
+    since = max((other for other in own if other < number), default=0)
     velocity = Quantity("velocity", (body,), since)
     radial: Expression = Quantity("line_of_centres", (), since)
     chord = _chord_of(body, since, number)
@@ -221,7 +223,7 @@ def _chord_as_before(
     """The times of a chord and of the one before it: as 2r times a component over speed squared."""
     since, number = ends
     own = [e.number for e in step.setting.events if body.name in e.bodies[:2]]
-    before = max((each for each in own if each < since), default=0)
+    before = max((number for number in own if number < since), default=0)
     if before and _circle(step, body, before) != circle:
         return
     if not before and _radius_to(step, body, 0, *circle) is None:
@@ -273,14 +275,14 @@ def rounds(step: Step, event: Event | None) -> Iterator[Link]:
         body = Name(name)
         assert event is not None
         own = [e.number for e in step.setting.events if name in e.bodies[:2]]
-        own = [each for each in own if each <= event.number]
+        own = [number for number in own if number <= event.number]
         if len(own) != 3 or own[-1] != event.number:
             continue
         first, second, last = own
         circle = _circle(step, body, first)
         if circle is None or _circle(step, body, second) != circle:
             continue
-        start, end = (_cited_place(step, body, each) for each in (0, last))
+        start, end = (_cited_place(step, body, number) for number in (0, last))
         if start is None or end is None or _radius_to(step, body, 0, *circle) is None:
             continue
         gap = step.world.value(Binary("-", start, end))

@@ -35,12 +35,12 @@ def oriented(step: Step, x: Quotient) -> int | None:
 
 def _ranges_cited(step: Step) -> Iterator[Formula]:
     """The inequalities between letters that a line cites."""
-    for each in step.cited:
-        if isinstance(each.relation, Relation):
-            links = [link for links in each.relation.options for link in links]
+    for premise in step.cited:
+        if isinstance(premise.relation, Relation):
+            links = [link for links in premise.relation.options for link in links]
             sides = (side for link in links for side in (link.left, link.right))
             if all(link.sign in FLIPPED for link in links) and not any(map(has_quantity, sides)):
-                yield step.formula(each.relation)
+                yield step.formula(premise.relation)
 
 
 def drawn_roles(step: Step) -> Mapping[str, Role]:

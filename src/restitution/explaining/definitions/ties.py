@@ -55,8 +55,8 @@ def tied(step: Step, event: Event | None) -> Iterator[Link]:
                 yield from _without_what_stays(event, *tie[:2])
         past = past_a_right_angle(link)
         if past is not None and step.move.record == "perpendicular":
-            for each in ties(step, event, *past[:2], relation):
-                yield replace(each, sign=past[2])
+            for ty in ties(step, event, *past[:2], relation):
+                yield replace(ty, sign=past[2])
 
 
 def _across_who_moves_along(
@@ -106,9 +106,9 @@ def _named_angles(step: Step) -> Iterator[Link]:
     """What is cited of letters for angles, said of the angles."""
     named = {Letter(let.letter): let.quantity for let in step.lets}
     named |= {
-        each.right: each.left
-        for each in step.links
-        if each.sign == "=" and isinstance(each.right, Letter) and isinstance(each.left, Quantity)
+        link.right: link.left
+        for link in step.links
+        if link.sign == "=" and isinstance(link.right, Letter) and isinstance(link.left, Quantity)
     }
     for link in whole_links(step):
         if link.left in named:
@@ -129,7 +129,9 @@ def tie_of(link: Link) -> tuple[Expression, Expression, str] | None:
         case Quantity("angle", (left, right)):
             return left, right, _TIES[link.right]
         case Quantity("deflection", (turned,), int(stage)):
-            before, after = (Quantity("velocity", (turned,), each) for each in (stage - 1, stage))
+            before, after = (
+                Quantity("velocity", (turned,), number) for number in (stage - 1, stage)
+            )
             return before, after, _TIES[link.right]
     return None
 
@@ -171,7 +173,7 @@ def ties(
                 square = (relation == "perpendicular to") != wall
                 yield Link(Quantity(kinds[0] if square else kinds[1], (a, axis)), "=", ZERO)
     for axes in (axis_of(event),) if event is not None else ():
-        (a, b), (c, d) = ([Quantity(k, (each, axes)) for k in kinds] for each in (left, right))
+        (a, b), (c, d) = ([Quantity(k, (tree, axes)) for k in kinds] for tree in (left, right))
         if relation == "perpendicular to":
             yield Link(Binary("+", Binary("*", a, c), Binary("*", b, d)), "=", ZERO)
         else:
@@ -188,7 +190,7 @@ def is_no_product(step: Step, left: Expression, right: Expression) -> bool:
         settled(Quantity("dot", e), step.setting.events) for e in ((left, right), (right, left))
     ]
     zeros = [e.left for e in whole_links(step) if e.sign == "=" and e.right == ZERO]
-    return any(each in products or _is_along(step, each, left, right) for each in zeros)
+    return any(tree in products or _is_along(step, tree, left, right) for tree in zeros)
 
 
 def _is_along(step: Step, product: Expression, left: Expression, right: Expression) -> bool:
@@ -198,7 +200,7 @@ def _is_along(step: Step, product: Expression, left: Expression, right: Expressi
             case Quantity("dot", (own, along)) if not has_quantity(along):
                 if own != settled(moving, step.setting.events) or isinstance(line, Quantity):
                     continue
-                a, b = (step.world.pointing(_pointing(step, each)) for each in (along, line))
+                a, b = (step.world.pointing(_pointing(step, tree)) for tree in (along, line))
                 if isinstance(a, Plane) and isinstance(b, Plane):
                     return (a.x * b.y - a.y * b.x).vanishes and not (a.x.vanishes and a.y.vanishes)
     return False
@@ -206,7 +208,7 @@ def _is_along(step: Step, product: Expression, left: Expression, right: Expressi
 
 def _cross(left: Expression, right: Expression) -> Expression:
     x, y = (
-        tuple(Quantity("dot", (each, unit_vector(axis))) for axis in "ij") for each in (left, right)
+        tuple(Quantity("dot", (tree, unit_vector(axis))) for axis in "ij") for tree in (left, right)
     )
     return Binary("-", Binary("*", x[0], y[1]), Binary("*", x[1], y[0]))
 
@@ -227,15 +229,15 @@ def between_directions(step: Step, event: Event | None) -> Iterator[Link]:
                 by_offset = angle_with_the_path(angle, step.links, step.setting.roles)
                 if by_offset is not None:
                     yield Link(Apply("sin", angle), "=", by_offset.sine)
-                p, q = (_pointing(step, each) for each in (a, b))
+                p, q = (_pointing(step, tree) for tree in (a, b))
                 sizes = Binary("*", Apply("abs", p), Apply("abs", q))
                 cosine = Binary("/", Quantity("dot", (p, q)), sizes)
                 yield Link(Apply("cos", angle), "=", cosine)
                 yield from _by_product_and_speeds(step, angle, a, b)
             case Quantity("deflection", (Name() as body,), int(stage)):
                 early, late = (
-                    settled(Quantity("velocity", (body,), each), step.setting.events)
-                    for each in (stage - 1, stage)
+                    settled(Quantity("velocity", (body,), number), step.setting.events)
+                    for number in (stage - 1, stage)
                 )
                 yield from _by_product_and_speeds(step, angle, early, late)
 
@@ -253,9 +255,9 @@ def _by_product_and_speeds(
         None,
     )
     sizes = [
-        wholes.get(replace(each, kind="speed"), Apply("abs", each))
-        for each in (one, other)
-        if isinstance(each, Quantity) and each.kind == "velocity"
+        wholes.get(replace(tree, kind="speed"), Apply("abs", tree))
+        for tree in (one, other)
+        if isinstance(tree, Quantity) and tree.kind == "velocity"
     ]
     if product is not None and len(sizes) == 2:
         yield Link(Apply("cos", angle), "=", Binary("/", wholes[product], Binary("*", *sizes)))

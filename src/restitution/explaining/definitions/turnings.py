@@ -51,7 +51,7 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
         case (body,):
             pairs = [((body, before), (body, after))]
         case (first, second):
-            pairs = [((first, each), (second, each)) for each in (before, after)]
+            pairs = [((first, number), (second, number)) for number in (before, after)]
         case _:
             return
     yield from _by_directions(step, event)
@@ -160,7 +160,7 @@ def _pushed_back(step: Step, event: Event, before: Moving) -> int | None:
     The impulse on a sphere is against its velocity relative to the other sphere.
     """
     body, stage = before
-    others = [each for each in event.bodies if each != body]
+    others = [other for other in event.bodies if other != body]
     if stage != event.number - 1 or event.wall or event.kind != "impact" or len(others) != 1:
         return None
     own, other = (_component(step, event, "along", (name, stage)) for name in (body, *others))
@@ -230,7 +230,9 @@ def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
     if len(step.move.bodies) != 1:
         return
     (body,) = map(Name, step.move.bodies)
-    if any(each.number < event.number and body.name in each.bodies for each in step.setting.events):
+    if any(
+        other.number < event.number and body.name in other.bodies for other in step.setting.events
+    ):
         return
     late = Quantity("direction", (body,), event.number)
     names = [late, *(Letter(let.letter) for let in step.lets if let.quantity == late)]
@@ -240,7 +242,7 @@ def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
             break
     else:
         return
-    values = {each.left: each.right for each in step.links if each.sign == "="}
+    values = {link.left: link.right for link in step.links if link.sign == "="}
     for link in step.links:
         if link.left == Quantity("velocity", (body,), 0) and link.sign == "=":
             early = direction_from_i(link.right)

@@ -37,7 +37,7 @@ def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
             case _:
                 continue
         directions = [
-            step.world.directions.get(Quantity("direction", (each,))) for each in (own, wall)
+            step.world.directions.get(Quantity("direction", (name,))) for name in (own, wall)
         ]
         if stage != event.number or (
             wall != own and (None in directions or directions[0] != directions[1])

@@ -16,8 +16,8 @@ def agreeing_facts(derivation: Derivation, oracle: Oracle) -> frozenset[str]:
 
     One about letters of the data of which no line says the value has nothing to follow from.
     """
-    spare = {each.id for each in unused_facts(derivation, partial(lines_under, derivation))}
-    rest = tuple(each for each in derivation.facts if each.id not in spare)
+    spare = {fact.id for fact in unused_facts(derivation, partial(lines_under, derivation))}
+    rest = tuple(fact for fact in derivation.facts if fact.id not in spare)
     without = replace(derivation, facts=rest)
     return frozenset(
         fact.id

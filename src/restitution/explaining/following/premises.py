@@ -53,7 +53,7 @@ def without_spare(derivation: Derivation, oracle: Oracle) -> Derivation:
             # The range of an angle is needed wherever it is told by a ratio.
             read = read or reader_of(derivation, oracle)
             own = names_in(line.relation)
-            known = [each for each in known if not read.speaks_of(each, own)]
+            known = [ref for ref in known if not read.speaks_of(ref, own)]
         if known and isinstance(line.relation, Relation):
             read = read or reader_of(derivation, oracle)
             line = replace(line, premises=read.needed(line.number, known))
@@ -70,7 +70,7 @@ def with_ranges(derivation: Derivation, oracle: Oracle) -> Derivation:
     lines = []
     for line in derivation.lines:
         names = _below_roots(line)
-        ranges = [each for name in sorted(names) for each in _ranges(name, oracle)]
+        ranges = [ref for name in sorted(names) for ref in _ranges(name, oracle)]
         if ranges and isinstance(line.relation, Relation):
             read = read or reader_of(derivation, oracle)
             line = replace(line, premises=read.completed(line.number, ranges))
@@ -106,16 +106,16 @@ def with_given_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
             if (fact := derivation.fact(ref) if isinstance(ref, str) else None) is not None
             and _is_ratio(fact.relation)
         ]
-        users = [each for each in derivation.lines if line.number in each.premises]
+        users = [other for other in derivation.lines if line.number in other.premises]
         if line.move.id != "triangle" or len(given) != 1 or line.number in derivation.held:
             continue
-        if any(each.move.id != "put" for each in users):
+        if any(user.move.id != "put" for user in users):
             continue
         numbers: dict[Ref, Ref] = {line.number: given[0]}
         changed = {
-            each.number: replace(each, premises=citing(each.premises, numbers)) for each in users
+            user.number: replace(user, premises=citing(user.premises, numbers)) for user in users
         }
-        lines = tuple(changed.get(each.number, each) for each in derivation.lines)
+        lines = tuple(changed.get(line.number, line) for line in derivation.lines)
         whole = replace(derivation, lines=lines)
         read = reader_of(whole, oracle)
         if all(read.accepts(read.lines[number]) for number in changed):
@@ -136,13 +136,13 @@ def without_idle_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
             or len(own.only) != 2
         ):
             continue
-        users = [each.number for each in derivation.lines if line.number in each.premises]
+        users = [other.number for other in derivation.lines if line.number in other.premises]
         for link in own.only:
             alone = replace(line, relation=Relation(((link,),)))
-            lines = tuple(alone if each is line else each for each in derivation.lines)
+            lines = tuple(alone if other is line else other for other in derivation.lines)
             shorter = replace(derivation, lines=lines)
             read = reader_of(shorter, oracle)
-            if all(read.accepts(read.lines[each]) for each in (line.number, *users)):
+            if all(read.accepts(read.lines[user]) for user in (line.number, *users)):
                 derivation = shorter
                 break
     return derivation
@@ -165,9 +165,9 @@ def _below_roots(line: Line) -> set[str]:
     return {
         name
         for tree in trees_of(line.relation)
-        for each in walk(tree)
-        if isinstance(each, Apply) and each.function in _RANGED
-        for name in letters(each)
+        for node in walk(tree)
+        if isinstance(node, Apply) and node.function in _RANGED
+        for name in letters(node)
     }
 
 
@@ -189,7 +189,7 @@ def _is_ratio(relation: Relation) -> bool:
 def _cancels(line: Line) -> bool:
     """Whether a line takes a term away from itself."""
     return any(
-        isinstance(each, Binary) and each.op == "-" and each.left == each.right
+        isinstance(node, Binary) and node.op == "-" and node.left == node.right
         for tree in trees_of(line.relation)
-        for each in walk(tree)
+        for node in walk(tree)
     )

@@ -68,7 +68,7 @@ _PLACES = ("difference", "momentum-of", "distance", "straight-line", "perpendicu
 
 
 _GROUPS = (
-    tuple(name for name, each in RECORDS.items() if each.kind == "principle"),
+    tuple(name for name, record in RECORDS.items() if record.kind == "principle"),
     _ANGLES,
     _SIZES,
     _PLACES,
@@ -116,8 +116,8 @@ class Tracer:
         self.lets: list[Cited] = []
         self._angles: set[Expression] = set()
         self._numbers: list[Numbers] | None = None
-        for each in (*self.facts, *self.lets):
-            self._speak_of(each.relation)
+        for premise in (*self.facts, *self.lets):
+            self._speak_of(premise.relation)
 
     def _speak_of(self, relation: Relation | Meaning) -> None:
         """Take note of the angles that a line names: laws of others are left aside."""
@@ -259,7 +259,9 @@ class Tracer:
         if isinstance(quantity, Letter):
             name = quantity.name
             named = (let.relation for let in self.lets if isinstance(let.relation, Meaning))
-            quantity = next((each.quantity for each in named if each.letter == name), quantity)
+            quantity = next(
+                (meaning.quantity for meaning in named if meaning.letter == name), quantity
+            )
         if rest or not isinstance(quantity, Quantity):
             return None
         record = {"along": "component", "across": "component", "velocity": "assemble"}
@@ -338,7 +340,7 @@ class Tracer:
                 if traced is not None:
                     return traced
             if numbers.follows_from_both(own, first, second):
-                moves = tuple(each.move or Move("put") for each in (first, second))
+                moves = tuple(source.move or Move("put") for source in (first, second))
                 refs = tuple(e.cited.ref for e in (first, second) if e.move is None)
                 return Trace("composition", moves, refs)
         return None
@@ -396,8 +398,8 @@ class Tracer:
                     if node.kind == "velocity":
                         parts = [x for x in every if x not in chosen and _tells_of(x, node)]
                         chosen.extend(parts)
-                        pending.extend(tree for each in parts for tree in _rights(each))
-                        pending.extend(tree for each in parts for tree in _axes(each))
+                        pending.extend(tree for part in parts for tree in _rights(part))
+                        pending.extend(tree for part in parts for tree in _axes(part))
                     if not with_axes:
                         seen |= {x for x in node.arguments if _is_axis(x)}
                 elif isinstance(node, Quantity) and with_axes:
@@ -411,7 +413,9 @@ class Tracer:
             return Trace("move", (step.move,), (cited.ref,))
         assert isinstance(cited.relation, Relation)
         trees = list(trees_of(cited.relation))
-        values = [each for each in self._relevant(trees, relation, True) if each.ref != cited.ref]
+        values = [
+            premise for premise in self._relevant(trees, relation, True) if premise.ref != cited.ref
+        ]
         step = Step(self.setting, Move("put"), (cited, *values), ())
         if values and _tried(step, relation):
             return Trace("move", (step.move,), self._needed(step, relation))
@@ -440,12 +444,12 @@ class Tracer:
     def _shared(self, first: Cited, second: Cited) -> list[str]:
         """The letters and quantities that stand in two lines."""
         own = []
-        for each in (first, second):
-            assert isinstance(each.relation, Relation)
+        for premise in (first, second):
+            assert isinstance(premise.relation, Relation)
             own.append(
                 {
                     node
-                    for tree in trees_of(each.relation)
+                    for tree in trees_of(premise.relation)
                     for node in walk(tree)
                     if isinstance(node, Letter)
                     or (isinstance(node, Quantity) and node.kind in ("along", "across", "speed"))
@@ -475,9 +479,9 @@ class Tracer:
         sources = [*reversed(self.lines), *(fact for fact in self.facts if _compares(fact))]
         letters = {n.name for t in trees_of(relation) for n in walk(t) if isinstance(n, Letter)}
         near = [source for source in sources if _letters(source) & letters][:NEAREST]
-        tries = [(each,) for each in near[:3]] + list(combinations(near[:3], 2))
+        tries = [(premise,) for premise in near[:3]] + list(combinations(near[:3], 2))
         for chosen in tries:
-            names = letters.union(*(_letters(each) for each in chosen))
+            names = letters.union(*(_letters(premise) for premise in chosen))
             known = self._background_of(names)
             room = min(len(known), MOST_COMPARED - len(chosen))
             for own in combinations(known, room):
@@ -510,15 +514,15 @@ class Tracer:
     def _needed(self, step: Step, relation: Relation) -> tuple[Ref, ...]:
         """The premises of a step without those that it does not need."""
         cited, known = list(step.cited), list(step.known)
-        for each in list(cited):
-            fewer = tuple(x for x in cited if x is not each)
+        for premise in list(cited):
+            fewer = tuple(x for x in cited if x is not premise)
             if _tried(step.under(cited=fewer, known=tuple(known)), relation):
-                cited.remove(each)
+                cited.remove(premise)
         for own in list(known):
             rest = tuple(x for x in known if x is not own)
             if _tried(step.under(cited=tuple(cited), known=rest), relation):
                 known.remove(own)
-        return (*(each.ref for each in cited), *(each.ref for each in known))
+        return (*(premise.ref for premise in cited), *(each.ref for each in known))
 
 
 _IDENTITIES = ("pythagoras", "double-angle", "half-angle", "sum-of-angles", "complement")

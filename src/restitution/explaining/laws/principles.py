@@ -113,7 +113,7 @@ def _relations(
         put |= dict(zip(("F", "S"), event.bodies, strict=False))
     number = 1 if event is None else event.number
     relations = (renamed(_read(template), put, number) for template in templates)
-    return tuple(each for each in relations if each is not None)
+    return tuple(relation for relation in relations if relation is not None)
 
 
 PRINCIPLES = (

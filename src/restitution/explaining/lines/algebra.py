@@ -215,7 +215,7 @@ class World(Angles):
 
     def _is_of_an_angle(self, vector: Plane) -> bool:
         """Whether a vector is written as the cosine and the sine of an angle: its size is 1."""
-        keys = [list(self.keys(each.above).values()) for each in (vector.x, vector.y)]
+        keys = [list(self.keys(component.above).values()) for component in (vector.x, vector.y)]
         if any(len(key) != 1 for key in keys):
             return False
         (one,), (other,) = keys
@@ -316,7 +316,7 @@ class World(Angles):
             case Negate(operand):
                 return -self.scalar(Quantity(kind, (operand, axis)))
             case Binary("+" | "-", left, right):
-                a, b = (self.scalar(Quantity(kind, (each, axis))) for each in (left, right))
+                a, b = (self.scalar(Quantity(kind, (tree, axis))) for tree in (left, right))
                 return a + b if vector.op == "+" else a - b
             case Polar(size, angle, origin, None) if origin == axis:
                 cosine, sine = self.cos_sin(self.turn(angle))
@@ -327,7 +327,7 @@ class World(Angles):
 
     def expression(self, x: Quotient, roles: Mapping[str, Role]) -> sp.Expr:
         """A quotient as an expression for the oracle."""
-        above, below = (self._expression(each, roles) for each in (x.above, x.below))
+        above, below = (self._expression(side, roles) for side in (x.above, x.below))
         return above / below
 
     def _expression(self, polynomial: PolyElement, roles: Mapping[str, Role]) -> sp.Expr:

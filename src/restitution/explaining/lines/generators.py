@@ -78,7 +78,9 @@ class Generators:
     def keys(self, *polynomials: PolyElement) -> dict[int, Key]:
         """The generators that occur, by number."""
         every = list(self._keys)
-        occurring = (compress(_NUMBERS, powers) for each in polynomials for powers in each)
+        occurring = (
+            compress(_NUMBERS, powers) for polynomial in polynomials for powers in polynomial
+        )
         return {n: every[n] for n in dict.fromkeys(chain.from_iterable(occurring))}
 
     def note_tangents(self, line: Value) -> None:

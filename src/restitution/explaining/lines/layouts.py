@@ -107,7 +107,7 @@ def _renamed(tree: Any, change: Callable[[Expression], Expression | None]) -> An
                 put[name] = own
         return replace(tree, **put) if put else tree
     if isinstance(tree, tuple):
-        return tuple(_renamed(each, change) for each in tree)
+        return tuple(_renamed(value, change) for value in tree)
     if isinstance(tree, AtTime):
         return AtTime(_renamed(tree.time, change))
     return tree
@@ -285,14 +285,18 @@ _ENERGIES = ("energy", "energy_lost", "total_energy_lost")
 def shares_in(operands: Sequence[Expression]) -> Iterator[Expression]:
     """The parts of a whole with which a ratio of two energies is compared: they are shares too."""
     ratios = [
-        each
-        for each in operands
-        if isinstance(each, Binary)
-        and each.op == "/"
-        and all(isinstance(e, Quantity) and e.kind in _ENERGIES for e in (each.left, each.right))
+        operand
+        for operand in operands
+        if isinstance(operand, Binary)
+        and operand.op == "/"
+        and all(
+            isinstance(e, Quantity) and e.kind in _ENERGIES for e in (operand.left, operand.right)
+        )
     ]
     if ratios:
-        yield from (each for each in operands if isinstance(each, Number) and 0 < each.value < 1)
+        yield from (
+            operand for operand in operands if isinstance(operand, Number) and 0 < operand.value < 1
+        )
 
 
 class AsTyped(Forms):
@@ -383,7 +387,7 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
             return called[name]
         return lay.Bold(layout.name, layout.subscript) if name in vectors else layout
     if isinstance(layout, tuple):
-        return tuple(_put(each, vectors, called) for each in layout)
+        return tuple(_put(value, vectors, called) for value in layout)
     if isinstance(layout, lay.Function):
         inside = _put(layout.argument, vectors, called)
         words = isinstance(inside, lay.Phrase | lay.Words)
@@ -392,14 +396,14 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
         base, exponent = (_put(each, vectors, called) for each in (layout.base, layout.exponent))
         return lay.Power(_worded(base), exponent)
     if isinstance(layout, lay.Fraction) and called:
-        above, below = (_put(each, vectors, called) for each in (layout.above, layout.below))
+        above, below = (_put(side, vectors, called) for side in (layout.above, layout.below))
         return lay.Fraction(_worded(above), _worded(below))
     if isinstance(layout, lay.Power) and called:
         return replace(layout, base=_worded(_put(layout.base, vectors, called)))
     if isinstance(layout, lay.Product) and called:
         put = tuple(_put(factor, vectors, called) for factor in layout.factors)
-        named = [each for each in put if isinstance(each, lay.Phrase | lay.Words)]
-        others = tuple(each for each in put if each not in named)
+        named = [value for value in put if isinstance(value, lay.Phrase | lay.Words)]
+        others = tuple(value for value in put if value not in named)
         if len(named) != 1 or not others or layout.sign:
             return replace(layout, factors=tuple(map(_worded, put)))
         rest = others[0] if len(others) == 1 else replace(layout, factors=others)
@@ -418,7 +422,7 @@ def _worded(layout: lay.Layout) -> lay.Layout:
 def _shaped(layout: Any) -> Any:
     """A layout in which no product runs into the next: ``(u cos α)v``, ``⅔ × ⅗u``."""
     if isinstance(layout, tuple):
-        return tuple(_shaped(each) for each in layout)
+        return tuple(_shaped(value) for value in layout)
     if not isinstance(layout, lay.Layout):
         return layout
     put = {field.name: _shaped(getattr(layout, field.name)) for field in fields(layout)}
@@ -465,7 +469,9 @@ def _grouped(product: lay.Product) -> lay.Layout:
     if again is not None:
         sides = product.factors[:again], product.factors[again:]
         whole = [lay.product(*side) for side in sides]
-        later = [_grouped(each) if isinstance(each, lay.Product) else each for each in whole[1:]]
+        later = [
+            _grouped(layout) if isinstance(layout, lay.Product) else layout for layout in whole[1:]
+        ]
         return lay.Product((whole[0], *later), "×")  # 4u × u, km × ku, e × e²u
     if _numeric(rest[0]) and not _numeric(first):
         return _grouped(lay.Product((rest[0], first, *rest[1:])))
@@ -533,7 +539,7 @@ def chains(links: tuple[Link, ...]) -> list[tuple[Link, ...]]:
             chains_[-1].append(link)
         else:
             chains_.append([link])
-    return [tuple(each) for each in chains_]
+    return [tuple(chain) for chain in chains_]
 
 
 def of_chain(

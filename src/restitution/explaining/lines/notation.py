@@ -18,7 +18,7 @@ from restitution.expression.writing import write_expression
 
 _EITHER = re.compile(r"\s+or\s+")
 _BOTH = re.compile(r"\s+and\s+")
-_SIGN = re.compile("|".join(re.escape(each) for each in sorted(SIGNS, key=len, reverse=True)))
+_SIGN = re.compile("|".join(re.escape(sign) for sign in sorted(SIGNS, key=len, reverse=True)))
 _BY = re.compile(r"\[([a-z-]+)\]\s*$")
 _MEANING = re.compile(
     r"let\s+(?P<vector>vector\s+)?(?P<letter>\S+)\s*=\s*(?P<quantity>.+?)"
@@ -59,7 +59,7 @@ def _relation(text: str, own: frozenset[tuple[str, str]]) -> Relation:
 
 
 def _chain(text: str, names: Mapping[str, str]) -> list[Link]:
-    signs: list[Sign] = [sign for each in _SIGN.findall(text) for sign in SIGNS if sign == each]
+    signs: list[Sign] = [sign for value in _SIGN.findall(text) for sign in SIGNS if sign == value]
     if not signs:
         raise StatementError(f"'{text}' is no relation: it has none of {', '.join(SIGNS)}")
     sides, moves = [], []

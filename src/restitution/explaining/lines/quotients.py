@@ -122,7 +122,7 @@ class Quotient:
             return CONSTANT(1) / self**-power
         if not power:
             return CONSTANT(1)  # SymPy has no zero to the power of zero
-        if any(len(each) ** power > MOST_TERMS**2 for each in (self.above, self.below)):
+        if any(len(side) ** power > MOST_TERMS**2 for side in (self.above, self.below)):
             raise NotComparableError("a line of too many terms")
         return lean(self.above**power, self.below**power)
 
@@ -212,7 +212,9 @@ def primes(number: int) -> dict[int, int]:
 
 def small(*polynomials: PolyElement) -> tuple[tuple[int, ...], tuple[PolyElement, ...]]:
     """Polynomials in a ring of their own generators only, and which of all these are."""
-    used = sorted({n for each in polynomials for m in each for n, power in enumerate(m) if power})
+    used = sorted(
+        {n for polynomial in polynomials for m in polynomial for n, power in enumerate(m) if power}
+    )
     ring = _small_ring(max(len(used), 1))
     return tuple(used), tuple(
         ring.from_dict(

@@ -101,7 +101,7 @@ class Roots(Generators):
         if above**2 != gap.numerator or below**2 != gap.denominator:
             return None
         d = Fraction(above, below)
-        first, second = (self._root_of_number(each) for each in ((a + d) / 2, (a - d) / 2))
+        first, second = (self._root_of_number(number) for number in ((a + d) / 2, (a - d) / 2))
         return first + second if b > 0 else first - second
 
     def _root_of_two_terms(self, inside: PolyElement) -> Quotient | None:
@@ -111,13 +111,13 @@ class Roots(Generators):
         ends = [
             (powers, _fraction(value))
             for powers, value in inside.terms()
-            if not any(each % 2 for each in powers)
+            if not any(power % 2 for power in powers)
         ]
         if len(ends) != 2:
             return None
         root = CONSTANT(0)
         for powers, value in ends:
-            term = quotient_ring().from_dict({tuple(each // 2 for each in powers): QQ(1)})
+            term = quotient_ring().from_dict({tuple(power // 2 for power in powers): QQ(1)})
             root = root + self._root_of_number(value) * Quotient(term, one())
         difference = self.reduced(root * root - Quotient(inside, one()))
         return root if difference.vanishes else None
@@ -154,9 +154,9 @@ class Roots(Generators):
         """The size of a factor: itself where it is made of positive generators."""
         if self._is_plainly_positive(factor):
             return Quotient(factor, one())
-        for each in (factor, -factor):
-            if each in self.ordered or self._is_positive_between_ends(each):
-                return Quotient(each, one())
+        for value in (factor, -factor):
+            if value in self.ordered or self._is_positive_between_ends(value):
+                return Quotient(value, one())
         surd = self._surd(factor)
         if surd is not None:
             a, b, c = surd
@@ -188,7 +188,7 @@ class Roots(Generators):
             low = [number for number, end in zip(bounded, ends, strict=True) if not end]
             for powers, value in factor.items():
                 if not any(powers[n] for n in low):
-                    kept = tuple(0 if n in bounded else each for n, each in enumerate(powers))
+                    kept = tuple(0 if n in bounded else power for n, power in enumerate(powers))
                     there = there + quotient_ring().from_dict({kept: value})
             if not self._is_plainly_positive(there):
                 return False

@@ -53,9 +53,9 @@ def say(name: SentenceId, /, **slots: Slot | Sequence[Slot]) -> Sentence:
     if wanted != slots.keys():
         raise TypeError(f"{name} has the slots {sorted(wanted)}, and not {sorted(slots)}")
     filled = []
-    for each in sorted(slots):
-        slot = slots[each]
-        filled.append((each, tuple(slot) if isinstance(slot, list) else slot))
+    for other in sorted(slots):
+        slot = slots[other]
+        filled.append((other, tuple(slot) if isinstance(slot, list) else slot))
     return Sentence(name, tuple(filled))  # type: ignore[arg-type]
 
 
@@ -136,10 +136,10 @@ def _listed(items: tuple[Slot, ...], how: str) -> Words:
     last = SENTENCES[f"list.{how}"]
     between = SENTENCES["list.comma"] if how == "and" else last
     spoken: list[str | Layout] = []
-    for index, each in enumerate(items):
+    for index, item in enumerate(items):
         if index:
             spoken.append(last if index == len(items) - 1 else between)
-        spoken += _filled(each, "")
+        spoken += _filled(item, "")
     return tuple(spoken)
 
 

@@ -54,7 +54,7 @@ VERSION = 1
 
 def to_json(derivation: Derivation) -> DerivationObject:
     """A derivation as a value of JSON."""
-    vectors = frozenset(name for name, each in derivation.meanings.items() if each.vector)
+    vectors = frozenset(name for name, meaning in derivation.meanings.items() if meaning.vector)
     return {
         "version": VERSION,
         "names": _names(derivation),
@@ -82,7 +82,7 @@ def _names(derivation: Derivation) -> dict[str, str]:
         *(fact.relation for fact in derivation.facts),
         *(line.relation for line in derivation.lines),
         *(item.answer for item in derivation.items),
-        *(each for note in derivation.notes for each in _relations_of(note)),
+        *(relation for note in derivation.notes for relation in _relations_of(note)),
     ]
     names = {
         node.name
@@ -170,7 +170,7 @@ def _note(note: Note, vectors: frozenset[str]) -> DerivationNoteObject:
         "reason": note.reason,
         "premises": list(note.premises),
         "claim": None if note.claim is None else _object(note.claim, vectors),
-        "instance": [_object(_alone(each), vectors) for each in note.instance],
+        "instance": [_object(_alone(link), vectors) for link in note.instance],
         "sides": [_object(_alone(side), vectors) for side in note.sides],
         "marks": [_mark(mark) for mark in note.marks],
     }
@@ -225,28 +225,28 @@ class _Reading:
         """The whole."""
         value = self.value
         return Derivation(
-            tuple(self._fact(each) for each in value["facts"]),
-            tuple(self._line(each) for each in value["lines"]),
-            tuple(self._item(each) for each in value["items"]),
-            tuple(self._event(each) for each in value["events"]),
+            tuple(self._fact(other) for other in value["facts"]),
+            tuple(self._line(other) for other in value["lines"]),
+            tuple(self._item(other) for other in value["items"]),
+            tuple(self._event(other) for other in value["events"]),
             tuple(
                 Case(
-                    _number(each["n"]),
-                    _number(each["line"]),
-                    _number(each["option"]),
-                    tuple(_number(line) for line in each["lines"]),
+                    _number(other["n"]),
+                    _number(other["line"]),
+                    _number(other["option"]),
+                    tuple(_number(line) for line in other["lines"]),
                 )
-                for each in value["cases"]
+                for other in value["cases"]
             ),
             tuple(
-                Route(_text(each["item"]), tuple(self._move(move) for move in each["moves"]))
-                for each in value["others"]
+                Route(_text(other["item"]), tuple(self._move(move) for move in other["moves"]))
+                for other in value["others"]
             ),
-            tuple(self._note(each) for each in value.get("notes", ())),
+            tuple(self._note(other) for other in value.get("notes", ())),
         )
 
     def _event(self, value: Mapping[str, Any]) -> Event:
-        bodies = tuple(_text(each) for each in value["bodies"])
+        bodies = tuple(_text(other) for other in value["bodies"])
         kind = _one_of(value["kind"], Event, "kind")
         return Event(_number(value["n"]), kind, bodies, _truth(value["wall"]))
 
@@ -269,7 +269,7 @@ class _Reading:
             self._move(value),
             tuple(e if isinstance(e, str) else _number(e) for e in value["premises"]),
             relation,
-            tuple(self._mark(each) for each in value["marks"]),
+            tuple(self._mark(other) for other in value["marks"]),
             _one_of(value["shown"], Line, "shown"),
         )
 
@@ -281,7 +281,7 @@ class _Reading:
             _truth(value["star"]),
             _truth(value["ft"]),
             _text(value["because"]),
-            tuple(_number(each) for each in value["on"]),
+            tuple(_number(other) for other in value["on"]),
         )
 
     def _move(self, value: Mapping[str, Any]) -> Move:
@@ -289,7 +289,7 @@ class _Reading:
             _one_of(value["move"], Move, "id"),
             _text_or_none(value["record"]),
             None if value["event"] is None else _number(value["event"]),
-            tuple(_text(each) for each in value["bodies"]),
+            tuple(_text(other) for other in value["bodies"]),
             _text_or_none(value["eliminated"]),
         )
 
@@ -303,9 +303,9 @@ class _Reading:
             _text(value["reason"]),
             tuple(e if isinstance(e, str) else _number(e) for e in value["premises"]),
             None if claim is None else read_relation(claim["text"], self.names),
-            tuple(self._link(each) for each in value["instance"]),
-            tuple(self._link(each) for each in value["sides"]),
-            tuple(self._mark(each) for each in value.get("marks", ())),
+            tuple(self._link(other) for other in value["instance"]),
+            tuple(self._link(other) for other in value["sides"]),
+            tuple(self._mark(other) for other in value.get("marks", ())),
         )
 
     def _link(self, value: Mapping[str, Any]) -> Link:

@@ -78,7 +78,7 @@ def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expr
         if type(value) in PARTS:
             new = exchanged(value, values)
         elif isinstance(value, tuple):
-            own = [exchanged(each, values) if type(each) in PARTS else each for each in value]
+            own = [exchanged(other, values) if type(other) in PARTS else other for other in value]
             new = value if all(map(is_, own, value)) else tuple(own)
         if new is not value:
             put[name] = new
@@ -87,7 +87,7 @@ def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expr
 
 def _rebuilt(value: object, change: Callable[[Expression], Expression]) -> object:
     if isinstance(value, tuple):
-        new = tuple(_rebuilt(each, change) for each in value)
+        new = tuple(_rebuilt(other, change) for other in value)
         return new if any(a is not b for a, b in zip(new, value, strict=True)) else value
     if isinstance(value, AtTime):
         time = rebuilt(value.time, change)
@@ -139,7 +139,7 @@ def renamed(relation: Relation, names: Mapping[str, str], event: int) -> Relatio
     None where it speaks of a body for which there is no name.
     """
     wanted = {
-        each.name for tree in trees_of(relation) for each in walk(tree) if isinstance(each, Name)
+        node.name for tree in trees_of(relation) for node in walk(tree) if isinstance(node, Name)
     }
     if not wanted <= names.keys():
         return None

@@ -135,7 +135,7 @@ _OF_TOPICS: Mapping[str, tuple[str, ...]] = {
 
 def _sentence(mistakes: tuple[str, ...]) -> str:
     beginning = "Usual mistake" if len(mistakes) == 1 else "Usual mistakes"
-    return f"{beginning}: {'; '.join(PHRASES[each] for each in mistakes)}."
+    return f"{beginning}: {'; '.join(PHRASES[mistake] for mistake in mistakes)}."
 
 
 USUAL_MISTAKES: Mapping[str, str] = {

@@ -79,7 +79,7 @@ def _world(where: Where, *laws: AlteredLaw, senses: tuple[str, ...] = (), words:
 
 
 def _result(where: Where, *results: tuple[str, ...], words: str) -> _Plain:
-    return where, (), tuple(AlteredResult(*each) for each in results), (), words
+    return where, (), tuple(AlteredResult(*result) for result in results), (), words
 
 
 # --- the worlds -----------------------------------------------------------------------------------
@@ -174,7 +174,7 @@ _TERMS = {
     "qS": "the second body after",
 }
 _WRONG_SIGNS: tuple[tuple[str, ...], ...] = (
-    *((each,) for each in _TERMS),
+    *((term,) for term in _TERMS),
     ("pF", "pS"),
     ("pF", "qF"),
     ("pF", "qS"),
@@ -182,7 +182,7 @@ _WRONG_SIGNS: tuple[tuple[str, ...], ...] = (
 
 
 def _term_words(terms: tuple[str, ...]) -> str:
-    return f"wrong sign of {' and of '.join(_TERMS[each] for each in terms)}"
+    return f"wrong sign of {' and of '.join(_TERMS[term] for term in terms)}"
 
 
 def _momentum_sign() -> Iterator[_Plain]:
@@ -384,7 +384,7 @@ def _mass_omitted_once() -> Iterator[_Plain]:
 
     There the bodies have none, or both that of one of them.
     """
-    before, after = (f"mass(F) {each('F')} + mass(S) {each('S')}" for each in (_p, _q))
+    before, after = (f"mass(F) {function('F')} + mass(S) {function('S')}" for function in (_p, _q))
     for mass in ("1", "mass(F)", "mass(S)"):
         for law, when in (
             (f"{before} = {mass} ({_q('F')} + {_q('S')})", "after"),
@@ -401,8 +401,8 @@ def _masses_exchanged() -> Iterator[_Plain]:
 
 def _masses_exchanged_once() -> Iterator[_Plain]:
     """Masses with the other velocity on one side alone: lines, of which no world is made."""
-    right = [f"mass(F) {each('F')} + mass(S) {each('S')}" for each in (_p, _q)]
-    wrong = [f"mass(S) {each('F')} + mass(F) {each('S')}" for each in (_p, _q)]
+    right = [f"mass(F) {function('F')} + mass(S) {function('S')}" for function in (_p, _q)]
+    wrong = [f"mass(S) {function('F')} + mass(F) {function('S')}" for function in (_p, _q)]
     for before, after, words in (
         (right[0], wrong[1], "each mass with the other velocity after the impact"),
         (wrong[0], right[1], "each mass with the other velocity before the impact"),

@@ -65,8 +65,8 @@ def altered(
         if variant is not None
     )
     changed = problem
-    if any(each.laws for each in at):
-        changed = replace(problem, altered=tuple(_impact(each) for each in at))
+    if any(variant.laws for variant in at):
+        changed = replace(problem, altered=tuple(_impact(variant) for variant in at))
     results = _results(problem, at, events)
     if results:
         changed = _rewritten(changed, results, events, wanted.mistake in _OF_RATIOS)
@@ -74,7 +74,7 @@ def altered(
 
 
 def _impact(variant: VariantAt) -> AlteredImpact:
-    equations = (AlteredEquation(each.law, each.bodies, *each.sides) for each in variant.laws)
+    equations = (AlteredEquation(law.law, law.bodies, *law.sides) for law in variant.laws)
     return AlteredImpact(variant.event.number, tuple(equations), variant.senses)
 
 
@@ -154,10 +154,10 @@ def _step(step: Step, change: Change) -> Step:
             return replace(step, expression=change(step.expression))
         case Given():
             return replace(
-                step, relations=tuple(_relation(each, change) for each in step.relations)
+                step, relations=tuple(_relation(relation, change) for relation in step.relations)
             )
         case Find():
-            return replace(step, items=tuple(_item(each, change) for each in step.items))
+            return replace(step, items=tuple(_item(item, change) for item in step.items))
         case Show():
             subject = None if step.subject is None else _item(step.subject, change)
             return replace(step, relation=_relation(step.relation, change), subject=subject)
@@ -172,7 +172,7 @@ def _item(item: Any, change: Change) -> Any:
 
 def _relation(relation: Relation, change: Change) -> Relation:
     if isinstance(relation, Compare):
-        return replace(relation, operands=tuple(change(each) for each in relation.operands))
+        return replace(relation, operands=tuple(change(operand) for operand in relation.operands))
     if isinstance(relation, Aligned):
         return replace(relation, left=change(relation.left), right=change(relation.right))
     return relation

@@ -58,7 +58,7 @@ class AlteredWorld:
     @property
     def words(self) -> str:
         """What the variant does, with the names of the bodies where they are the same all along."""
-        pairs = {each.event.bodies[:2] for each in self.at}
+        pairs = {variant.event.bodies[:2] for variant in self.at}
         words = self.alteration.words
         if len(pairs) != 1:
             return words
@@ -69,7 +69,7 @@ class AlteredWorld:
     @property
     def events(self) -> tuple[int, ...]:
         """The numbers of the events at which something is altered."""
-        return tuple(each.event.number for each in self.at)
+        return tuple(variant.event.number for variant in self.at)
 
 
 def altered_world(
@@ -109,8 +109,8 @@ def _needs(variant: Alteration, problem: Problem) -> str:
     if variant.results and not _has(variant, problem):
         return f"{NO_IMPACT} {_PLACES[variant.where]}"
     if variant.results:
-        kinds = dict.fromkeys(each.quantity.partition("(")[0] for each in variant.results)
-        spoken = " or ".join(each.replace("_", " ") for each in kinds)
+        kinds = dict.fromkeys(result.quantity.partition("(")[0] for result in variant.results)
+        spoken = " or ".join(kind.replace("_", " ") for kind in kinds)
         return f"the statement does not speak of {spoken} in a way that it alters"
     if variant.mistake == "second-wall-angle":
         return "no sphere goes from one wall to another"
@@ -124,12 +124,14 @@ _PLACES = {"wall": "with a wall", "spheres": "of two spheres", "impact": ""}
 def _has(variant: Alteration, problem: Problem) -> bool:
     """Whether there is an impact of the kind at which a variant is made."""
     wall = variant.where == "wall"
-    return any(each.kind == "impact" and each.wall == wall for each in events_of(problem))
+    return any(event.kind == "impact" and event.wall == wall for event in events_of(problem))
 
 
 def _sensible(changed: AlteredProblem, solution: Solution) -> bool:
     """Whether angles that are subtracted come out positive, as far as numbers tell."""
-    senses = [each.sense for at in changed.at for each in at.results if each.sense is not None]
+    senses = [
+        result.sense for at in changed.at for result in at.results if result.sense is not None
+    ]
     for part in solution.parts.values():
         for branch in part.branches:
             story = branch.numbers
@@ -167,7 +169,8 @@ def _equal(one: Answer, other: Answer) -> bool:
     if isinstance(one.decimal, float) and isinstance(other.decimal, float):
         return abs(one.decimal - other.decimal) <= 1e-9 * max(1.0, abs(one.decimal))
     values = [
-        each.value if isinstance(each.value, tuple) else (each.value,) for each in (one, other)
+        answer.value if isinstance(answer.value, tuple) else (answer.value,)
+        for answer in (one, other)
     ]
     try:
         return len(values[0]) == len(values[1]) and all(
@@ -233,7 +236,7 @@ def _worlds(
         except UnsupportedError as error:
             reasons[error.message] = None
             continue
-        items = tuple(each for each in world.items if part in (None, each.part))
+        items = tuple(item for item in world.items if part in (None, item.part))
         if items:
             yield replace(world, items=items)
         else:
@@ -248,7 +251,7 @@ def _none(solution: Solution, name: str, reasons: Iterable[str]) -> tuple[Altere
             f"{name} has no world of its own: {record.sentence[:1].lower()}{record.sentence[1:-1]}"
         )
     else:
-        wanted = [each for each in record.variants if name in (each.id, record.id)]
+        wanted = [variant for variant in record.variants if name in (variant.id, record.id)]
         why = _why_not(name, wanted, list(reasons) or [_LATE])
     raise UnsupportedError(f"{why}; {_those_that_apply(solution.problem)}")
 
@@ -278,10 +281,12 @@ def _why_not(name: str, wanted: list[Alteration], reasons: list[str]) -> str:
     if len(wanted) == 1:
         return reasons[0]
     apply = [
-        each for each in reasons if "does not apply" not in each and "has no world" not in each
+        reason
+        for reason in reasons
+        if "does not apply" not in reason and "has no world" not in reason
     ]
     if not apply:
-        nearest = next((each for each in reasons if NO_IMPACT not in each), reasons[0])
+        nearest = next((reason for reason in reasons if NO_IMPACT not in reason), reasons[0])
         return f"{name} does not apply here: {nearest.partition(': ')[2]}"
     if all("leads to no answer" in each for each in apply):
         return f"{name} leads to no answer here: {apply[0].partition(': ')[2]}"

@@ -60,24 +60,26 @@ def _about(about: Misconception, name: str, columns: int) -> Iterator[str]:
     yield f"A usual line:  {about.line}"
     marks = "; ".join(f"{mark} in {principle}" for principle, mark in about.marks)
     yield from wrap(f"Marks:         {marks}. {about.rule}".rstrip(), columns)
-    variants = [each for each in about.variants if name in (each.id, about.id)]
+    variants = [variant for variant in about.variants if name in (variant.id, about.id)]
     if not variants:
         return
     yield ""
     groups: dict[tuple[str, str, bool], list[Alteration]] = {}
-    for each in variants:
-        groups.setdefault((each.where, each.words, each.solvable), []).append(each)
-    room = max(len(each.id) for each in variants)
-    for each in variants:
-        place = {"wall": "wall", "spheres": "spheres", "impact": ""}[each.where]
-        known = "" if each.solvable else " (lines only)"
-        group = groups[each.where, each.words, each.solvable]
-        which = f"{group.index(each) + 1} of {len(group)}, which {_difference(group)}"
+    for variant in variants:
+        groups.setdefault((variant.where, variant.words, variant.solvable), []).append(variant)
+    room = max(len(variant.id) for variant in variants)
+    for alteration in variants:
+        place = {"wall": "wall", "spheres": "spheres", "impact": ""}[alteration.where]
+        known = "" if alteration.solvable else " (lines only)"
+        group = groups[alteration.where, alteration.words, alteration.solvable]
+        which = f"{group.index(alteration) + 1} of {len(group)}, which {_difference(group)}"
         differ = f" ({which})" if len(group) > 1 else ""
-        yield from _beside(each.id, f"{place}: {each.words}{known}{differ}", room, columns)
+        yield from _beside(
+            alteration.id, f"{place}: {alteration.words}{known}{differ}", room, columns
+        )
 
 
 def _difference(variants: Sequence[Alteration]) -> str:
     """In what variants differ that have the same words."""
-    plain = {re.sub(r"[-+() ]", "", f"{each.laws}{each.results}") for each in variants}
+    plain = {re.sub(r"[-+() ]", "", f"{variant.laws}{variant.results}") for variant in variants}
     return "differ in signs" if len(plain) == 1 else "differ in the terms altered"

@@ -425,8 +425,8 @@ MISCONCEPTIONS: Mapping[str, Misconception] = {
 }
 
 SLIPS: Mapping[str, Slip] = {
-    each.id: each
-    for each in (
+    slip.id: slip
+    for slip in (
         Slip("sign", "A sign", "One sign is wrong."),
         Slip("arithmetic", "Arithmetic", "The numbers do not give this value."),
         Slip(
@@ -453,7 +453,7 @@ def misconception(name: str) -> Misconception:
         hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(MISCONCEPTIONS)}"
         raise StatementError(f"there is no mistake '{base[:40]}': {hint}")
     record = MISCONCEPTIONS[base]
-    if name != base and all(each.id != name for each in record.variants):
+    if name != base and all(variant.id != name for variant in record.variants):
         count = len(record.variants)
         known = f"its variants are {base}/1 to {base}/{count}" if count else "it has no variants"
         raise StatementError(f"there is no mistake '{name}': {known}")
@@ -463,7 +463,7 @@ def misconception(name: str) -> Misconception:
 def alteration(id_: str) -> Alteration:
     """A variant by its id, such as ``momentum-sign/2``. Raises KeyError for one not there."""
     mistake = id_.partition("/")[0]
-    return next(each for each in MISCONCEPTIONS[mistake].variants if each.id == id_)
+    return next(variant for variant in MISCONCEPTIONS[mistake].variants if variant.id == id_)
 
 
 def variants_at(event: Event, events: Iterable[Event] = ()) -> tuple[VariantAt, ...]:
@@ -497,28 +497,30 @@ def laws_at(event: Event) -> tuple[LawAt, ...]:
 def variant_at(wanted: Alteration, event: Event, events: Iterable[Event] = ()) -> VariantAt | None:
     """One variant at an event; None where it does not apply to an event of this kind."""
     variants = variants_at(event, events)
-    return next((each for each in variants if each.alteration is wanted), None)
+    return next((variant for variant in variants if variant.alteration is wanted), None)
 
 
 def _last_wall(event: Event, events: Iterable[Event]) -> int | None:
     """The number of the impact with a wall that comes last before one with a wall."""
     mine = [
-        each
-        for each in events
-        if each.number < event.number and event.bodies[0] in each.bodies and each.kind != "arrival"
+        other
+        for other in events
+        if other.number < event.number
+        and event.bodies[0] in other.bodies
+        and other.kind != "arrival"
     ]
-    last = max(mine, key=lambda each: each.number, default=None)
+    last = max(mine, key=lambda event: event.number, default=None)
     return last.number if last is not None and last.wall and event.wall else None
 
 
 @cache
 def _variants_at(event: Event, last_wall: int | None) -> tuple[VariantAt, ...]:
     variants = (
-        _made(each, event, last_wall)
+        _made(variant, event, last_wall)
         for mistake in MISCONCEPTIONS.values()
-        for each in mistake.variants
+        for variant in mistake.variants
     )
-    return tuple(each for each in variants if each is not None)
+    return tuple(variant for variant in variants if variant is not None)
 
 
 def _made(each: Alteration, event: Event, last_wall: int | None) -> VariantAt | None:

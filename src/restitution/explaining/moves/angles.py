@@ -71,17 +71,17 @@ def is_inverse(step: Step, relation: Relation) -> bool:
         return False
     cited = [
         link
-        for each in step.cited
-        if isinstance(each.relation, Relation) and len(each.relation.options) == 1
-        for link in flat(each.relation.only)
+        for premise in step.cited
+        if isinstance(premise.relation, Relation) and len(premise.relation.options) == 1
+        for link in flat(premise.relation.only)
     ]
     if len(relation.only) != 1:
         return False
     (link,) = relation.only
     if is_of_a_cotangent(step, link) or _is_zero_of_a_sum(step, link, cited):
         return True
-    ratios_ = filter(None, (_ratio_of(step, each) for each in cited))
-    ratios = [each for each in ratios_ if _is_multiple_of(step, link, each[0].argument)]
+    ratios_ = filter(None, (_ratio_of(step, link) for link in cited))
+    ratios = [ratio for ratio in ratios_ if _is_multiple_of(step, link, ratio[0].argument)]
     if not ratios or link.sign != "=":
         return False
     # Of a chain the last side is the shortest.
@@ -100,8 +100,8 @@ def is_inverse(step: Step, relation: Relation) -> bool:
         return False
     if link.left == ratio_.argument and _is_principal(ratio_.function, low, high):
         # Of what stands on paper as the ratio nothing else has to be known.
-        values = [each for other, each in ratios if other == ratio_]
-        if any(link.right == Apply(f"arc{ratio_.function}", each) for each in values):
+        values = [tree for other, tree in ratios if other == ratio_]
+        if any(link.right == Apply(f"arc{ratio_.function}", value) for value in values):
             return True
     sign = "<=" if closed else "<"
     return _equal(step, exact, in_radians(step, value)) and all(
@@ -111,7 +111,7 @@ def is_inverse(step: Step, relation: Relation) -> bool:
 
 def _is_zero_of_a_sum(step: Step, link: Link, cited: Sequence[Link]) -> bool:
     """Whether a sum of acute angles has the one value at which its sine, or cosine, is zero."""
-    ratios = (_ratio_of(step, each) for each in cited)
+    ratios = (_ratio_of(step, link) for link in cited)
     functions = [
         ratio_.function
         for ratio_, value in filter(None, ratios)
@@ -132,8 +132,8 @@ def _is_zero_of_a_sum(step: Step, link: Link, cited: Sequence[Link]) -> bool:
     start = Fraction(1, 2) if functions[0] == "cos" else Fraction(0)
     shift = Fraction(turn.degrees) / 180 - start
     counts = [Fraction(count) / 2 for _, count in turn.terms]
-    low = shift + sum((each for each in counts if each < 0), Fraction(0))
-    high = shift + sum((each for each in counts if each > 0), Fraction(0))
+    low = shift + sum((count for count in counts if count < 0), Fraction(0))
+    high = shift + sum((count for count in counts if count > 0), Fraction(0))
     zeros = [n for n in range(math.floor(low), math.ceil(high) + 1) if low < n < high]
     if len(zeros) != 1 or functions[0] not in ("sin", "cos"):
         return False
@@ -239,7 +239,7 @@ def _by_its_other_ratio(step: Step, ratio_: Apply, angle: sp.Expr, width: sp.Exp
         if link.sign != "=":
             continue
         try:
-            left, right = (in_radians(step, each) for each in (link.left, link.right))
+            left, right = (in_radians(step, side) for side in (link.left, link.right))
         except NotComparableError:
             continue
         for function in (sp.sin, sp.cos):
@@ -289,8 +289,8 @@ def _meaning_of(step: Step, angle: Expression) -> Expression | None:
     meaning = step.setting.meanings.get(getattr(angle, "name", ""))
     if meaning is not None:
         return meaning.quantity
-    for each in step.cited:
-        match each.ref, each.relation:
+    for premise in step.cited:
+        match premise.ref, premise.relation:
             case str(ref), Relation(((Link(quantity, "=", named),),)) if (
                 named == angle and ref.startswith("let ")
             ):

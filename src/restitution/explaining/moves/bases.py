@@ -43,9 +43,9 @@ def condition(relation: Relation) -> tuple[Link, Link] | None:
 
 def last_side(step: Step, link: Link) -> Expression:
     """The last side of the chain in which a link is cited."""
-    for each in step.cited:
-        if isinstance(each.relation, Relation) and link in each.relation.options[0]:
-            return each.relation.options[0][-1].right
+    for premise in step.cited:
+        if isinstance(premise.relation, Relation) and link in premise.relation.options[0]:
+            return premise.relation.options[0][-1].right
     return link.right
 
 
@@ -66,7 +66,8 @@ def with_base(step: Step, links: tuple[Link, ...]) -> Step:
     """The step with other links in the place of the relation of its first line."""
     first = next(e for e in step.cited if isinstance(e.relation, Relation))
     chosen = tuple(
-        Cited(each.ref, Relation((links,))) if each is first else each for each in step.cited
+        Cited(premise.ref, Relation((links,))) if premise is first else premise
+        for premise in step.cited
     )
     return step.under(cited=chosen)
 
@@ -87,11 +88,11 @@ def without_angles(step: Step) -> Step:
     """The step in which no line beside the first says what an angle is."""
     base = base_of(step)
     kept = [
-        each
-        for each in step.cited
-        if each.relation is base
-        or isinstance(each.relation, Meaning)
-        or not any(link.left in step.world.turns for link in _links(each.relation))
+        premise
+        for premise in step.cited
+        if premise.relation is base
+        or isinstance(premise.relation, Meaning)
+        or not any(link.left in step.world.turns for link in _links(premise.relation))
     ]
     return step.under(cited=tuple(kept)) if len(kept) < len(step.cited) else step
 
@@ -103,7 +104,7 @@ def _links(relation: Relation) -> list[Link]:
 def others_cited(step: Step) -> tuple[Cited, ...]:
     """What is cited beside the line that a move starts from."""
     first = next((e for e in step.cited if isinstance(e.relation, Relation)), None)
-    return tuple(each for each in step.cited if each is not first)
+    return tuple(premise for premise in step.cited if premise is not first)
 
 
 def matches(step: Step, line: Link, expected: Value, sign: Sign = "=") -> bool:

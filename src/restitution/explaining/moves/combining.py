@@ -15,7 +15,7 @@ def is_combination(step: Step, line: Link) -> bool:
     if pair is None or line.sign != "=":
         return False
     step.world.printed = True
-    a, b = (step.residual(each) for each in pair)
+    a, b = (step.residual(link) for link in pair)
     if step.move.eliminated is None:
         for sign in (1, -1):
             other = multiplied(b, CONSTANT(sign))
@@ -55,7 +55,7 @@ def sides_of(step: Step) -> tuple[Quotient, Quotient, Quotient, Quotient] | None
         return None
     step.world.printed = True
     sides = [step.world.value(side) for link in pair for side in (link.left, link.right)]
-    if any(isinstance(each, Plane) for each in sides):
+    if any(isinstance(side, Plane) for side in sides):
         return None
     a, b, c, d = sides
     return a, b, c, d  # type: ignore[return-value]

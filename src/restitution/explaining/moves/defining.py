@@ -115,7 +115,7 @@ def _is_read_off(step: Step, line: Link) -> bool:
             case Link(Quantity("velocity", arguments, stage), "=", Polar(size)):
                 if line.sign != "=" or line.left != Quantity("speed", arguments, stage):
                     continue
-                known, right = (step.world.scalar(each) for each in (size, line.right))
+                known, right = (step.world.scalar(tree) for tree in (size, line.right))
                 if (known - right).vanishes and step.signs.of(known) == 1:
                     return True
     return _is_of_a_multiple(step, line)
@@ -130,7 +130,7 @@ def _is_of_a_multiple(step: Step, line: Link) -> bool:
                 Quantity("velocity") as own, "=", Binary("*", factor, other)
             ) if other in sizes and line.sign == "=" and line.left == replace(own, kind="speed"):
                 size, right = Binary("*", factor, sizes[other]), line.right
-                known, value = (step.world.scalar(each) for each in (size, right))
+                known, value = (step.world.scalar(tree) for tree in (size, right))
                 same = (known - value).vanishes or (known + value).vanishes
                 if same and (value.vanishes or oriented(step, value) == 1):
                     return True
@@ -223,12 +223,12 @@ def _is_resolved(step: Step, line: Link) -> bool:
     if line.sign != "=" or not (known or _is_size(step, quantity)):
         return False
     others = tuple(
-        each
-        for each in step.cited
+        premise
+        for premise in step.cited
         if not (
-            isinstance(each.relation, Meaning)
-            and each.relation.quantity == quantity
-            and (each.relation.sense is None or quantity != line.left)
+            isinstance(premise.relation, Meaning)
+            and premise.relation.quantity == quantity
+            and (premise.relation.sense is None or quantity != line.left)
         )
     )
     rules = step.rules(others)

@@ -86,17 +86,17 @@ def is_bounded_cotangent(step: Step, relation: Relation) -> bool:
     if angle is None:
         return False
     defined = any(
-        each.sign == "="
-        and isinstance(each.left, Apply)
-        and each.left.function == "cot"
-        and _angle(step, each.left.argument) == angle
-        for each in step.links
+        link.sign == "="
+        and isinstance(link.left, Apply)
+        and link.left.function == "cot"
+        and _angle(step, link.left.argument) == angle
+        for link in step.links
     )
     window = _window(step, angle, "cot", [])
     if not defined or window is None:
         return False
-    for each in step.links:
-        own = each if _angle(step, each.left) == angle else _turned(each)
+    for link in step.links:
+        own = link if _angle(step, link.left) == angle else _turned(link)
         if _angle(step, own.left) != angle or own.sign != FLIPPED[sign]:
             continue
         bound = _value(step, own.right)
@@ -117,12 +117,12 @@ def is_of_a_cotangent(step: Step, link: Link) -> bool:
     if angle is None or link.sign != "=":
         return False
     ratios = [
-        each.right
-        for each in step.links
-        if each.sign == "="
-        and isinstance(each.left, Apply)
-        and each.left.function == "cot"
-        and _angle(step, each.left.argument) == angle
+        link.right
+        for link in step.links
+        if link.sign == "="
+        and isinstance(link.left, Apply)
+        and link.left.function == "cot"
+        and _angle(step, link.left.argument) == angle
     ]
     if angle.kind == "direction":
         up = {_UP: 1, _DOWN: -1}.get(_half_plane(step, angle), 0)  # type: ignore[arg-type]
@@ -134,7 +134,7 @@ def is_of_a_cotangent(step: Step, link: Link) -> bool:
     if not ratios or not up or whole != up * RIGHT or not isinstance(inverse, sp.atan):
         return False
     return factor in (1, -1) and any(
-        equal_in(step, -factor * inverse.args[0], _value(step, each)) for each in ratios
+        equal_in(step, -factor * inverse.args[0], _value(step, ratio)) for ratio in ratios
     )
 
 
@@ -193,7 +193,7 @@ def _is_in_a_half_plane(step: Step, relation: Relation, angle: Quantity) -> bool
         for side in (link.left, link.right)
     ):
         return False
-    window = _Window(*(_value(step, each) for each in _ends(relation)))
+    window = _Window(*(_value(step, end) for end in _ends(relation)))
     return window in (_UP, _DOWN) and window == _half_plane(step, angle)
 
 
@@ -250,7 +250,7 @@ def _product_of(step: Step, angle: Quantity) -> Quantity | None:
     """The scalar product of what an angle is between, or the component of which it has the sign."""
     match angle:
         case Quantity("deflection", (body,), int(event)):
-            pair = tuple(Quantity("velocity", (body,), each) for each in (event - 1, event))
+            pair = tuple(Quantity("velocity", (body,), number) for number in (event - 1, event))
         case Quantity("angle", (Quantity("velocity") as velocity, Unit() as axis)):
             return Quantity("along", (velocity, axis))
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity")) as pair):
@@ -287,11 +287,11 @@ def _ends(relation: Relation) -> tuple[Expression, Expression]:
 
 def _cited_half_plane(step: Step, angle: Quantity) -> _Window | None:
     """Between which directions a velocity points, where a line tells it."""
-    for each in step.cited:
-        match each.relation:
+    for premise in step.cited:
+        match premise.relation:
             case Relation(((Link(Degrees() | Negate(), "<", one), Link(two, "<", _)),)):
                 if one == two and _angle(step, one) == angle:
-                    return _Window(*(_value(step, end) for end in _ends(each.relation)))
+                    return _Window(*(_value(step, end) for end in _ends(premise.relation)))
     return None
 
 
@@ -345,10 +345,10 @@ def _sign(step: Step, component: Quotient | None) -> int:
 def _sign_of_bounds(step: Step, ratios: list[Link]) -> int:
     """The sign that bounds of a tangent tell: 0 where they allow both."""
     for sign, bound in ((1, ">"), (-1, "<")):
-        for each in ratios:
-            if each.sign[0] != bound:
+        for ratio in ratios:
+            if ratio.sign[0] != bound:
                 continue
-            value = sign * _value(step, each.right)
+            value = sign * _value(step, ratio.right)
             if step.oracle.proves(Claim(value, ">=")):
                 return sign
     return 0
@@ -370,7 +370,8 @@ def _is_bounded(
         all(map(step.oracle.proves, inside))
         and not there.has(sp.zoo)
         and any(
-            each.sign == sign and equal_in(step, there, _value(step, each.right)) for each in ratios
+            ratio.sign == sign and equal_in(step, there, _value(step, ratio.right))
+            for ratio in ratios
         )
     )
 

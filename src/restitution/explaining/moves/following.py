@@ -70,14 +70,14 @@ def _on_either_side(step: Step, relation: Relation) -> bool:
     meaning = step.setting.meanings.get(getattr(own.left, "name", ""))
     match own.left if meaning is None else meaning.quantity:
         case Quantity("direction", (Name(),), int()):
-            one, other = (in_radians(step, each.right) for each in (first, second))
+            one, other = (in_radians(step, link.right) for link in (first, second))
             return bool(one + other == 0)
         case (
             Quantity("velocity" | "line_of_centres")
             | Quantity("impulse", (Name(),))
             | Quantity("direction", (Name(),), None)
         ):
-            a, b = (step.world.value(each.right) for each in (first, second))
+            a, b = (step.world.value(link.right) for link in (first, second))
             return (
                 isinstance(a, Plane)
                 and isinstance(b, Plane)
@@ -125,7 +125,7 @@ def _under_condition(step: Step, place: Link, then: Link) -> bool:
 def _with_squares(step: Step, then: Link) -> Iterator[Link]:
     """An equation, and that of the squares of both sides where both are positive."""
     yield then
-    sides = [step.world.value(each) for each in (then.left, then.right)]
+    sides = [step.world.value(side) for side in (then.left, then.right)]
     if all(isinstance(side, Quotient) and step.signs.of(side) == 1 for side in sides):
         two = Number(Fraction(2))
         yield Link(Binary("^", then.left, two), "=", Binary("^", then.right, two))
@@ -135,7 +135,7 @@ def _by_links(step: Step, relation: Relation) -> bool:
     """Each link by itself; a later link of a chain from the one before it."""
     bases = bases_of(step)
     if len(bases) > 1 and len(relation.options) == 1:
-        return step.move.id == "put" and all(_is_worth(step, each, relation) for each in bases)
+        return step.move.id == "put" and all(_is_worth(step, base, relation) for base in bases)
     if len(relation.options) != max(1, len(bases)):
         return False
     for number, links in enumerate(relation.options):
@@ -219,11 +219,11 @@ def stands(step: Step, relation: Relation) -> bool:
     if base is None or bool(places) != bool(step.move.record):
         return False
     if step.move.record == "approached" and len(places) == 2:
-        place, extent = (each.relation for each in places)
+        place, extent = (place.relation for place in places)
         return relation == base and is_attained(step, relation, place, extent)
     if step.move.record:
         return relation == base and all(
-            is_attained(step, relation, each.relation) for each in places
+            is_attained(step, relation, place.relation) for place in places
         )
     return relation == base or _by_links(step.under(move=replace(step.move, id="put")), relation)
 

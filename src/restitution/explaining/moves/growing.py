@@ -49,7 +49,7 @@ def _cited_ranges(step: Step) -> dict[str, _Ends]:
     ranges: dict[str, _Ends] = {}
     bounds: list[Relation | Meaning] = [
         *(each.relation for each in step.known),
-        *(each.relation for each in others_cited(step)),
+        *(premise.relation for premise in others_cited(step)),
     ]
     for relation in bounds:
         if isinstance(relation, Meaning) or len(relation.options) != 1:
@@ -89,7 +89,9 @@ def _grows_between(
         if step.oracle.proves(Claim(direction * slope, ">=")):
             if not _is_unbroken(step, value, letter):
                 return False
-            return all(_is_worth(step, value, letter, *each) for each in bounds if each is not None)
+            return all(
+                _is_worth(step, value, letter, *bound) for bound in bounds if bound is not None
+            )
     return False
 
 
@@ -99,9 +101,9 @@ def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol) -> bool:
     That there is such a value is no reason: it is said of each, and not of all between them. What a
     letter may be anyway need not be cited for that.
     """
-    divisors = {each.base for each in value.atoms(sp.Pow) if each.exp.is_negative}
-    divisors |= {sp.cos(each.args[0]) for each in value.atoms(sp.tan)}
-    broken = [each for each in divisors if letter in each.free_symbols]
+    divisors = {power.base for power in value.atoms(sp.Pow) if power.exp.is_negative}
+    divisors |= {sp.cos(tangent.args[0]) for tangent in value.atoms(sp.tan)}
+    broken = [divisor for divisor in divisors if letter in divisor.free_symbols]
     if not broken:
         return True
     between = tuple(
@@ -111,7 +113,7 @@ def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol) -> bool:
         if end.is_finite is not False
     )
     oracle = Oracle({**step.roles, **step.setting.roles}, between)
-    return all(oracle.proves(Claim(each, "!=")) for each in broken)
+    return all(oracle.proves(Claim(value, "!=")) for value in broken)
 
 
 def _end_of(

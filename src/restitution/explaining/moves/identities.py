@@ -39,24 +39,24 @@ def is_identity(step: Step, line: Link) -> bool:
     if by_values(step, line, base):
         return False  # no identity is used
     chosen = step.under(identities=names)
-    trees = [t for each in (line, *base.only) for t in (each.left, each.right)]
+    trees = [t for link in (line, *base.only) for t in (link.left, link.right)]
     chosen.world.divide_angles([*trees, *(let.quantity for let in step.lets)])
     # Where tan ½α is t, its cosine and sine are known by t: c² = 1/(1 + t²).
     rules = chosen.rules(others_cited(step))
     rules.complete()
     return any(
-        _of_angle(chosen, line, each, rules)
-        if chosen.world.is_angle(each.left)
-        else is_root_of(chosen, line, each)
-        or matches_with(chosen, line, expected_residual(chosen, each, rules), rules, each.sign)
-        for each in (*base.only, *_parts_of_sums(base))
+        _of_angle(chosen, line, link, rules)
+        if chosen.world.is_angle(link.left)
+        else is_root_of(chosen, line, link)
+        or matches_with(chosen, line, expected_residual(chosen, link, rules), rules, link.sign)
+        for link in (*base.only, *_parts_of_sums(base))
     )
 
 
 def _parts_of_sums(base: Relation) -> Iterator[Link]:
     """Each part of a sum of two angles by the other: β = 90° − α where α + β = 90°."""
-    for each in base.only:
-        match each:
+    for link in base.only:
+        match link:
             case Link(Binary("+", one, other), "=", whole):
                 yield Link(one, "=", Binary("-", whole, other))
                 yield Link(other, "=", Binary("-", whole, one))
@@ -70,7 +70,7 @@ def _is_instance(step: Step, line: Link, names: frozenset[Identity]) -> bool:
         Letter(let.letter): let.quantity for let in step.lets if isinstance(let.quantity, Binary)
     }
     left, right = (
-        rebuilt(each, lambda own: named.get(own, own)) for each in (line.left, line.right)
+        rebuilt(side, lambda own: named.get(own, own)) for side in (line.left, line.right)
     )
     line = Link(left, "=", right)
     chosen = step.under(cited=(), known=(), identities=names)

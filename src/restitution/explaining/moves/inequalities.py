@@ -111,10 +111,10 @@ def _by_ratios_as_letters(step: Step, relation: Relation) -> bool:
         return exchanged(tree, names)
 
     cited = tuple(
-        replace(each, relation=of_relation(each.relation, change))
-        if isinstance(each.relation, Relation)
-        else each
-        for each in step.cited
+        replace(premise, relation=of_relation(premise.relation, change))
+        if isinstance(premise.relation, Relation)
+        else premise
+        for premise in step.cited
     )
     plain = step.under(cited=cited)
     return plain.oracle.proves(plain.formula(of_relation(relation, change)))
@@ -124,15 +124,15 @@ def is_comparison(step: Step, relation: Relation) -> bool:
     """Whether an inequality is proved by the lines that are cited."""
     # The direction of a line of centres is no line that is compared.
     lines = [
-        each
-        for each in step.cited
-        if isinstance(each.relation, Relation) and not str(each.ref).startswith("axis ")
+        premise
+        for premise in step.cited
+        if isinstance(premise.relation, Relation) and not str(premise.ref).startswith("axis ")
     ]
-    relations = [*(each.relation for each in lines), *(each.relation for each in step.known)]
+    relations = [*(line.relation for line in lines), *(each.relation for each in step.known)]
     if number_compared(relations) > MOST_COMPARED:
         return False
     signs = {link.sign for links in relation.options for link in links}
-    if "≈" in signs or ("=" in signs and any(_is_equation(each.relation) for each in lines)):
+    if "≈" in signs or ("=" in signs and any(_is_equation(line.relation) for line in lines)):
         return False
     # No less than a value, and no more: so it is that.
     return is_certain(step, relation)
@@ -167,11 +167,11 @@ def is_certain(step: Step, relation: Relation) -> bool:
         return True
     proofs = [by_oracle, between_tangents]
     if any(
-        isinstance(each, Apply) and each.function == "arctan"
+        isinstance(node, Apply) and node.function == "arctan"
         for links in relation.options
         for link in links
         for side in (link.left, link.right)
-        for each in walk(side)
+        for node in walk(side)
     ):
         proofs.reverse()
     return any(proof(step, relation) for proof in proofs)
@@ -189,8 +189,8 @@ def between_tangents(step: Step, relation: Relation) -> bool:
     cited = {named.get(Letter(n), Letter(n)) for n, r in step.roles.items() if r.kind == "angle"}
     ratios = [
         (named.get(side.argument, side.argument), link)
-        for each in step.links
-        for link in (each, _turned(each))
+        for other in step.links
+        for link in (other, _turned(other))
         for side in (link.left,)
         if isinstance(side, Apply) and side.function == "tan" and link.sign in FLIPPED
     ]
@@ -210,7 +210,7 @@ def between_tangents(step: Step, relation: Relation) -> bool:
                 return False
             above = (r.right for a, r in ratios if a == named.get(angle, angle) and r.sign == ">")
             positive = positive or own.sign[0] == ">" or role.high == sp.pi / 2
-            positive = positive or any(_is_never_negative(step, each) for each in above)
+            positive = positive or any(_is_never_negative(step, tree) for tree in above)
             break
         else:
             return False
@@ -226,7 +226,7 @@ def _turned(link: Link) -> Link:
 def _is_tangent_below_90(step: Step, angle: Expression, ratio: Expression) -> bool:
     """Whether a ratio is the tangent of an angle that is certain to be acute, or 0."""
     bound, value = (
-        step.world.expression(step.world.scalar(each), step.roles) for each in (angle, ratio)
+        step.world.expression(step.world.scalar(tree), step.roles) for tree in (angle, ratio)
     )
     tangent = sp.tan(bound).replace(sp.cot, lambda x: 1 / sp.tan(x))
     if isinstance(bound, sp.atan):

@@ -116,7 +116,7 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
             return matches(step, line, expected, link.sign)
         step.world.printed = True
         left, right, above = (
-            rules.put_into(step.world.value(each)) for each in (link.left, link.right, part)
+            rules.put_into(step.world.value(tree)) for tree in (link.left, link.right, part)
         )
     except NotComparableError:
         return False
@@ -155,7 +155,7 @@ def _note_pace(step: Step, link: Link, rules: Rules) -> None:
     """What goes some way that is not zero has a speed there that is not zero: it is divided by."""
     match link:
         case Link(distance, "=", Binary("*", pace, _)):
-            length, speed = (rules.put_into(step.world.value(each)) for each in (distance, pace))
+            length, speed = (rules.put_into(step.world.value(tree)) for tree in (distance, pace))
             if isinstance(length, Plane) or isinstance(speed, Plane) or length.vanishes:
                 return
             if step.signs.of(length, sure=False) is not None:
@@ -168,10 +168,10 @@ def _note_approach(step: Step, rules: Rules) -> None:
     if event is None or event.kind != "impact" or not event.wall:
         return
     body = Name(event.bodies[0])
-    for each in step.cited:
-        if each.ref != f"contact {event.number}" or not isinstance(each.relation, Relation):
+    for premise in step.cited:
+        if premise.ref != f"contact {event.number}" or not isinstance(premise.relation, Relation):
             continue
-        match each.relation.only[0].left:
+        match premise.relation.only[0].left:
             case Quantity("along", (_, Unit() as unit)):
                 velocity = Quantity("velocity", (body,), event.number - 1)
                 pace = settled(Quantity("along", (velocity, unit)), step.setting.events)
@@ -208,9 +208,9 @@ def _is_tied(step: Step, line: Link, template: Link) -> bool:
     if line.sign != template.sign:
         return False
     values = []
-    for each in (line, template):
-        left, right = chosen.world.pointing(each.left), chosen.world.pointing(each.right)
-        if each is template:
+    for link in (line, template):
+        left, right = chosen.world.pointing(link.left), chosen.world.pointing(link.right)
+        if link is template:
             right = rules.put_into(right)
         if not (isinstance(left, Plane) and isinstance(right, Plane)):
             return False

@@ -32,7 +32,7 @@ def at_place(step: Step, place: Link, then: Link) -> bool:
     meant: dict[Expression, Expression] = {Letter(e.letter): e.quantity for e in step.lets}
     if equation is None or then.left not in (
         equation.left,
-        rebuilt(equation.left, lambda each: meant.get(each, each)),
+        rebuilt(equation.left, lambda tree: meant.get(tree, tree)),
     ):
         return False
     match place.left:
@@ -46,8 +46,8 @@ def at_place(step: Step, place: Link, then: Link) -> bool:
         case _:
             return False
     value, own = (
-        step.world.expression(step.world.scalar(each), step.roles)
-        for each in (equation.right, then.right)
+        step.world.expression(step.world.scalar(side), step.roles)
+        for side in (equation.right, then.right)
     )
     value = value.xreplace(_by_their_tangents(step, value))
     letter = next((symbol for symbol in value.free_symbols if symbol.name == name), None)
@@ -61,7 +61,7 @@ def at_place(step: Step, place: Link, then: Link) -> bool:
 
 def _not_negative(step: Step, value: sp.Expr) -> tuple[Claim, ...]:
     """What is cited of letters of which an expression has the size."""
-    symbols = {s for each in value.atoms(sp.Abs) for s in each.free_symbols}
+    symbols = {s for size in value.atoms(sp.Abs) for s in size.free_symbols}
     return tuple(Claim(s, ">=") for s in symbols if s.name in step.world.nonnegative)
 
 

@@ -44,22 +44,22 @@ def is_put(step: Step, line: Link) -> bool:
         return line in base.only  # a direction is printed as it is given
     rules = step.rules(others_cited(step))
     if line.sign == "parallel to":
-        return any(points_along(step, line, each, rules) for each in base.only)
+        return any(points_along(step, line, link, rules) for link in base.only)
     _note_divisor(step, line, rules)
     alone = without_angles(step)
     if step.move.id == "put" and any(
-        matches(alone, line, expected, each.sign)
-        and (each.sign == "=" or not _is_replaced(alone, line, expected))
-        for each in flat(base.only)
-        for expected in (expected_residual(alone, each, Rules(alone.world)),)
+        matches(alone, line, expected, link.sign)
+        and (link.sign == "=" or not _is_replaced(alone, line, expected))
+        for link in flat(base.only)
+        for expected in (expected_residual(alone, link, Rules(alone.world)),)
     ):
         return False  # nothing is put in
     # A value may be put in, or its name for it.
     return any(
-        matches_with(step, line, expected, rules, each.sign)
-        and (each.sign in ("=", "!=") or not _is_replaced(step, line, expected))
-        for each in (*flat(base.only), *_below_roots(step, base))
-        for expected in (expected_residual(step, each, rules),)
+        matches_with(step, line, expected, rules, link.sign)
+        and (link.sign in ("=", "!=") or not _is_replaced(step, line, expected))
+        for link in (*flat(base.only), *_below_roots(step, base))
+        for expected in (expected_residual(step, link, rules),)
     ) or _is_ratio_of_powers(step, line)
 
 
@@ -91,9 +91,9 @@ def _below_roots(step: Step, base: Relation) -> Iterator[Link]:
     """
     values: dict[Expression, Expression] = {
         link.left: link.right
-        for each in others_cited(step)
-        if isinstance(each.relation, Relation) and len(each.relation.options) == 1
-        for link in flat(each.relation.only)
+        for premise in others_cited(step)
+        if isinstance(premise.relation, Relation) and len(premise.relation.options) == 1
+        for link in flat(premise.relation.only)
         if link.sign == "=" and isinstance(link.left, Letter)
     }
     for link in flat(base.only):
@@ -145,7 +145,7 @@ def _is_replaced(step: Step, line: Link, expected: Value) -> bool:
     own = step.residual(line)
     if isinstance(own, Plane) or isinstance(expected, Plane):
         return False
-    ours, theirs = (set(step.world.keys(each.above).values()) for each in (own, expected))
+    ours, theirs = (set(step.world.keys(quotient.above).values()) for quotient in (own, expected))
     named = {("letter", let.letter) for let in step.lets}
     return any(key[0] in ("quantity", "x", "y") or key in named for key in theirs - ours)
 
@@ -158,17 +158,17 @@ def is_rearrangement(step: Step, line: Link) -> bool:
         return False
     if (
         step.move.id == "rearrange"
-        and sum(isinstance(each.relation, Relation) for each in step.cited) > 1
+        and sum(isinstance(premise.relation, Relation) for premise in step.cited) > 1
     ):
         return _with_factor_known(step, line)
     return any(
-        _same_direction(step, line, each)
-        or _is_multiplied(step, line, each)
-        or _is_squared(step, line, each)
-        or is_root_of(step, line, each)
-        or matches(step, line, expected_residual(step, each, Rules(step.world)), each.sign)
-        for each in flat(base.only)
-        if each.sign != "≈"
+        _same_direction(step, line, link)
+        or _is_multiplied(step, line, link)
+        or _is_squared(step, line, link)
+        or is_root_of(step, line, link)
+        or matches(step, line, expected_residual(step, link, Rules(step.world)), link.sign)
+        for link in flat(base.only)
+        if link.sign != "≈"
     )
 
 
@@ -182,7 +182,7 @@ def _is_multiplied(step: Step, line: Link, base: Link) -> bool:
             factor = step.world.value(second if first == base.left else first)
         case _:
             return False
-    own, other = (step.world.value(each.right) for each in (line, base))
+    own, other = (step.world.value(link.right) for link in (line, base))
     if line.sign != "=" or base.sign != "=":
         return False
     if not all(isinstance(each, Quotient) for each in (factor, own, other)):
@@ -196,7 +196,7 @@ def _is_squared(step: Step, line: Link, base: Link) -> bool:
         return False
     if not any(map(_is_size_or_root, (*walk(base.left), *walk(base.right)))):
         return False
-    values = [step.world.value(each) for link in (base, line) for each in (link.left, link.right)]
+    values = [step.world.value(side) for link in (base, line) for side in (link.left, link.right)]
     if not all(isinstance(value, Quotient) for value in values):
         return False
     a, b, c, d = values
@@ -261,9 +261,9 @@ def by_values(step: Step, line: Link, base: Relation) -> bool:
     rules = step.rules(others_cited(step))
     try:
         return any(
-            matches_with(step, line, expected_residual(step, each, rules), rules, each.sign)
-            for each in base.only
-            if not step.world.is_angle(each.left)
+            matches_with(step, line, expected_residual(step, link, rules), rules, link.sign)
+            for link in base.only
+            if not step.world.is_angle(link.left)
         )
     except NotComparableError:
         return False

@@ -73,7 +73,7 @@ def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotie
         return None
     world = step.world
     if isinstance(subject, Binary) and subject.op == "/":
-        above, below = (world.scalar(each) for each in (subject.left, subject.right))
+        above, below = (world.scalar(side) for side in (subject.left, subject.right))
         if len(above.above) != 1 or len(below.above) != 1:
             return None
     own = world.scalar(subject)
@@ -109,7 +109,9 @@ def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotie
         lead = coefficients[-1]
         coefficients = [world.reduced(coefficient / lead) for coefficient in coefficients]
         if any(
-            any(m[n] for n in others) for each in coefficients for m in (*each.above, *each.below)
+            any(m[n] for n in others)
+            for coefficient in coefficients
+            for m in (*coefficient.above, *coefficient.below)
         ):
             return None
         if step.signs.of(lead) is None:
@@ -162,7 +164,7 @@ def is_rejection(step: Step, relation: Relation) -> bool:
         if n in kept:
             continue
         if moving:
-            if not any(is_contradicted(rest, option, each) for each in moving):
+            if not any(is_contradicted(rest, option, link) for link in moving):
                 return False
             continue
         dropped = rest.formula(Relation((option,)))

@@ -34,7 +34,7 @@ def excludes(note: Note, step: Step, unknown: bool = False, *, quickly: bool = F
     try:
         if claim is not None and len(claim.options) == 1 and _is_refuted(there, claim.only):
             return True
-        if claim is None and any(_is_against(there, each) for each in cited):
+        if claim is None and any(_is_against(there, premise) for premise in cited):
             return True
         if quickly:
             return False
@@ -50,7 +50,7 @@ def holds_anyway(step: Step) -> bool:
         relation = own.relation
         if isinstance(own.ref, int) or isinstance(relation, Meaning) or len(relation.options) != 1:
             continue
-        others = step.under(cited=tuple(each for each in step.cited if each is not own))
+        others = step.under(cited=tuple(premise for premise in step.cited if premise is not own))
         try:
             gaps = [others.residual(link, others.rules()) for link in relation.only]
         except NotComparableError:
@@ -64,9 +64,9 @@ def holds_anyway(step: Step) -> bool:
 def _is_beyond(link: Link) -> bool:
     """Whether a claim is of what the oracle does not know."""
     return link.sign in _WORDS or any(
-        isinstance(each, Quantity) and each.kind in ANGLES
+        isinstance(node, Quantity) and node.kind in ANGLES
         for side in (link.left, link.right)
-        for each in walk(side)
+        for node in walk(side)
     )
 
 
@@ -77,7 +77,7 @@ def _is_against(step: Step, own: Cited) -> bool:
         return False
     if any(map(_is_beyond, relation.only)):
         return False
-    others = step.under(cited=tuple(each for each in step.cited if each is not own))
+    others = step.under(cited=tuple(premise for premise in step.cited if premise is not own))
     return _is_refuted(others, relation.only)
 
 
@@ -98,5 +98,5 @@ def _is_refuted(step: Step, links: tuple[Link, ...]) -> bool:
 
 def _at(note: Note, relation: Relation) -> Relation:
     """A relation with the values of an instance for its letters."""
-    values = {each.left: each.right for each in note.instance}
+    values = {link.left: link.right for link in note.instance}
     return of_relation(relation, lambda tree: values.get(tree, tree)) if values else relation

@@ -82,15 +82,15 @@ class Premises:
         """The relations that are cited without alternatives."""
         return [
             link
-            for each in self.cited
-            if isinstance(each.relation, Relation) and len(each.relation.options) == 1
-            for link in each.relation.only
+            for premise in self.cited
+            if isinstance(premise.relation, Relation) and len(premise.relation.options) == 1
+            for link in premise.relation.only
         ]
 
     @cached_property
     def lets(self) -> list[Meaning]:
         """The meanings that are cited."""
-        return [each.relation for each in self.cited if isinstance(each.relation, Meaning)]
+        return [premise.relation for premise in self.cited if isinstance(premise.relation, Meaning)]
 
     @cached_property
     def world(self) -> World:
@@ -106,14 +106,14 @@ class Premises:
         )
         world.turns = _without_circles(self._turns(world))
         for link in self._inequalities():
-            less, greater = (world.value(each) for each in (link.left, link.right))
+            less, greater = (world.value(side) for side in (link.left, link.right))
             world.put_in_order(*((less, greater) if link.sign[0] == "<" else (greater, less)))
         return world
 
     def _inequalities(self) -> Iterator[Link]:
         """The inequalities between expressions of letters that are cited."""
         known = (each.relation for each in self.known if len(each.relation.options) == 1)
-        for link in (*self.links, *(link for each in known for link in each.only)):
+        for link in (*self.links, *(link for relation in known for link in relation.only)):
             plain = not any(
                 isinstance(e, Quantity) for s in (link.left, link.right) for e in walk(s)
             )
@@ -311,8 +311,8 @@ class Premises:
             turned = Binary("-", line, RIGHT_ANGLE) if unit == Unit("j") else line
             angle = Binary("-", angle, turned)
         elif given not in (line, Negate(line)) and Negate(given) != line:
-            units = [each.operand if isinstance(each, Negate) else each for each in (given, line)]
-            if not all(isinstance(each, Unit) for each in units):
+            units = [tree.operand if isinstance(tree, Negate) else tree for tree in (given, line)]
+            if not all(isinstance(unit, Unit) for unit in units):
                 return None
             angle = Binary("-", RIGHT_ANGLE, angle)
         forms = (

@@ -82,7 +82,8 @@ class Rules:
         if _uses(result, number):
             return
         self.substitutions = [
-            (n, p, self._once(each, number, power, result)) for n, p, each in self.substitutions
+            (n, p, self._once(quotient, number, power, result))
+            for n, p, quotient in self.substitutions
         ]
         self.substitutions.append((number, power, self.world.reduced(result)))
 

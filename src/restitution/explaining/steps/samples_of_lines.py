@@ -96,8 +96,8 @@ class Numbers:
             for each in (data, statement.facts)
         ]
         self.rules = [
-            each.rules((*kept, *statement.lets))
-            for each, kept in zip(self.steps, (data, statement.facts), strict=True)
+            step.rules((*kept, *statement.lets))
+            for step, kept in zip(self.steps, (data, statement.facts), strict=True)
         ]
         self.samples = [_Sample(random.Random(seed)) for seed in range(_POINTS)]
         self.sources: list[list[_Source]] = [[], []]
@@ -174,8 +174,8 @@ class Numbers:
                 if there is None:
                     continue
                 sources = self.sources[level]
-                laws = [each for each in sources if each.move is not None]
-                lines = [each for each in reversed(sources) if each.move is None]
+                laws = [source for source in sources if source.move is not None]
+                lines = [source for source in reversed(sources) if source.move is None]
                 for source in (*lines, *laws):
                     if self._agree(level, there, [source], values):
                         yield source
@@ -209,7 +209,7 @@ class Numbers:
             value = _solved_for(first.value, number)
             rules = Rules(step.world, [(number, 1, value)])
             try:
-                line, other = (rules.put_into(each) for each in (there, second.value))
+                line, other = (rules.put_into(quotient) for quotient in (there, second.value))
             except NotComparableError:
                 continue
             assert isinstance(line, Quotient)
@@ -231,7 +231,7 @@ class Numbers:
         for pivots in islice(self._pivots(world, own, sources, known), _PIVOTS):
             if used & set(pivots):
                 break
-            conditions = [(each.value, n) for each, n in zip(sources, pivots, strict=True)]
+            conditions = [(source.value, n) for source, n in zip(sources, pivots, strict=True)]
             verdicts = [sample.agrees(world, own, conditions, known) for sample in self.samples]
             if None not in verdicts:
                 return all(verdicts)
@@ -245,7 +245,7 @@ class Numbers:
         if known:
             rules = Rules(step.world, [(n, 1, value) for n, value in known.items()])
             try:
-                line, law = (rules.put_into(each) for each in (own, other))
+                line, law = (rules.put_into(quotient) for quotient in (own, other))
             except NotComparableError:
                 return False
             assert isinstance(line, Quotient)
@@ -276,7 +276,7 @@ class Numbers:
             yield from ((n,) for n in linear[0] if n in in_line)
             return
         for a, b in product(*linear):
-            if a != b and not any(m[a] and m[b] for each in sources for m in each.value.above):
+            if a != b and not any(m[a] and m[b] for source in sources for m in source.value.above):
                 yield a, b
 
 
@@ -355,7 +355,7 @@ class _Sample:
         """
         point: dict[int, complex] = {}
         gone = {number for _, number in conditions}
-        polynomials = [own.above, *(each.above for each, _ in conditions)]
+        polynomials = [own.above, *(quotient.above for quotient, _ in conditions)]
         try:
             for number in world.keys(*polynomials):
                 if number not in gone:
@@ -449,10 +449,10 @@ def _solved(
     """Values of one or two generators at which polynomials that are linear in them vanish."""
     numbers = [number for _, number in conditions]
     zero = {**point, **dict.fromkeys(numbers, 0j)}
-    constant = [_at(each.above, zero)[0] for each, _ in conditions]
+    constant = [_at(quotient.above, zero)[0] for quotient, _ in conditions]
     slopes = [
-        [_at(each.above, {**zero, n: 1 + 0j})[0] - c for n in numbers]
-        for (each, _), c in zip(conditions, constant, strict=True)
+        [_at(quotient.above, {**zero, n: 1 + 0j})[0] - c for n in numbers]
+        for (quotient, _), c in zip(conditions, constant, strict=True)
     ]
     if len(numbers) == 1:
         return {numbers[0]: -constant[0] / slopes[0][0]}

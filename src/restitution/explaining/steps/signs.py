@@ -36,8 +36,8 @@ class Signs:
         Unless ``sure`` is set, it is enough that the quotient is not zero.
         """
         total: Sign = 1
-        for each in (x.above, x.below):
-            sign = self._of_polynomial(each, sure)
+        for side in (x.above, x.below):
+            sign = self._of_polynomial(side, sure)
             if sign is None:
                 return None
             total = _times(total, sign)
@@ -260,10 +260,10 @@ def _ratio_with(
     for factor in factors:
         for a, b in ((factor, one), (one, factor)):
             sides = [
-                world.reduced(Quotient(each.above * times, one))
-                for each, times in ((line, a), (expected, b))
+                world.reduced(Quotient(quotient.above * times, one))
+                for quotient, times in ((line, a), (expected, b))
             ]
-            k = None if any(each.vanishes for each in sides) else _ratio_of_leads(world, *sides)
+            k = None if any(side.vanishes for side in sides) else _ratio_of_leads(world, *sides)
             if k is not None:
                 above, below = k.above * b * expected.below, k.below * a * line.below
                 return Quotient(*without_common(above, below))

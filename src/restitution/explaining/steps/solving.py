@@ -30,7 +30,7 @@ def solves(step: Step, relation: Relation) -> bool:
     # What is cited is to be solved, and stands for nothing else.
     bare = step.under(cited=())
     equations = _equations(step, bare)
-    if not equations or any(each.sign != "=" for links in relation.options for each in links):
+    if not equations or any(link.sign != "=" for links in relation.options for link in links):
         return False
     return all(_satisfied(bare, equations, links) for links in relation.options)
 
@@ -38,10 +38,10 @@ def solves(step: Step, relation: Relation) -> bool:
 def _equations(step: Step, bare: Step) -> list[sp.Expr] | None:
     """What is cited as expressions that are zero; None where something else is cited."""
     equations: list[sp.Expr] = []
-    for each in step.cited:
-        if not isinstance(each.relation, Relation) or len(each.relation.options) != 1:
+    for premise in step.cited:
+        if not isinstance(premise.relation, Relation) or len(premise.relation.options) != 1:
             return None
-        link = whole_of(each.relation.only)
+        link = whole_of(premise.relation.only)
         if link is None or link.sign != "=":
             return None
         value = bare.residual(link)

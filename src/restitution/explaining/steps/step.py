@@ -51,14 +51,14 @@ class Step(Premises):
             return self._rules
         rules = Rules(self.world, apart=self._letters_apart)
         self._put_together(cited, rules)
-        for each in cited:
-            if isinstance(each.relation, Meaning):
-                meaning = each.relation
+        for premise in cited:
+            if isinstance(premise.relation, Meaning):
+                meaning = premise.relation
                 if isinstance(meaning.quantity, Binary):
                     rules.add(Letter(meaning.letter), meaning.quantity)
                 rules.add(meaning.quantity, Letter(meaning.letter), self._sense(meaning))
-            elif len(each.relation.options) == 1:
-                for left, right in _values(each.relation.only):
+            elif len(premise.relation.options) == 1:
+                for left, right in _values(premise.relation.only):
                     rules.add(left, right)
         for left, right in self._resolved(tuple(cited), rules):
             rules.add(left, right)
@@ -70,10 +70,10 @@ class Step(Premises):
     def _letters_apart(self) -> frozenset[str]:
         """The letters of components that are cited, in a line about how far, or how fast, apart."""
         sizes = any(
-            isinstance(each, Apply) and each.function == "abs"
+            isinstance(node, Apply) and node.function == "abs"
             for link in self.links
             for side in (link.left, link.right)
-            for each in walk(side)
+            for node in walk(side)
         )
         if not sizes and self.move.record not in ("distance", "size"):
             return frozenset()
@@ -85,9 +85,9 @@ class Step(Premises):
         Both directions are unit vectors at right angles: no identity of angles is needed.
         """
         parts: dict[tuple[Expression, Expression], dict[str, tuple[Expression, int]]] = {}
-        for each in cited:
-            sense = self._sense(each.relation) if isinstance(each.relation, Meaning) else 1
-            for left, right in self._cited_values(each):
+        for premise in cited:
+            sense = self._sense(premise.relation) if isinstance(premise.relation, Meaning) else 1
+            for left, right in self._cited_values(premise):
                 match left:
                     case Quantity("along" | "across" as kind, (Quantity() as vector, axis)):
                         if axis in self.world.directions:
@@ -106,8 +106,8 @@ class Step(Premises):
     ) -> Iterator[tuple[Expression, Expression]]:
         """Coordinates that are the same at the next event, as a body does not move that way."""
         placed: set[tuple[Name, int]] = set()
-        for each in cited:
-            for left, _ in self._cited_values(each):
+        for premise in cited:
+            for left, _ in self._cited_values(premise):
                 match left:
                     case Quantity("position", (Name() as body,), int(stage)):
                         placed.add((body, stage))
@@ -151,8 +151,8 @@ class Step(Premises):
         does not tell.
         """
         speeds, angles, directed = {}, {}, {}
-        for each in cited:
-            for left, right in self._cited_values(each):
+        for premise in cited:
+            for left, right in self._cited_values(premise):
                 match left, right:
                     case Quantity("velocity", arguments, stage), Polar(size, _):
                         yield Quantity("speed", arguments, stage), size
@@ -235,7 +235,7 @@ class Step(Premises):
         they are cited or not; the inequalities between letters count that are cited. The direction
         is that of a line of centres, or a vector, turned to the left so many times.
         """
-        facts = (each for each in self.cited if isinstance(each.ref, str))
+        facts = (premise for premise in self.cited if isinstance(premise.ref, str))
         cited = (*facts, *self.setting.bounces)
         paper = self.under(setting=replace(self.setting, bounces=()), cited=cited)
         whole, direction = paper.moving(velocity), paper.world.pointing(line)
@@ -304,11 +304,11 @@ class Step(Premises):
         return Oracle(self.setting.roles).proves(claim)
 
     @staticmethod
-    def _cited_values(each: Cited) -> Iterator[tuple[Expression, Expression]]:
-        if isinstance(each.relation, Meaning):
-            yield each.relation.quantity, Letter(each.relation.letter)
-        elif len(each.relation.options) == 1:
-            yield from _values(each.relation.only)
+    def _cited_values(premise: Cited) -> Iterator[tuple[Expression, Expression]]:
+        if isinstance(premise.relation, Meaning):
+            yield premise.relation.quantity, Letter(premise.relation.letter)
+        elif len(premise.relation.options) == 1:
+            yield from _values(premise.relation.only)
 
     def _sense(self, meaning: Meaning) -> int:
         """−1 where a component is counted against the direction in which it is taken."""
@@ -379,11 +379,11 @@ class Step(Premises):
     def facts(self) -> tuple[Formula, ...]:
         """What is cited, as facts for the oracle."""
         formulas: list[Formula] = []
-        for each in self.cited:
-            if isinstance(each.relation, Meaning):
-                formulas += self._of_meaning(each.relation)
+        for premise in self.cited:
+            if isinstance(premise.relation, Meaning):
+                formulas += self._of_meaning(premise.relation)
             else:
-                formulas.append(self.formula(each.relation))
+                formulas.append(self.formula(premise.relation))
         for left, right in self._stays(self.cited, self._rules):
             formulas += self._formulas(Link(left, "=", right))
         for speed in self._squared_speeds():
@@ -395,7 +395,7 @@ class Step(Premises):
                 self.roles.get(n, REAL).kind == "angle" for n in known.letters
             ):
                 formulas.append(self.formula(known.relation))
-        return tuple(each for each in formulas if each != All(()))
+        return tuple(formula for formula in formulas if formula != All(()))
 
     def _ahead(self) -> Iterator[Expression]:
         """The components of velocities in the directions that are cited for them."""
@@ -410,14 +410,14 @@ class Step(Premises):
     def _squared_speeds(self) -> list[Quantity]:
         """The speeds whose squares are cited: they are what is not negative of the roots."""
         squares = dict.fromkeys(
-            each.left
+            node.left
             for cited in self.cited
             if isinstance(cited.relation, Relation)
             for links in cited.relation.options
             for link in links
             for side in (link.left, link.right)
-            for each in walk(side)
-            if isinstance(each, Binary) and each.op == "^"
+            for node in walk(side)
+            if isinstance(node, Binary) and node.op == "^"
         )
         return [e for e in squares if isinstance(e, Quantity) and e.kind == "speed"]
 

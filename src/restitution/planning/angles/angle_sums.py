@@ -44,17 +44,17 @@ from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
 
-def is_sum(scene: Scene, each: GivenEquation) -> bool:
+def is_sum(scene: Scene, equation: GivenEquation) -> bool:
     """Whether a fact ties two angles by their sum or difference, one of which has a letter."""
-    return _terms(scene, each) is not None
+    return _terms(scene, equation) is not None
 
 
-def write_sum_with(scene: Scene, each: GivenEquation) -> int | None:
+def write_sum_with(scene: Scene, equation: GivenEquation) -> int | None:
     """The same of an angle of the motion that has no letter in the statement: it is given one.
 
     None of another fact, and where there is no equation.
     """
-    sides = (each.link.left, each.link.right)
+    sides = (equation.link.left, equation.link.right)
     nodes = (node for side in sides for node in walk(side))
     angles = {node for node in nodes if isinstance(node, Quantity) and _is_to_a_line(node)}
     if len(angles) != 1:
@@ -63,8 +63,10 @@ def write_sum_with(scene: Scene, each: GivenEquation) -> int | None:
     mark = scene.desk.mark()
     name, meaning = letter_of(scene, angle)
     left, right = (exchanged(side, {angle: Letter(name)}) for side in sides)
-    line = scene.judge.write((Move("fact"),), (each.fact.id, meaning), chain(left, (right, None)))
-    own = replace(each, link=Link(left, each.link.sign, right))
+    line = scene.judge.write(
+        (Move("fact"),), (equation.fact.id, meaning), chain(left, (right, None))
+    )
+    own = replace(equation, link=Link(left, equation.link.sign, right))
     try:
         if line is not None and is_sum(scene, own):
             return write_sum(scene, own, line)
@@ -82,12 +84,12 @@ def _is_to_a_line(quantity: Quantity) -> bool:
     return False
 
 
-def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] | None:
+def _terms(scene: Scene, equation: GivenEquation) -> tuple[str, str, int, sp.Expr] | None:
     """Two letters, the sign of the second (the first has +), and what the sum is worth.
 
     The sign is 2 where the first is twice the second.
     """
-    sides = _sides(each)
+    sides = _sides(equation)
     names = list(dict.fromkeys(name for side in sides for name in sorted(letters(side))))
     if len(names) != 2 or any(has_quantity(side) for side in sides):
         return None
@@ -112,14 +114,14 @@ def _terms(scene: Scene, each: GivenEquation) -> tuple[str, str, int, sp.Expr] |
     return names[0], names[1], int(a * b), tidy(-a * rest)
 
 
-def _sides(each: GivenEquation) -> tuple[Expression, Expression]:
+def _sides(equation: GivenEquation) -> tuple[Expression, Expression]:
     """The sides of a fact about angles; of one about the tangent of a sum, the angles."""
-    match each.link:
+    match equation.link:
         case Link(Apply("tan", Binary("+" | "-") as angles), "=", right) if not (
             letters(right) or has_quantity(right)
         ):
             return angles, Apply("arctan", right)
-    return each.link.left, each.link.right
+    return equation.link.left, equation.link.right
 
 
 def _quantity(scene: Scene, name: str) -> Quantity | None:
@@ -129,33 +131,33 @@ def _quantity(scene: Scene, name: str) -> Quantity | None:
     if not isinstance(own, Quantity):
         own = next(
             (
-                each.link.left
-                for each in scene.given
-                if (each.link.sign, each.link.right) == ("=", Letter(name))
+                equation.link.left
+                for equation in scene.given
+                if (equation.link.sign, equation.link.right) == ("=", Letter(name))
             ),
             own,
         )
     return own if isinstance(own, Quantity) and own.kind in ("angle", "direction") else None
 
 
-def stated(scene: Scene, each: GivenEquation) -> int:
+def stated(scene: Scene, equation: GivenEquation) -> int:
     """A fact about letters as a line; what a letter in it stands for is put in by another one."""
-    line = scene.desk.write(Move("fact"), (each.fact.id,), each.fact.relation)
-    if not each.lets:
+    line = scene.desk.write(Move("fact"), (equation.fact.id,), equation.fact.relation)
+    if not equation.lets:
         return line
-    opened = Relation(((each.link,),))
-    put = scene.judge.write((Move("put"), Move("rearrange")), (*each.lets, line), opened)
+    opened = Relation(((equation.link,),))
+    put = scene.judge.write((Move("put"), Move("rearrange")), (*equation.lets, line), opened)
     if put is None:
         raise NotPlannedError("what a letter stands for is not put in")
     return put
 
 
-def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int:
+def write_sum(scene: Scene, equation: GivenEquation, line: int | None = None) -> int:
     """The equation in tangents, perhaps from a line of the fact in letters.
 
     Raises NotPlannedError where there is none.
     """
-    terms = _terms(scene, each)
+    terms = _terms(scene, equation)
     assert terms is not None
     *names, sign, angle = terms
     if (alone := _of_one_that_is_known(scene, names)) is not None:
@@ -167,7 +169,7 @@ def write_sum(scene: Scene, each: GivenEquation, line: int | None = None) -> int
         tangents.append(tree)
         refs += own
     form: Form = "sum" if sign == 1 else "difference"
-    base: Ref = line or (stated(scene, each) if each.lets else each.fact.id)
+    base: Ref = line or (stated(scene, equation) if equation.lets else equation.fact.id)
     ranges = background(scene, names)
     subjects = [Apply("tan", Letter(name)) for name in names]
     if sign == -1 and angle == 0:
@@ -249,7 +251,7 @@ def _of_two_letters(
     mark = scene.desk.mark()
     form: Form = "sum" if sign == "+" else "difference"
     try:
-        terms = [Term(each, *_tangent(scene, each)) for each in (first, second)]
+        terms = [Term(letter, *_tangent(scene, letter)) for letter in (first, second)]
     except NotPlannedError:
         scene.desk.back(mark)
         return None
@@ -301,7 +303,7 @@ def _by_the_other(
 
 
 def _with(tree: Expression, values: Mapping[Any, Expression]) -> Expression:
-    return swept(rebuilt(tree, lambda each: values.get(each, each)))
+    return swept(rebuilt(tree, lambda tree: values.get(tree, tree)))
 
 
 def _tangent(scene: Scene, letter: Letter) -> tuple[Expression, tuple[Ref, ...]]:

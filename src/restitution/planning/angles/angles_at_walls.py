@@ -66,29 +66,33 @@ def _write(scene: Scene, body: str, event: int, before: Letter) -> str | None:
     velocity = Quantity("velocity", (Name(body),), event)
     after = Quantity("angle", (velocity, Name(wall)))
     turned = Quantity("deflection", (Name(body),), event)
-    spoken = [each for each in scene.given if _speaks(scene, each, before, after, turned)]
+    spoken = [
+        equation for equation in scene.given if _speaks(scene, equation, before, after, turned)
+    ]
     if len(spoken) != 2:
         return None
     name, meaning = letter_of(scene, after)
     other = Letter(name)
     symbols = {each: sp.Symbol(each) for each in (before.name, name)}
     facts: list[_Fact] = []
-    for each in spoken:
-        sides = [exchanged(side, {after: other}) for side in _sides(each, turned, before, other)]
+    for equation in spoken:
+        sides = [
+            exchanged(side, {after: other}) for side in _sides(equation, turned, before, other)
+        ]
         if any(map(has_quantity, sides)) or {*letters(sides[0]), *letters(sides[1])} - {*symbols}:
             return None
         gap = sp.expand(scene.worth(sides[0], symbols) - scene.worth(sides[1], symbols))
         if not gap.is_polynomial(*symbols.values()) or sp.total_degree(gap, *symbols.values()) != 1:
             return None
         relation = chain(sides[0], (sides[1], None))
-        if turned in (each.link.left, each.link.right):
+        if turned in (equation.link.left, equation.link.right):
             move = Move("define", "sum", event, (body,))
             pool = (*data_of_approach(scene, body, scene.frame(event)), meaning)
         else:
             move, pool = Move("fact"), (meaning,)
-            if scene.judge.follows(move, (each.fact.id,), relation):
+            if scene.judge.follows(move, (equation.fact.id,), relation):
                 pool = ()
-        cited = (each.fact.id, *pool) if move.id == "fact" else together(each.refs, pool)
+        cited = (equation.fact.id, *pool) if move.id == "fact" else together(equation.refs, pool)
         line = scene.judge.write((move,), cited, relation)
         if line is None:
             return None
@@ -97,16 +101,16 @@ def _write(scene: Scene, body: str, event: int, before: Letter) -> str | None:
         return None
     useful = next((e for e in spoken if e.link.left == after), None)
     useful = useful or next((e for e in spoken if turned in (e.link.left, e.link.right)), spoken[0])
-    return next(each.fact.id for each in spoken if each is not useful)
+    return next(equation.fact.id for equation in spoken if equation is not useful)
 
 
 def _speaks(
-    scene: Scene, each: GivenEquation, before: Letter, after: Quantity, turned: Quantity
+    scene: Scene, equation: GivenEquation, before: Letter, after: Quantity, turned: Quantity
 ) -> bool:
     """Whether a fact is an equation of the two angles, of their sum, or of one of them."""
-    if each.link.sign != "=":
+    if equation.link.sign != "=":
         return False
-    trees = each.fact.relation.only[0], each.link
+    trees = equation.fact.relation.only[0], equation.link
     nodes = {side for link in trees for side in (link.left, link.right)}
     named = {name for side in nodes for name in letters(side)}
     let = scene.facts.get(f"let {next(iter(named - {before.name}), '')}")
@@ -115,14 +119,16 @@ def _speaks(
 
 
 def _sides(
-    each: GivenEquation, turned: Quantity, before: Letter, after: Letter
+    equation: GivenEquation, turned: Quantity, before: Letter, after: Letter
 ) -> tuple[Expression, Expression]:
     """The sides of a fact, in which a deflection is the sum of the angles."""
-    own = each.fact.relation.only[0] if len(each.fact.relation.only) == 1 else each.link
+    own = equation.fact.relation.only[0] if len(equation.fact.relation.only) == 1 else equation.link
     whole = Binary("+", before, after)
     left, right = (whole if side == turned else side for side in (own.left, own.right))
     if any(map(has_quantity, (left, right))):
-        left, right = (whole if e == turned else e for e in (each.link.left, each.link.right))
+        left, right = (
+            whole if e == turned else e for e in (equation.link.left, equation.link.right)
+        )
     return left, right
 
 
@@ -133,26 +139,26 @@ def _solved(
     angles: tuple[Letter, Letter],
 ) -> bool:
     """Writes what the angles come to, one after the other; False where the facts do not say it."""
-    names = [symbols[each.name] for each in angles]
-    solution = sp.linsolve([each.gap for each in facts], names)
+    names = [symbols[angle.name] for angle in angles]
+    solution = sp.linsolve([fact.gap for fact in facts], names)
     values = next(iter(solution), ())
     if len(values) != 2 or any(not value.is_number for value in values):
         return False
     trees = {
         angle: tree_of(tidy(value), angle=True) for angle, value in zip(angles, values, strict=True)
     }
-    lone = [each for each in facts if len(each.gap.free_symbols) == 1]
+    lone = [fact for fact in facts if len(fact.gap.free_symbols) == 1]
     if len(lone) == 2:
         return False  # each is given by itself
     known: dict[Letter, int] = {}
     if lone:
         (symbol,) = lone[0].gap.free_symbols
         known[Letter(symbol.name)] = lone[0].line
-        rest = next(each for each in facts if each is not lone[0])
+        rest = next(fact for fact in facts if fact is not lone[0])
     else:
         first, rest = angles[1], facts[0]
         for eliminated in angles:
-            (left,) = (each for each in angles if each != eliminated)
+            (left,) = (angle for angle in angles if angle != eliminated)
             line = _without(scene, facts, eliminated, left, trees[left])
             if line is not None:
                 first = left
@@ -160,7 +166,7 @@ def _solved(
         else:
             return False
         known[first] = line
-    (second,) = (each for each in angles if each not in known)
+    (second,) = (angle for angle in angles if angle not in known)
     ((one, line),) = known.items()
     for relation in _steps(scene, rest, one, second, trees):
         put = scene.judge.write((Move("put"), Move("rearrange")), (rest.line, line), relation)
@@ -178,7 +184,7 @@ def _without(
     scene: Scene, facts: list[_Fact], eliminated: Letter, left: Letter, value: Expression
 ) -> int | None:
     """One angle of two equations: by putting in what one says of the other, or by adding them."""
-    lines, last = [each.line for each in facts], chain(left, (value, None))
+    lines, last = [fact.line for fact in facts], chain(left, (value, None))
     for own, other in (facts, facts[::-1]):
         (link,) = own.relation.only
         if link.left != eliminated or letters(link.right) != {left.name}:

@@ -18,10 +18,10 @@ def write_by_equal_letters(scene: Scene, lines: Sequence[int]) -> list[int] | No
     """
     mark = scene.desk.mark()
     pairs = [_by_a_letter(scene, line) for line in lines]
-    own = [each for each in pairs if each is not None]
+    own = [pair for pair in pairs if pair is not None]
     if len(own) == len(lines) == len({inverse for _, inverse in own}):
         (first, one), (second, other) = own
-        values = [scene.desk.last_link(each) for each in (one, other)]
+        values = [scene.desk.last_link(number) for number in (one, other)]
         if values[0].right == values[1].right:
             relation = chain(values[1].left, (values[0].left, None))
             equal = scene.judge.write((Move("put"),), (other, one), relation)
@@ -51,7 +51,7 @@ def _by_a_letter(scene: Scene, line: int) -> tuple[int, int] | None:
             continue
         put: dict[Expression, Expression] = {value.right: value.left}
         relation = chain(own.relation.only[0].left, (exchanged(link.right, put), None))
-        pool: list[Ref] = [each for each in own.premises if each != ref]
+        pool: list[Ref] = [other for other in own.premises if other != ref]
         pool += scene.desk.introducing({value.left.name})
         refs = scene.judge.needed(own.move, dict.fromkeys(pool), relation)
         return (

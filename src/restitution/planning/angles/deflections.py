@@ -41,9 +41,9 @@ from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
 
-def write_deflection(scene: Scene, each: GivenEquation) -> int:
+def write_deflection(scene: Scene, equation: GivenEquation) -> int:
     """The line of a deflection that is given: a right angle by the scalar product, else tan δ."""
-    quantity = each.link.left
+    quantity = equation.link.left
     assert isinstance(quantity, Quantity)
     (name,), event = quantity.arguments, quantity.stage
     if not isinstance(name, Name) or event not in scene.model.frames:
@@ -54,14 +54,14 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
         tuple(in_direction(scene, kind, name.name, stage, frame) for kind in ("along", "across"))
         for stage in (event - 1, event)
     )
-    angle, refs = scene.put(scene.scalar(each.link.right))
+    angle, refs = scene.put(scene.scalar(equation.link.right))
     if angle == sp.pi / 2:
-        return _at_right_angles(scene, each, name.name, event, early, late)
+        return _at_right_angles(scene, equation, name.name, event, early, late)
     if frame.wall is not None:
-        line = given_at_a_wall(scene, each, name.name, frame, angle)
-        line = line or related_at_a_wall(scene, each)
+        line = given_at_a_wall(scene, equation, name.name, frame, angle)
+        line = line or related_at_a_wall(scene, equation)
     else:
-        line = given_turn(scene, each)
+        line = given_turn(scene, equation)
     if line is not None:
         return line
     (c, s), (d, t) = early, late
@@ -77,13 +77,13 @@ def write_deflection(scene: Scene, each: GivenEquation) -> int:
     left = Apply("tan", degrees) if named else tree_of(tidy(tangent))
     relation = chain(left, (swept(Binary("/", difference(*above), below)), None))
     move = Move("define", "tan-deflection", event, (name.name,))
-    sources = together(each.refs, refs, *(own.refs for own in (*early, *late)))
+    sources = together(equation.refs, refs, *(own.refs for own in (*early, *late)))
     return _written(scene, move, sources, relation, (*frame.refs, *more))
 
 
 def _at_right_angles(
     scene: Scene,
-    each: GivenEquation,
+    equation: GivenEquation,
     body: str,
     event: int,
     early: tuple[Source, ...],
@@ -95,7 +95,7 @@ def _at_right_angles(
     for p, q in pairs:
         zero = next((own for own in (p, q) if own.value == 0), None)
         used += [zero] if zero is not None else [p, q]
-    refs = together(each.refs, *(own.refs for own in used))
+    refs = together(equation.refs, *(own.refs for own in used))
     move = Move("define", "perpendicular", event, (body,))
     relation = Relation(((link(swept(tree), ZERO),),))
     return _written(scene, move, refs, relation, scene.frame(event).refs)
@@ -179,7 +179,7 @@ def turned_at_a_wall(
         (law, along, ()),
         (replace(law, record="restitution-wall"), away, e.refs),
     ):
-        pool = [each for each in together(refs, more) if each != turned.fact.id]
+        pool = [ref for ref in together(refs, more) if ref != turned.fact.id]
         own = scene.judge.enough(move, [source, fast.fact.id, fact.id, *more], relation, pool)
         if own is None:
             return None
@@ -191,7 +191,7 @@ def turned_at_a_wall(
 
 
 def _pair(scene: Scene, body: str, stage: int, frame: Frame) -> tuple[Source, Source]:
-    along, across = (in_direction(scene, each, body, stage, frame) for each in ("along", "across"))
+    along, across = (in_direction(scene, axis, body, stage, frame) for axis in ("along", "across"))
     return along, across
 
 
@@ -212,7 +212,7 @@ def scalar_product(
     frame = scene.frame(event)
     (a, b), (c, d) = (_pair(scene, body, stage, frame) for body, stage in pair)
     tree = total(_product(x, y) for x, y in ((a, c), (b, d)))
-    refs = together(*(each.whole for each in (a, b, c, d)), frame.names_axis("along"))
+    refs = together(*(source.whole for source in (a, b, c, d)), frame.names_axis("along"))
     return tree, a.value * c.value + b.value * d.value, refs
 
 
@@ -228,7 +228,7 @@ def cosine_of_deflection(scene: Scene, quantity: Quantity) -> Formula:
     both = ((name.name, event - 1), (name.name, event))
     above, value, refs = scalar_product(scene, both, event)
     sizes = (
-        Apply("sqrt", total(square(tree_of(each.value)) for each in pair if each.value != 0))
+        Apply("sqrt", total(square(tree_of(source.value)) for source in pair if source.value != 0))
         for pair in (early, late)
     )
     value = tidy(value)

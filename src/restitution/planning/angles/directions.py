@@ -123,8 +123,8 @@ def along_the_centres(scene: Scene, asked: Quantity) -> int | None:
 def _goes_aslant(scene: Scene, body: str, stage: int) -> bool:
     """Whether a body goes neither along the line of centres nor at right angles to it."""
     own, frame = scene.velocity(body, stage), scene.model.frames[stage]
-    parts = (own.dot(each) for each in (frame.n, frame.t))
-    return all(scene.model.sign(scene.model.in_data(each)) for each in parts)
+    parts = (own.dot(vector) for vector in (frame.n, frame.t))
+    return all(scene.model.sign(scene.model.in_data(part)) for part in parts)
 
 
 def angle_of_the_line(scene: Scene, frame: Frame) -> Expression | None:
@@ -135,7 +135,7 @@ def angle_of_the_line(scene: Scene, frame: Frame) -> Expression | None:
 
 def _in_whole_degrees(frame: Frame) -> Expression | None:
     """The direction of a line of centres that was worked out, if it is one of degrees."""
-    x, y = (sp.sympify(each, strict=True) for each in frame.n)
+    x, y = (sp.sympify(component, strict=True) for component in frame.n)
     if x.free_symbols | y.free_symbols:
         return None
     angle = tree_of(tidy(sp.atan2(y, x)), angle=True)

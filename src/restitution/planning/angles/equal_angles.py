@@ -20,9 +20,9 @@ from restitution.planning.writing.forms import square, swept, tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene
 
 
-def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
+def write_equal_angles(scene: Scene, equation: GivenEquation) -> int:
     """Two angles that are equal, as an equation in components."""
-    angles = [a for a in (each.link.left, each.link.right) if isinstance(a, Quantity)]
+    angles = [a for a in (equation.link.left, equation.link.right) if isinstance(a, Quantity)]
     if len(angles) != 2:
         raise NotPlannedError("equal angles without tangents")
     right_angles = any(scene.model.sign(sp.cos(scene.scalar(angle))) == 0 for angle in angles)
@@ -33,7 +33,7 @@ def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
             left, right = (scene.desk.last_link(ref).right for ref in refs)
             relation = Relation(((Link(left, "=", right),),))
             named = lines in (_cosines, _by_turns)
-            equal = _named(scene, each, angles) if named else each.fact.id
+            equal = _named(scene, equation, angles) if named else equation.fact.id
             premises = scene.judge.enough(Move("put"), [*refs, equal], relation)
             if premises is not None:
                 return scene.desk.write(Move("put"), premises, relation)
@@ -44,11 +44,11 @@ def write_equal_angles(scene: Scene, each: GivenEquation) -> int:
 _BY_TANGENTS = ("tan", "tan-deflection")
 
 
-def _named(scene: Scene, each: GivenEquation, angles: Sequence[Quantity]) -> Ref:
+def _named(scene: Scene, equation: GivenEquation, angles: Sequence[Quantity]) -> Ref:
     """That the letters of two angles are equal."""
     (first, *one), (second, *other) = (letter_of(scene, angle) for angle in angles)
     relation = chain(Letter(first), (Letter(second), None))
-    return scene.desk.write(Move("fact"), (each.fact.id, *one, *other), relation)
+    return scene.desk.write(Move("fact"), (equation.fact.id, *one, *other), relation)
 
 
 def _cosines(scene: Scene, angles: Sequence[Quantity]) -> list[int] | None:

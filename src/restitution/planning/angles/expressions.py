@@ -166,7 +166,7 @@ def _roots_apart(scene: Scene, tree: Expression) -> Expression | None:
         if len(own) != 1:
             return None
         roots += own
-        rest.append(sp.Mul(*(each for each in factors if each is not own[0])))
+        rest.append(sp.Mul(*(factor for factor in factors if factor is not own[0])))
     above, below = tidy(rest[0] / rest[1]).as_numer_denom()
     return swept(Binary("/", *(tree_of(a * b) for a, b in zip((above, below), roots, strict=True))))
 
@@ -174,24 +174,25 @@ def _roots_apart(scene: Scene, tree: Expression) -> Expression | None:
 def _is_of_both(tree: Expression) -> bool:
     """Whether the sine and the cosine of one angle stand in an expression."""
     sines, cosines = (
-        {e.argument for e in walk(tree) if isinstance(e, Apply) and e.function == each}
-        for each in ("sin", "cos")
+        {e.argument for e in walk(tree) if isinstance(e, Apply) and e.function == ratio}
+        for ratio in ("sin", "cos")
     )
     return bool(sines & cosines)
 
 
 def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
     """A sum of angles of the motion, each of which is a line; with its decimal."""
-    quantities = [each for each in outermost(asked) if isinstance(each, Quantity)]
+    quantities = [tree for tree in outermost(asked) if isinstance(tree, Quantity)]
     lines = [angle_line(scene, quantity) for quantity in quantities]
     values: dict[Expression, Expression] = {
-        each: scene.desk.last_link(line).right for each, line in zip(quantities, lines, strict=True)
+        quantity: scene.desk.last_link(line).right
+        for quantity, line in zip(quantities, lines, strict=True)
     }
     right = swept(exchanged(asked, values))
     relation = chain(asked, (right, None))
     named = [
-        letter_of(scene, each)[1]
-        for each, line in zip(quantities, lines, strict=True)
+        letter_of(scene, quantity)[1]
+        for quantity, line in zip(quantities, lines, strict=True)
         if isinstance(scene.desk.last_link(line).left, Letter)
     ]
     # An angle by the letters of others is a number by what these are.
@@ -213,7 +214,7 @@ def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...]
     else:
         refs = (write_expression(scene, asked.argument)[0],)
     put, _ = scene.put(inside)
-    return refs, [tidy(expanded(each)) for each in put]
+    return refs, [tidy(expanded(value)) for value in put]
 
 
 def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
@@ -250,9 +251,9 @@ def outermost(tree: Expression) -> list[Expression]:
     The time between two events is one of them.
     """
     ratios = {
-        each.argument
-        for each in walk(tree)
-        if isinstance(each, Apply) and isinstance(each.argument, Letter)
+        node.argument
+        for node in walk(tree)
+        if isinstance(node, Apply) and isinstance(node.argument, Letter)
     }
 
     def unknowns(node: Expression) -> Iterator[Expression]:
@@ -315,5 +316,5 @@ def _worth(scene: Scene, asked: Expression, values: dict[Expression, Expression]
     put = exchanged(asked, values)
     value = scene.value(put)
     if isinstance(value, Vector):
-        return Vector(*(tidy(expanded(each)) for each in value))
+        return Vector(*(tidy(expanded(component)) for component in value))
     return tidy(scene.scalar(put))

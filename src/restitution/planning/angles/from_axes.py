@@ -40,8 +40,8 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
         late, rest, vector = known.value, known.refs, True
     elif not scene.frame(event).is_slanted and scene.frame(event).n[axis] == 0:
         components = in_the_plane(scene, body, event)
-        late = Vector(*(each.value for each in components))
-        rest = together(*(each.whole for each in components))
+        late = Vector(*(component.value for component in components))
+        rest = together(*(component.whole for component in components))
     else:
         return None
     ahead, aside = late[axis], late[1 - axis]
@@ -58,7 +58,7 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
     move = Move("define", "tan-from-axis", event, (body,))
     # A negative component ahead keeps its sign below the line: it makes the angle obtuse.
     subject, right = Apply("tan", Letter(letter)), Binary("/", tree_of(aside), tree_of(ahead))
-    whole = together((meaning,), rest, *(each.whole for each in early))
+    whole = together((meaning,), rest, *(source.whole for source in early))
     refs = scene.judge.needed(move, whole, chain(subject, (right, None)))
     if refs is None:
         return None
@@ -68,7 +68,9 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
 
 def _is_certain(scene: Scene, aside: sp.Expr, ahead: sp.Expr) -> bool:
     """Whether a velocity in letters is turned to one side, and goes on, whatever they are."""
-    signs = (scene.model.proved_sign(scene.model.in_data(each)) for each in (aside, aside / ahead))
+    signs = (
+        scene.model.proved_sign(scene.model.in_data(value)) for value in (aside, aside / ahead)
+    )
     return all(sign is not None for sign in signs)
 
 

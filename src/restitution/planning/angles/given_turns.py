@@ -53,12 +53,12 @@ from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
 
-def given_turn(scene: Scene, each: GivenEquation) -> int | None:
+def given_turn(scene: Scene, equation: GivenEquation) -> int | None:
     """The equation of an angle between two velocities that is given, or its tangent.
 
     None where it is not made of two angles to one line.
     """
-    match each.link.left:
+    match equation.link.left:
         case Quantity() as asked:
             ratio = False
         case Apply("tan", Quantity() as asked):
@@ -70,7 +70,7 @@ def given_turn(scene: Scene, each: GivenEquation) -> int | None:
     for turn in turns_of(scene, own):
         if own != asked and not any(_is_across(scene, e) for e in (turn.first, turn.second)):
             continue  # its tangent is a quotient of components
-        line = _by_ratio(scene, each, turn) if ratio else _by_angle(scene, each, turn)
+        line = _by_ratio(scene, equation, turn) if ratio else _by_angle(scene, equation, turn)
         if line is not None:
             return line
         scene.desk.back(mark)
@@ -89,13 +89,13 @@ def _as_a_turn(scene: Scene, asked: Quantity) -> Quantity:
     return asked
 
 
-def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
-    value, refs = scene.put(scene.scalar(each.link.right))
-    given = together(each.refs, refs)
+def _by_angle(scene: Scene, equation: GivenEquation, turn: Turn) -> int | None:
+    value, refs = scene.put(scene.scalar(equation.link.right))
+    given = together(equation.refs, refs)
     angles = [side.angle for side in (turn.first, turn.second)]
-    right = each.link.right if not refs else tree_of(value, angle=True)
+    right = equation.link.right if not refs else tree_of(value, angle=True)
     mark = scene.desk.mark()
-    line = _one_angle(scene, each, turn, right, value)
+    line = _one_angle(scene, equation, turn, right, value)
     if line is not None:
         return line
     scene.desk.back(mark)
@@ -112,7 +112,7 @@ def _by_angle(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
             return line
     if any(map(partial(_is_across, scene), (turn.first, turn.second))):
         return None  # of a right angle there is no tangent
-    line = write_given_cosine(scene, each, turn.asked)
+    line = write_given_cosine(scene, equation, turn.asked)
     if line is not None:
         return line
     scene.desk.back(mark)
@@ -165,14 +165,14 @@ def _is_across(scene: Scene, side: Direction) -> bool:
     return scene.model.identically_zero(scene.model.in_data(along))
 
 
-def _by_ratio(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
+def _by_ratio(scene: Scene, equation: GivenEquation, turn: Turn) -> int | None:
     terms = terms_of(scene, turn)
     if terms is None:
         return None
     letter, meaning = letter_of(scene, turn.asked)
-    ratio, more = scene.put(scene.scalar(each.link.right))
+    ratio, more = scene.put(scene.scalar(equation.link.right))
     if not ratio.free_symbols:
-        own = Term(Letter(letter), tree_of(ratio), together(each.refs, more, (meaning,)))
+        own = Term(Letter(letter), tree_of(ratio), together(equation.refs, more, (meaning,)))
         line = by_the_known(scene, turn, own, ratio, (meaning,))
         if line is not None:
             return line
@@ -180,14 +180,14 @@ def _by_ratio(scene: Scene, each: GivenEquation, turn: Turn) -> int | None:
     number = made_of_angles(scene, turn, relation, ())
     if number is None:
         return None
-    value, refs = scene.put(scene.scalar(each.link.right))
+    value, refs = scene.put(scene.scalar(equation.link.right))
     tangent = Apply("tan", Letter(letter))
-    given = together(each.refs, refs, (letter_of(scene, turn.asked)[1],))
+    given = together(equation.refs, refs, (letter_of(scene, turn.asked)[1],))
     return by_tangents(scene, number, turn.form, terms, tangent, (tree_of(value), given))
 
 
 def _one_angle(
-    scene: Scene, each: GivenEquation, turn: Turn, given: Expression, value: Any
+    scene: Scene, equation: GivenEquation, turn: Turn, given: Expression, value: Any
 ) -> int | None:
     """The one angle that is not told, as a number of degrees, and what that says of components."""
     sides: Sequence[Direction] = (turn.first, turn.second)
@@ -234,7 +234,7 @@ def _one_angle(
     refs = [ref for own in sides for ref in own.sources]
     pool = dict.fromkeys(
         (
-            *each.refs,
+            *equation.refs,
             *named,
             *refs,
             *turn.first.refs,
@@ -245,7 +245,7 @@ def _one_angle(
         )
     )
     pool = dict.fromkeys(ref for ref in pool if isinstance(ref, int) or ref in scene.facts)
-    premises = scene.judge.needed(turn.move, pool, relation, (*each.refs, *named))
+    premises = scene.judge.needed(turn.move, pool, relation, (*equation.refs, *named))
     if premises is None:
         return None
     line = scene.desk.write(turn.move, premises, relation)
@@ -270,7 +270,7 @@ def _is_in_its_letter(scene: Scene, side: Direction, subject: Expression) -> boo
 
 def _is_at_whole_degrees(side: Direction) -> bool:
     """Whether a velocity of the data has components of a slope that is one of whole degrees."""
-    along, across = (sp.sympify(each.value, strict=True) for each in (side.along, side.across))
+    along, across = (sp.sympify(source.value, strict=True) for source in (side.along, side.across))
     if side.velocity.stage or side.angle is not None or along.is_zero is not False:
         return False
     slope = tidy(across / along)

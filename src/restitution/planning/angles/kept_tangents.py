@@ -43,7 +43,9 @@ def _tangents(scene: Scene) -> Iterator[tuple[sp.Symbol, Source]]:
             continue
         letter = Letter(symbol.name)
         *others, tangent = (scene.desk.known(Apply(e, letter)) for e in ("sin", "cos", "tan"))
-        if tangent is None or any(_serves(scene, each) for each in others if each is not None):
+        if tangent is None or any(
+            _serves(scene, source) for source in others if source is not None
+        ):
             continue
         yield symbol, tangent
 
@@ -66,7 +68,7 @@ def _is_needed(scene: Scene, line: Line) -> bool:
 
 
 def _resting(scene: Scene, number: int) -> Iterator[Line]:
-    return (each for each in scene.desk.lines if number in each.premises)
+    return (line for line in scene.desk.lines if number in line.premises)
 
 
 def _multiple(

@@ -28,7 +28,7 @@ def with_letters_put(scene: Scene, own: Ratio) -> Ratio:
     if not value.free_symbols:
         return own
     values, given = _given_values(scene, link.right)
-    whole = rebuilt(link.right, lambda each: values.get(each, each))
+    whole = rebuilt(link.right, lambda tree: values.get(tree, tree))
     put = tidy(scene.scalar(whole))
     line = None if put.free_symbols else _put(scene, own, whole, put, given)
     if line is None:

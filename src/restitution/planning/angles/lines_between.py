@@ -61,8 +61,8 @@ def angle_of_lines(scene: Scene, quantity: Quantity) -> Formula:
     sources = [_source(scene, argument) for argument in quantity.arguments]
     a, b = (source.value for source in sources)
     sizes = [
-        size_that_stands(scene, *body_and_stage(scene, each)) if is_moving(each) else None
-        for each in quantity.arguments
+        size_that_stands(scene, *body_and_stage(scene, argument)) if is_moving(argument) else None
+        for argument in quantity.arguments
     ]
     pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
     right, value = cosine_of(pairs, a, b, sizes)
@@ -135,8 +135,8 @@ def cosine_of(
         if (size_ := known[n]) is not None:
             sizes.append(size_)
             continue
-        own = [square(each[n]) for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
-        one = [each[n] for each, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
+        own = [square(pair[n]) for pair, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
+        one = [pair[n] for pair, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
         alone = one[0].operand if isinstance(one[0], Negate) else one[0]
         if len(one) != 1 and tidy(sum(value**2 for value in (a, b)[n])) == 1:
             continue  # a unit vector
@@ -151,22 +151,22 @@ def cosine_of(
 def _without_common_factors(dot: sp.Expr, *squares: sp.Expr) -> list[sp.Expr]:
     """A product and the squares of two sizes without the positive letters that cancel in them."""
     values = [dot, *squares]
-    for symbol in sorted(dot.free_symbols, key=lambda each: each.name):
-        if not symbol.is_positive or not all(each.is_polynomial(symbol) for each in values):
+    for symbol in sorted(dot.free_symbols, key=lambda symbol: symbol.name):
+        if not symbol.is_positive or not all(value.is_polynomial(symbol) for value in values):
             continue
-        above, *below = (sp.Poly(each, symbol) for each in values)
-        alone = all(len(each.monoms()) == 1 for each in (above, *below))
-        if alone and 2 * above.degree() == sum(each.degree() for each in below):
-            values = [each.subs(symbol, 1) for each in values]
+        above, *below = (sp.Poly(value, symbol) for value in values)
+        alone = all(len(value.monoms()) == 1 for value in (above, *below))
+        if alone and 2 * above.degree() == sum(value.degree() for value in below):
+            values = [value.subs(symbol, 1) for value in values]
     return values
 
 
-def sine_of_the_offset(scene: Scene, each: GivenEquation) -> int | None:
+def sine_of_the_offset(scene: Scene, equation: GivenEquation) -> int | None:
     """The angle of a line of centres to the path that is given, where an offset tells that line.
 
     Its sine is the offset over the distance of the centres. None where it is no such angle.
     """
-    match each.link.left:
+    match equation.link.left:
         case Quantity("angle", arguments):
             pass
         case _:
@@ -184,14 +184,14 @@ def sine_of_the_offset(scene: Scene, each: GivenEquation) -> int | None:
             return None
     assert fact is not None
     whole = scene.scalar(sine)
-    value, refs = scene.put(scene.scalar(each.link.right))
+    value, refs = scene.put(scene.scalar(equation.link.right))
     if not scene.model.decide(whole, ">=", 0) or value.free_symbols:
         return None
     left = tree_of(tidy(whole))
     relation = chain(left, (tree_of(tidy(sp.sin(value))), None))
     move = Move("define", "scalar-angle")
     pool = [ref for ref in scene.facts if ref.startswith(("given ", "velocity "))]
-    premises = scene.judge.enough(move, together(each.refs, refs, (fact.id,)), relation, pool)
+    premises = scene.judge.enough(move, together(equation.refs, refs, (fact.id,)), relation, pool)
     return None if premises is None else scene.desk.write(move, premises, relation)
 
 

@@ -75,16 +75,16 @@ def _of_data(scene: Scene, angle: Quantity) -> Source | None:
         given = right.angle
     if given is None or fact is None:
         return None
-    refs = [each for each in scene.facts if each.startswith(("axis ", "wall "))]
+    refs = [ref for ref in scene.facts if ref.startswith(("axis ", "wall "))]
     return Source(scene.scalar(given), (fact.id, *refs))
 
 
-def write_by_tangent(scene: Scene, each: GivenEquation, ratio: Apply) -> int | None:
+def write_by_tangent(scene: Scene, equation: GivenEquation, ratio: Apply) -> int | None:
     """A sine or a cosine of an angle that is given: its tangent, as a quotient of components.
 
     None where it is no number, or the tangent does not follow from it.
     """
-    angle, right = ratio.argument, each.link.right
+    angle, right = ratio.argument, equation.link.right
     assert isinstance(angle, Quantity)
     value = scene.scalar(right)
     if not value.is_number or not 0 < value < 1:
@@ -96,7 +96,7 @@ def write_by_tangent(scene: Scene, each: GivenEquation, ratio: Apply) -> int | N
     letter, meaning = letter_of(scene, angle)
     named = Apply(ratio.function, Letter(letter))
     first = scene.judge.write(
-        (Move("fact"),), (each.fact.id, *each.lets, meaning), chain(named, (right, None))
+        (Move("fact"),), (equation.fact.id, *equation.lets, meaning), chain(named, (right, None))
     )
     other = tidy(sp.sqrt(1 - value**2))
     tangent = tree_of(value / other if ratio.function == "sin" else other / value)

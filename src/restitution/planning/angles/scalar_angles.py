@@ -98,7 +98,7 @@ def write_right_angle_of_axes(scene: Scene, asked: Quantity) -> int | None:
         source = scene.initial(body) if not last else known
         if source is None or not isinstance(source.value, Vector):
             return None
-        zero = [scene.model.identically_zero(each) for each in source.value]
+        zero = [scene.model.identically_zero(value) for value in source.value]
         if zero[0] == zero[1]:
             return None
         axes.append("j" if zero[0] else "i")
@@ -133,8 +133,8 @@ def write_cosine(scene: Scene, asked: Quantity) -> int | None:
         final = tree_of(tidy(scene.scalar(right)))
         relation = chain(Apply("cos", Letter(letter)), (right, None), (final, "rearrange"))
         move = Move("define", "scalar-angle", _event(pair), _bodies(pair))
-        refs = [each for each in (meaning, number, *sizes) if each is not None]
-        known = background(scene, {name for each in values for name in letters(each)})
+        refs = [size for size in (meaning, number, *sizes) if size is not None]
+        known = background(scene, {name for value in values for name in letters(value)})
         # A velocity may be given by its angle to a wall, of which the data tell the direction.
         walls = (fact.id for fact in scene.desk.facts if fact.id.startswith("wall "))
         premises = scene.judge.enough(move, refs, relation, (*known, *walls))
@@ -223,7 +223,7 @@ def _terms(
         ]
         refs = together(*(source.whole for source in sources))
         refs = together(refs, frame.names_axis("along"), frame.names_axis("across"), frame.refs)
-        components = [[each.value for each in own] for own in (sources[:2], sources[2:])]
+        components = [[source.value for source in own] for own in (sources[:2], sources[2:])]
     else:
         vectors: list[Source] = [whole_velocity(scene, *each) for each in pair]
         refs = together(*(vector.whole for vector in vectors))

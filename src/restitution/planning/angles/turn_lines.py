@@ -128,15 +128,15 @@ def _by_its_first_letter(
         link = desk.last_link(above.number)
         if not isinstance(link.right, Letter) or _is_to_a_wall(scene, link.right):
             continue
-        for each in (line, above.number):
-            desk.lines[each - 1] = replace(desk.line(each), shown="silent")
-        rest = tuple(each for each in own.premises if each != ref)
+        for number in (line, above.number):
+            desk.lines[number - 1] = replace(desk.line(number), shown="silent")
+        rest = tuple(other for other in own.premises if other != ref)
         return replace(side, angle=link.right), together(rest, (above.number,), known[1:])
     return side, known
 
 
 def _is_arc(tree: Expression | None) -> bool:
-    return tree is not None and any(isinstance(each, Apply) for each in walk(tree))
+    return tree is not None and any(isinstance(node, Apply) for node in walk(tree))
 
 
 def _by_its_name(scene: Scene, side: Direction, tree: Expression | None) -> Expression | None:
@@ -172,8 +172,8 @@ def _without_arcs(scene: Scene, premises: Iterable[Ref], since: int) -> None:
             continue
         own = scene.desk.line(ref)
         arcs = isinstance(own.relation, Relation) and any(
-            isinstance(each, Apply) and each.function.startswith("arc")
-            for each in walk(own.relation.only[-1].right)
+            isinstance(node, Apply) and node.function.startswith("arc")
+            for node in walk(own.relation.only[-1].right)
         )
         if own.move.id == "inverse" and arcs and not _is_by_data(scene, own):
             scene.desk.lines[ref - 1] = replace(own, shown="silent")
@@ -206,7 +206,7 @@ def _with_one_number(turn: Turn, trees: Sequence[Expression | None]) -> Expressi
     degrees = [Fraction(180 if turn.form.startswith("rest") else 0)]
     degrees += [sign * part.value for sign, part in terms if isinstance(part, Degrees)]
     others = [(sign, part) for sign, part in terms if not isinstance(part, Degrees)]
-    if len([each for each in degrees if each]) < 2 or len(others) != 1:
+    if len([number for number in degrees if number]) < 2 or len(others) != 1:
         return None
     total_, ((sign, other),) = sum(degrees, Fraction(0)), others
     if total_ > 0:
@@ -337,13 +337,13 @@ def premises_of(
     }
     if premises is None or not idle:
         return premises
-    earlier = (*(each for each in premises if each not in idle), *_before_put(scene, turn))
+    earlier = (*(ref for ref in premises if ref not in idle), *_before_put(scene, turn))
     return scene.judge.needed(turn.move, earlier, relation, sure) or premises
 
 
 def meeting(scene: Scene) -> tuple[Ref, ...]:
     """That spheres are not too far beside each other to meet, where the data are lengths."""
-    return tuple(each for each in scene.facts if each.startswith("offset "))
+    return tuple(ref for ref in scene.facts if ref.startswith("offset "))
 
 
 def _term(scene: Scene, side: Direction) -> Term:
@@ -370,9 +370,9 @@ def _with_its_first_letter(scene: Scene, term: Term, line: int) -> Term:
             continue
         if len({_is_to_a_wall(scene, letter) for letter in (link.left, link.right)}) > 1:
             continue  # that the wall is parallel to the line of centres has to be said
-        for each in (line, ref):
-            desk.lines[each - 1] = replace(desk.line(each), shown="silent")
-        rest = tuple(each for each in desk.line(line).premises if each != ref)
+        for number in (line, ref):
+            desk.lines[number - 1] = replace(desk.line(number), shown="silent")
+        rest = tuple(other for other in desk.line(line).premises if other != ref)
         return Term(link.right, term.tangent, rest, (ref,))
     return term
 
@@ -428,7 +428,7 @@ def by_tangents(
     is a tangent of which the value is given, with what gives it.
     """
     own = tangent_of(form, *map(_tangent, terms))
-    names = {name for each in terms for name in letters(each.angle)}
+    names = {name for term in terms for name in letters(term.angle)}
     known = (*background(scene, names), *meeting(scene))
     asked = isinstance(turned, Apply) and turned.function == "tan"
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))

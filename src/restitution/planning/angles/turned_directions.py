@@ -54,7 +54,7 @@ def turn_of_directions(scene: Scene, asked: Quantity) -> int | None:
         if own is None:
             return None
         (sources, early) = own
-    before, after = (sp.sympify(each, strict=True) for each in (scene.scalar(early), known.value))
+    before, after = (sp.sympify(value, strict=True) for value in (scene.scalar(early), known.value))
     right = scene.desk.last_link(line).right if isinstance(line, int) else None
     if after.free_symbols or right is None or not (_is_plain(right) or sp.sin(2 * before) == 0):
         scene.desk.back(mark)
@@ -97,8 +97,8 @@ def _known_angle(scene: Scene, angle: Letter) -> tuple[tuple[Ref, ...], Expressi
 def _is_plain(angle: Expression) -> bool:
     """Whether an angle is in degrees, or the inverse tangent of a number without a sum."""
     return not any(
-        isinstance(each, Apply)
-        and each.function.startswith("arc")
-        and any(isinstance(part, Binary) and part.op in "+-" for part in walk(each.argument))
-        for each in walk(angle)
+        isinstance(node, Apply)
+        and node.function.startswith("arc")
+        and any(isinstance(part, Binary) and part.op in "+-" for part in walk(node.argument))
+        for node in walk(angle)
     )

@@ -212,9 +212,9 @@ def _ratio_of_its_letter(
     scene: Scene, function: str, asked: Quantity
 ) -> tuple[int, Relation] | None:
     """A ratio that stands in a line already, of an angle for which the working has a letter."""
-    for each in scene.desk.lines:
-        if isinstance(each.relation, Meaning) and each.relation.quantity == asked:
-            tree = Apply(function, Letter(each.relation.letter))
+    for other in scene.desk.lines:
+        if isinstance(other.relation, Meaning) and other.relation.quantity == asked:
+            tree = Apply(function, Letter(other.relation.letter))
             source = scene.desk.known(tree)
             line = None if source is None or len(source.refs) != 1 else source.refs[0]
             if source is None or not isinstance(line, int):
@@ -447,8 +447,8 @@ def _deflection(
         for stage in (event - 1, event)
     )
     names = together(frame.names_axis("along"), frame.names_axis("across"))
-    refs = together(*(each.whole for each in (*early, *late)), names)
-    a, b = (Vector(*(each.value for each in own)) for own in (early, late))
+    refs = together(*(source.whole for source in (*early, *late)), names)
+    a, b = (Vector(*(source.value for source in own)) for own in (early, late))
     dot, cross = tidy(expanded(a.dot(b))), tidy(expanded(a.cross(b)))
     if wanted is None and scene.model.identically_zero(cross):
         straight = _by_turn(scene, asked, wanted)
@@ -465,7 +465,7 @@ def _deflection(
             return own_ratio
     if square_ or wanted == "cos" or scene.model.identically_zero(cross):
         if frame.wall is not None:
-            refs = together(*(each.refs for each in (*early, *late)))
+            refs = together(*(source.refs for source in (*early, *late)))
         pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
         sizes = [size_that_stands(scene, body, stage) for stage in (event - 1, event)]
         right, value = cosine_of(pairs, a, b, sizes)
@@ -473,7 +473,7 @@ def _deflection(
             value = sp.Integer(scene.model.sign(value))
         letter, meaning = letter_of(scene, asked)
         move = Move("define", "scalar-angle", event, (body,))
-        refs = together((meaning,), refs, *(own_size(scene, each) for each in (a, b)))
+        refs = together((meaning,), refs, *(own_size(scene, vector) for vector in (a, b)))
         line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
         return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
     to_the_line = Quantity("velocity", (Name(body),), event), Quantity("line_of_centres", (), event)
@@ -633,7 +633,7 @@ def _by_sum(scene: Scene, asked: Quantity) -> int:
         tree = product(TWO, terms[0]) if terms[0] == terms[1] else right
     move, pool = Move("define", "sum", event, (body,)), together(refs)
     relation = chain(asked, (right, None), (tree, "rearrange"))
-    named = not any(isinstance(each, Apply) for name in names for each in walk(name))
+    named = not any(isinstance(node, Apply) for name in names for node in walk(name))
     if named and total(names) != right:
         by_names = chain(asked, (total(names), None), (right, "put"), (tree, "rearrange"))
         if scene.judge.follows(move, pool, by_names):

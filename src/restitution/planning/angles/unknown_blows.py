@@ -59,7 +59,7 @@ def take_blow(scene: Scene, body: str, event: int) -> None:
         lines.append(
             scene.desk.write(Move("rearrange"), (line,), chain(trees[0], (trees[1], None)))
         )
-    unknown = [scene.unknown(each) for each in open_ if scene.unknown(each)]
+    unknown = [scene.unknown(value) for value in open_ if scene.unknown(value)]
     if all(len(each) == 1 for each in unknown):
         for number, symbols in zip(lines, unknown, strict=True):
             if scene.desk.known(Letter(next(iter(symbols)).name)) is None:
@@ -84,12 +84,12 @@ def _is_minus(x: Any) -> bool:
 def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
     """Two lines J sin θ = a and J cos θ = b: squared and added for J, divided for θ."""
     symbols = scene.unknown(open_)
-    angles = {s for each in open_ for f in each.atoms(sp.sin, sp.cos) for s in f.free_symbols}
+    angles = {s for value in open_ for f in value.atoms(sp.sin, sp.cos) for s in f.free_symbols}
     sizes = symbols - angles
     if len(lines) != 2 or len(angles) != 1 or len(sizes) != 1:
         raise NotPlannedError("an impulse with several letters that are open")
     (size,), (angle,) = sizes, angles
-    rights = [scene.desk.last_link(each).right for each in lines]
+    rights = [scene.desk.last_link(number).right for number in lines]
     squared = total(square(right) for right in rights)
     line = scene.desk.write(
         Move("square-add"), lines, chain(square(Letter(size.name)), (squared, None))
@@ -103,7 +103,7 @@ def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
     scene.desk.know(Letter(size.name), value, (line,))
     tangent = tidy(sp.tan(scene.final(angle)))
     subject = Apply("tan", Letter(angle.name))
-    sine = next(n for n, each in enumerate(open_) if each.has(sp.sin))
+    sine = next(n for n, value in enumerate(open_) if value.has(sp.sin))
     line = scene.desk.write(
         Move("divide"), (lines[sine], lines[1 - sine]), chain(subject, (tree_of(tangent), None))
     )

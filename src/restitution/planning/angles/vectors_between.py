@@ -41,7 +41,7 @@ def is_vector_in_numbers(scene: Scene, body: str) -> bool:
     fact = scene.facts.get(f"velocity {body}")
     if fact is None or isinstance(fact.relation.only[0].right, Polar):
         return False
-    return not any(each.free_symbols for each in scene.initial(body).value)
+    return not any(value.free_symbols for value in scene.initial(body).value)
 
 
 def is_right_angle(scene: Scene, own: Formula) -> bool:
@@ -79,7 +79,7 @@ def has_its_product(scene: Scene, asked: Quantity) -> bool:
     """Whether a line gives the scalar product of the velocities of an angle."""
     pair = asked.arguments
     products = (Quantity("dot", each) for each in (pair, pair[::-1]) if len(each) == 2)
-    return any(scene.desk.known(each) is not None for each in products)
+    return any(scene.desk.known(product) is not None for product in products)
 
 
 def by_cosine(scene: Scene, asked: Quantity) -> Ratio | None:
@@ -99,15 +99,15 @@ def is_nested(square_: sp.Expr) -> bool:
 
 def own_size(scene: Scene, vector: Vector) -> tuple[Ref, ...]:
     """What has to be known for the only component of a vector to be its size."""
-    parts = [each for each in vector if each != 0]
+    parts = [component for component in vector if component != 0]
     return sign_known(scene, parts[0]) if len(parts) == 1 else ()
 
 
 def vectors_in_numbers(scene: Scene, body: str, event: int, a: Vector, b: Vector) -> bool:
     """Whether both velocities are vectors of numbers with **i** and **j**."""
-    if any(sp.sympify(each, strict=True).free_symbols for each in (*a, *b)):
+    if any(sp.sympify(value, strict=True).free_symbols for value in (*a, *b)):
         return False
     fact = scene.facts.get(f"velocity {body}")
     if scene.last_event(body, event - 1) or fact is None:
         return False
-    return not any(isinstance(each, Polar) for each in (fact.relation.only[0].right,))
+    return not any(isinstance(side, Polar) for side in (fact.relation.only[0].right,))

@@ -74,7 +74,7 @@ def sum_at_a_wall(
 
 
 def given_at_a_wall(
-    scene: Scene, each: GivenEquation, body: str, frame: Frame, turned: sp.Expr
+    scene: Scene, equation: GivenEquation, body: str, frame: Frame, turned: sp.Expr
 ) -> int | None:
     """At a wall the angles to it before and after make the deflection: an equation in tangents.
 
@@ -92,7 +92,7 @@ def given_at_a_wall(
     mark = scene.desk.mark()
     letter, meaning = letter_of(scene, after)
     own = formula(scene, after)
-    cited = together(each.refs, data, (meaning,))
+    cited = together(equation.refs, data, (meaning,))
     known = scene.desk.known(angle) if isinstance(angle, Letter) else None
     degrees = None if known is None else tree_of(known.value, angle=True)
     if known is not None and isinstance(degrees, Degrees):
@@ -100,7 +100,7 @@ def given_at_a_wall(
     if isinstance(angle, Degrees) or turned.free_symbols:
         rest = tidy(turned - scene.scalar(angle))
         final = tree_of(rest, angle=True)
-        right = Binary("-", each.link.right, angle)
+        right = Binary("-", equation.link.right, angle)
         shorter = isinstance(final, Degrees) or _mentions(final) < _mentions(right)
         final = final if shorter else right
         relation = chain(Letter(letter), (right, None))
@@ -117,7 +117,7 @@ def given_at_a_wall(
         return None
     line, _ = tangent_line(scene, after, own, own.move)
     sides = Binary("+", angle, Letter(letter))
-    relation = chain(sides, (each.link.right, None))
+    relation = chain(sides, (equation.link.right, None))
     premises = scene.judge.enough(move, cited, relation)
     if premises is not None:
         number = scene.desk.write(move, premises, relation)
@@ -135,13 +135,13 @@ def _mentions(tree: Expression) -> int:
     return sum(isinstance(node, Letter) for node in walk(tree))
 
 
-def related_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
+def related_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
     """A deflection at a wall, α + β, that is given by these angles: as 2β, or as 2β + 30°.
 
     So one of the two is the other, or differs from it by a number. The last line is that of their
     tangents. None where the fact is no such one.
     """
-    match each.link.left:
+    match equation.link.left:
         case Quantity("deflection", (Name(body),), int(event)) if event in scene.model.frames:
             pass
         case _:
@@ -153,17 +153,19 @@ def related_at_a_wall(scene: Scene, each: GivenEquation) -> int | None:
     after = Quantity("angle", (Quantity("velocity", (Name(body),), event), Name(frame.wall)))
     if not isinstance(angle, Letter):
         return None
-    more = _excess(scene, each.link.right, angle, after)
+    more = _excess(scene, equation.link.right, angle, after)
     if more is None:
         return None
     mark = scene.desk.mark()
     own = formula(scene, after)
     line, name = tangent_line(scene, after, own, own.move)
     letter, (_, meaning) = Letter(name), letter_of(scene, after)
-    total = chain(Binary("+", angle, letter), (exchanged(each.link.right, {after: letter}), None))
+    total = chain(
+        Binary("+", angle, letter), (exchanged(equation.link.right, {after: letter}), None)
+    )
     move = Move("define", "sum", event, (body,))
     data = data_of_approach(scene, body, frame)
-    premises = scene.judge.enough(move, together(each.refs, data, (meaning,)), total)
+    premises = scene.judge.enough(move, together(equation.refs, data, (meaning,)), total)
     number = None
     if premises is not None:
         number = scene.desk.write(move, premises, total)

@@ -52,7 +52,7 @@ def frame_at(scene: Scene, number: int) -> Frame:
         return _beside_the_path(scene, number)
     if (sided := frame_on_one_side(scene, number)) is not None:
         return sided
-    if own.angle is not None or not all(each.is_number for each in own.n):
+    if own.angle is not None or not all(component.is_number for component in own.n):
         raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
     for writer in _WAYS:
         line = writer(scene, number)
@@ -90,11 +90,11 @@ def _plainly(scene: Scene, number: int, line: int, n: Vector) -> int:
 
 def _by_impulse(scene: Scene, number: int) -> int | None:
     """An impulse that is given as a vector, or as parallel to one, or that a line tells."""
-    for each in scene.given:
-        match each.link:
+    for equation in scene.given:
+        match equation.link:
             case Link(Quantity("impulse", (Name(body),), event), "=" | "parallel to", right):
                 if event == number:
-                    return _parallel(scene, "across-the-impulse", number, body, (each,), right)
+                    return _parallel(scene, "across-the-impulse", number, body, (equation,), right)
     for body in scene.spheres(number):
         known = scene.desk.known(Quantity("impulse", (Name(body),), number))
         if known is None or not isinstance(known.value, Vector):
@@ -116,7 +116,7 @@ def _by_change(scene: Scene, number: int) -> int | None:
             continue
         early = fact.relation.only[0].right
         source = scene.initial(body)
-        if any(scene.unknown(each) for each in (*source.value, *late[1])):
+        if any(scene.unknown(value) for value in (*source.value, *late[1])):
             continue
         line = _by_its_impulse(scene, number, body)
         if line is not None:
@@ -148,10 +148,10 @@ def _by_its_impulse(scene: Scene, number: int, body: str) -> int | None:
 def _worked_out(scene: Scene, number: int, line: int, change: Vector) -> int:
     """The line of what a change of velocity comes to, where that is not the direction itself."""
     put, refs = scene.put(change)
-    whole = Vector(*(tidy(each) for each in put))
+    whole = Vector(*(tidy(component) for component in put))
     own = scene.model.frames[number]
     final = plain_direction(-own.n if own.wall is not None else own.n)
-    if refs or whole == final or not all(each.is_number for each in whole):
+    if refs or whole == final or not all(value.is_number for value in whole):
         return line
     centres = Quantity("line_of_centres", (), number)
     relation = Relation(((Link(centres, "parallel to", tree_of(whole)),),))
@@ -167,8 +167,8 @@ def _by_who_rested(scene: Scene, number: int) -> int | None:
         velocity = Quantity("velocity", (Name(body),), number)
         if any(source.value):
             continue
-        for each in scene.given:
-            match each.link:
+        for equation in scene.given:
+            match equation.link:
                 case Link(Quantity("direction", (Name(name),), event), "=", angle) if (
                     name == body and event == number
                 ):
@@ -185,10 +185,10 @@ def _by_who_rested(scene: Scene, number: int) -> int | None:
                     right, more = known.value, known.refs
                 case _:
                     continue
-            refs = together(source.refs, (each.fact.id,), more)
+            refs = together(source.refs, (equation.fact.id,), more)
             tree = tree_of(tuple(map(tidy, plain_direction(right))))
             sign: Literal["parallel to", "perpendicular to"] = "parallel to"
-            if each.link.sign == "perpendicular to":
+            if equation.link.sign == "perpendicular to":
                 sign = "perpendicular to"
             return _write(scene, "along-the-change", number, body, refs, tree, sign)
     return None
@@ -217,7 +217,7 @@ def _parallel(
     given: Iterable[GivenEquation],
     right: Expression,
 ) -> int:
-    refs = together(each.fact.id for each in given)
+    refs = together(equation.fact.id for equation in given)
     value = scene.value(right)
     if not isinstance(value, Vector):
         raise NotPlannedError("an impulse along a direction at an angle")
@@ -248,7 +248,7 @@ _WAYS: tuple[Callable[[Scene, int], int | None], ...] = (
 
 def write_wall(scene: Scene, wall: str) -> int:
     """The direction of a wall that is found: perpendicular to the line of the impulse."""
-    number = next((n for n, each in scene.model.frames.items() if each.wall == wall), None)
+    number = next((n for n, frame in scene.model.frames.items() if frame.wall == wall), None)
     if number is None or f"axis {number}" in scene.facts:
         return _wall_of_the_data(scene, wall)
     if (sides := write_sides(scene, number)) is not None:
@@ -321,7 +321,7 @@ def write_axis(scene: Scene, number: int) -> int:
     if (turned := _turned_from_the_path(scene, link.right)) is not None:
         relation = chain(centres, (turned, None), (final, "rearrange"))
     premises = together((fact.id,), refs)
-    names = {each.name for x in own for each in sp.sympify(x, strict=True).free_symbols}
+    names = {symbol.name for x in own for symbol in sp.sympify(x, strict=True).free_symbols}
     enough = scene.judge.enough(move, premises, relation, background(scene, names))
     return scene.desk.write(move, premises if enough is None else enough, relation)
 
@@ -388,8 +388,10 @@ def take_known_impulse(scene: Scene, body: str, event: int) -> bool:
 
 def rests_on_vectors(scene: Scene, impulse: Source) -> bool:
     """Whether an impulse comes by changes of velocities as vectors, with no component under it."""
-    under = (each for ref in impulse.refs if isinstance(ref, int) for each in scene.desk.under(ref))
-    records = {scene.desk.line(each).move.record for each in under if isinstance(each, int)}
+    under = (
+        other for ref in impulse.refs if isinstance(ref, int) for other in scene.desk.under(ref)
+    )
+    records = {scene.desk.line(ref).move.record for ref in under if isinstance(ref, int)}
     return records <= {None, "impulse-vector", "opposite-impulses"}
 
 
@@ -413,7 +415,7 @@ def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
     polar = any(isinstance(node, Polar) for node in walk(start.right))
     if polar or scene.unknown(scene.mass(other).value):
         return None
-    opposite = tree_of(tuple(tidy(-each) for each in scene.vector(right)))
+    opposite = tree_of(tuple(tidy(-value) for value in scene.vector(right)))
     impulse = right.operand if isinstance(right, Negate) else opposite
     line = scene.desk.write(
         Move("law", "opposite-impulses", event, scene.bodies(event)),

@@ -31,7 +31,7 @@ def take_momentum(scene: Scene, given: GivenEquation) -> bool:
             value = scene.value(right)
         case _:
             return False
-    if not isinstance(value, Vector) or any(scene.unknown(each) for each in value):
+    if not isinstance(value, Vector) or any(scene.unknown(other) for other in value):
         return False
     if arguments:
         (body,) = arguments
@@ -73,7 +73,7 @@ def _of_one(
             tree = swept(product(tree_of(mass.value), change))
             refs = together(refs, early.refs)
     line = scene.desk.write(move, refs, Relation(((Link(right, "=", tree),),)))
-    late = Vector(*(tidy(each / mass.value) for each in value))
+    late = Vector(*(tidy(component / mass.value) for component in value))
     line = scene.desk.write(Move("rearrange"), (line,), chain(velocity, (tree_of(late), None)))
     scene.desk.know(velocity, late, (line,))
     _close_across(scene, body, last)
@@ -94,7 +94,7 @@ def _close_across(scene: Scene, body: str, number: int) -> None:
 def _of_all(scene: Scene, given: GivenEquation, stage: int, right: Expression) -> bool:
     """The momentum of all spheres at the start, which an impact of two does not change."""
     meeting = [n for n in range(1, stage + 1) if n in scene.model.frames]
-    if stage > 1 or any(scene.model.frames[each].wall is not None for each in meeting):
+    if stage > 1 or any(scene.model.frames[number].wall is not None for number in meeting):
         return False
     if stage and not meeting:
         return False
@@ -122,7 +122,7 @@ def _close_parts(scene: Scene, line: int) -> None:
     for a, b in zip(left, right, strict=True):
         unknown = scene.unknown(sp.expand(a - b))
         if unknown:
-            sides = (tree_of(sp.expand(each), as_it_is=True) for each in (a, b))
+            sides = (tree_of(sp.expand(value), as_it_is=True) for value in (a, b))
             first, second = sides
             number = scene.desk.write(
                 Move("rearrange"), (line,), Relation(((Link(first, "=", second),),))
@@ -152,7 +152,7 @@ def _close_all(scene: Scene, open_: Sequence[tuple[int, frozenset[sp.Symbol]]]) 
 
 
 def _still_open(scene: Scene, symbols: frozenset[sp.Symbol]) -> frozenset[sp.Symbol]:
-    return frozenset(s for each in symbols for s in scene.unknown(each))
+    return frozenset(s for symbol in symbols for s in scene.unknown(symbol))
 
 
 # --- masses by impulses ---------------------------------------------------------------------------
@@ -170,7 +170,7 @@ def take_mass(scene: Scene, given: GivenEquation) -> bool:
         return False
     late = _late(scene, body, event)
     early = velocity_source(scene, body, event - 1)
-    if late is None or any(scene.unknown(x) for each in (late, early) for x in each.value):
+    if late is None or any(scene.unknown(x) for source in (late, early) for x in source.value):
         return False
     change: Expression = tree_of(late.value)
     if any(early.value):
@@ -205,20 +205,20 @@ def write_masses(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     bodies = scene.bodies(number)
     if frame.wall is not None or not frame.is_slanted:
         return None
-    masses = {each: scene.mass(each) for each in bodies}
-    late = {each: _late(scene, each, number) for each in bodies}
-    if any(each is None for each in late.values()):
+    masses = {body: scene.mass(body) for body in bodies}
+    late = {body: _late(scene, body, number) for body in bodies}
+    if any(source is None for source in late.values()):
         return None
-    early = {each: velocity_source(scene, each, number - 1) for each in bodies}
+    early = {body: velocity_source(scene, body, number - 1) for body in bodies}
     sides: list[Expression] = []
-    refs: list[Ref] = [ref for each in masses.values() for ref in each.refs]
+    refs: list[Ref] = [ref for source in masses.values() for ref in source.refs]
     residual = Vector(sp.Integer(0), sp.Integer(0))
     for own, sign in ((early, 1), (late, -1)):
         terms = []
         for body in bodies:
             source = own[body]
             assert source is not None
-            if any(scene.unknown(each) for each in source.value):
+            if any(scene.unknown(value) for value in source.value):
                 return None
             refs += source.refs
             residual += source.value * (sign * masses[body].value)
@@ -227,7 +227,7 @@ def write_masses(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
         sides.append(swept(total(terms)))
     move = Move("law", "momentum-vector", number, bodies)
     line = scene.desk.write(move, together(refs), chain(sides[0], (sides[1], None)))
-    part = next((each for each in residual if symbol in sp.expand(each).free_symbols), None)
+    part = next((value for value in residual if symbol in sp.expand(value).free_symbols), None)
     if part is None:
         return None
     expanded_part = sp.expand(part)
@@ -282,8 +282,8 @@ def _size(scene: Scene, value: Vector, frame: Frame) -> tuple[Expression, tuple[
     """The size of an impulse, which acts along the line of the impact."""
     put, refs = scene.put(value)
     size = tidy(sp.sqrt(tidy(sp.expand(put.dot(put)))))
-    if any(scene.unknown(each) for each in put) or not size.is_number:
+    if any(scene.unknown(value) for value in put) or not size.is_number:
         raise NotPlannedError("an impulse in letters")
     if size.is_Rational and 0 in put:
         return tree_of(size), refs
-    return Apply("sqrt", total(square(tree_of(each)) for each in put if each != 0)), refs
+    return Apply("sqrt", total(square(tree_of(value)) for value in put if value != 0)), refs

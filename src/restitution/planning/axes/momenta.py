@@ -36,18 +36,22 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     if _component_is_wanted(scene, body, stage):
         return False
     frame = scene.frame(stage)
-    if frame.wall is not None or 0 in frame.n or not all(each.is_number for each in frame.n):
+    if (
+        frame.wall is not None
+        or 0 in frame.n
+        or not all(component.is_number for component in frame.n)
+    ):
         return False
     if not scene.last_event(body, stage - 1) and not any(scene.initial(body).value):
         return False  # it moves off along the line of centres
     (other,) = (sphere for sphere in scene.spheres(stage) if sphere != body)
     after = velocity_as_vector(scene, other, stage) or _by_impulse(scene, other, stage)
-    before = [velocity_as_vector(scene, each, stage - 1) for each in scene.bodies(stage)]
+    before = [velocity_as_vector(scene, body, stage - 1) for body in scene.bodies(stage)]
     if after is None or None in before:
         return False
     masses = {each: scene.mass(each) for each in (body, other)}
     whole = [(masses[n], v) for n, v in zip(scene.bodies(stage), before, strict=True) if v]
-    values = [each.value for pair in ((*masses.values(), after), *whole) for each in pair]
+    values = [source.value for pair in ((*masses.values(), after), *whole) for source in pair]
     if any(scene.unknown(x) or scene.put(x)[1] for x in values):
         return False
     sums = [
@@ -92,7 +96,7 @@ def write_total_kept(scene: Scene, momentum: Quantity) -> bool:
         if moves:
             terms.append(product(tree_of(mass.value), tree_of(early.value)))
             value = value + early.value * mass.value
-    whole = Vector(*(tidy(expanded(each)) for each in value))
+    whole = Vector(*(tidy(expanded(component)) for component in value))
     move = Move("law", "momentum-vector", 1, scene.bodies(1))
     own = Formula(move, itself, momentum, total(terms), whole, together(refs))
     return scene.judge.follows(move, own.refs, chain(momentum, (swept(own.right), None))) and bool(
@@ -108,8 +112,8 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
     if any(body in scene.bodies(event) for event in range(stage + 1, scene.events + 1)):
         return True
     velocity = Quantity("velocity", (Name(body),), stage)
-    for each in scene.asked:
-        match each:
+    for tree in scene.asked:
+        match tree:
             case Quantity("energy_lost", (), int(event)) if event == stage:
                 return True
             case Quantity("total_energy_lost", (), 1) if stage == 1:  # that of the one impact
@@ -124,12 +128,12 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
 def _by_impulse(scene: Scene, body: str, stage: int) -> Source | None:
     """A velocity after an impulse on the sphere that is given as a vector."""
     impulse = Quantity("impulse", (Name(body),), stage)
-    for each in scene.given:
-        if each.link.left != impulse or each.link.sign != "=":
+    for equation in scene.given:
+        if equation.link.left != impulse or equation.link.sign != "=":
             continue
         if scene.unknown(scene.mass(body).value) or scene.last_event(body, stage - 1):
             return None
-        take_impulse(scene, each)
+        take_impulse(scene, equation)
         return scene.desk.known(Quantity("velocity", (Name(body),), stage))
     return None
 
@@ -149,7 +153,7 @@ def velocity_as_vector(scene: Scene, body: str, stage: int) -> Source | None:
     if known is not None:
         return known
     quantity = Quantity("velocity", (Name(body),), last)
-    for each in scene.given:
-        if each.link.sign == "=" and each.link.left == quantity:
-            return Source(scene.vector(each.link.right), (each.fact.id,))
+    for equation in scene.given:
+        if equation.link.sign == "=" and equation.link.left == quantity:
+            return Source(scene.vector(equation.link.right), (equation.fact.id,))
     return None

@@ -33,29 +33,29 @@ def paths_beside(solution: Solution, desk: Desk) -> dict[int, Vector]:
     That is so where the offset is to be found in radii, both spheres move along the path, and
     nothing that is given speaks of the line of centres.
     """
-    fact = next((each for each in desk.facts if each.id == "axis 1"), None)
-    branches = [each for part in solution.parts.values() for each in part.branches]
+    fact = next((fact for fact in desk.facts if fact.id == "axis 1"), None)
+    branches = [branche for part in solution.parts.values() for branche in part.branches]
     if fact is None or not branches or any(map(_speaks_of_centres, desk.facts)):
         return {}
     own = offset_angle(fact.relation.only[0], roles(solution.problem))
     if own is None:
         return {}
-    sought = all(letters(own.sine) & each.values.keys() for each in branches)
+    sought = all(letters(own.sine) & branche.values.keys() for branche in branches)
     if not sought and not _is_its_range(solution, letters(own.sine)):
         return {}
     if any(_is_value_of(fact, letters(own.sine)) for fact in desk.facts):
         return {}
     one, other = (branches[0].story.velocity(body, 0) for body in desk.events[0].bodies)
     size = sp.sqrt(sp.expand(one.dot(one)))
-    path = Vector(*(tidy(each / size) for each in one))
-    if tidy(one.cross(other)) != 0 or not all(each.is_number for each in path):
+    path = Vector(*(tidy(component / size) for component in one))
+    if tidy(one.cross(other)) != 0 or not all(value.is_number for value in path):
         return {}
     return {1: path}
 
 
 def _is_its_range(solution: Solution, names: AbstractSet[str]) -> bool:
     """Whether all that is asked is the range of the offset."""
-    items = [each.item for part in solution.parts.values() for each in part.items]
+    items = [item.item for part in solution.parts.values() for item in part.items]
     return all(
         isinstance(item, Range)
         and isinstance(item.expression, Letter)
@@ -100,9 +100,9 @@ def frame_by_offset(scene: Scene, number: int) -> Frame:
     """
     own = scene.model.frames[number]
     fact = f"axis {number}"
-    for each in scene.of_offsets:
-        if each.fact.id == fact:
-            write_sine(scene, each)
+    for equation in scene.of_offsets:
+        if equation.fact.id == fact:
+            write_sine(scene, equation)
     centres = Quantity("line_of_centres", (), number)
     refs = (write_angle(scene, number), fact)
     return Frame(number, None, centres, None, own.n, own.t, refs, 1)
@@ -126,24 +126,24 @@ def given_by_offsets(scene: Scene) -> tuple[GivenEquation, ...]:
     return tuple(equations)
 
 
-def is_sine_of_an_offset(each: GivenEquation) -> bool:
+def is_sine_of_an_offset(equation: GivenEquation) -> bool:
     """Whether a given equation is the sine of the angle by an offset."""
-    return each.fact.id.partition(" ")[0] == "axis"
+    return equation.fact.id.partition(" ")[0] == "axis"
 
 
-def write_sine(scene: Scene, each: GivenEquation) -> int:
+def write_sine(scene: Scene, equation: GivenEquation) -> int:
     """The sine of the angle between a line of centres and the path, by an offset."""
-    number = int(each.fact.id.partition(" ")[2])
-    premises = (write_angle(scene, number), each.fact.id)
+    number = int(equation.fact.id.partition(" ")[2])
+    premises = (write_angle(scene, number), equation.fact.id)
     return scene.desk.write(
-        Move("define", "scalar-angle", number), premises, Relation(((each.link,),))
+        Move("define", "scalar-angle", number), premises, Relation(((equation.link,),))
     )
 
 
 def sine_of(scene: Scene, angle: str) -> GivenEquation | None:
     """What an offset says of the sine of an angle that has this letter; None of another one."""
     sine = Apply("sin", Letter(angle))
-    return next((each for each in scene.of_offsets if each.link.left == sine), None)
+    return next((equation for equation in scene.of_offsets if equation.link.left == sine), None)
 
 
 def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:

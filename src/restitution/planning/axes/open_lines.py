@@ -85,7 +85,7 @@ def tried(scene: Scene, write: Callable[[], bool]) -> bool:
     except (NotPlannedError, UnwrittenError):
         pass
     new = scene.model.unknowns.roles.keys() - roles.keys()
-    for model in {id(each): each for each in (scene.model, *others)}.values():
+    for model in {id(model): model for model in (scene.model, *others)}.values():
         for name in new:
             model.final.pop(scene.model.unknowns.roles[name].symbol(name), None)
             model.sample.pop(name, None)
@@ -101,7 +101,7 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
     if any(scene.last_event(sphere, number - 1) for sphere in spheres):
         return False
     early = {sphere: scene.initial(sphere) for sphere in spheres}
-    if any(scene.unknown(x) for each in early.values() for x in each.value):
+    if any(scene.unknown(x) for source in early.values() for x in source.value):
         return False
     rays = [own for sphere in spheres if (own := ray_of(scene, sphere, number)) is not None]
     fast = next((each for each in rays if _speed(scene, each, number) is not None), None)
@@ -173,8 +173,8 @@ def _others(
 def ray_of(scene: Scene, body: str, number: int) -> Ray | None:
     """The direction of a velocity after an impact, as far as it is given."""
     velocity = Quantity("velocity", (Name(body),), number)
-    for each in scene.given:
-        match each.link:
+    for equation in scene.given:
+        match equation.link:
             case Link(Quantity("direction", (Name(name),), event), "=", angle) if (
                 name == body and event == number
             ):
@@ -183,12 +183,12 @@ def ray_of(scene: Scene, body: str, number: int) -> Ray | None:
                     continue
                 direction = Vector(tidy(sp.cos(turn)), tidy(sp.sin(turn)))
                 return Ray(
-                    body, Quantity("speed", (Name(body),), number), direction, each, POSITIVE
+                    body, Quantity("speed", (Name(body),), number), direction, equation, POSITIVE
                 )
-        multiple = _multiple(scene, body, velocity, each)
+        multiple = _multiple(scene, body, velocity, equation)
         if multiple is not None:
             return multiple
-        tie = tie_of(each.link)
+        tie = tie_of(equation.link)
         beside = None if tie is None else _beside(scene, velocity, *tie)
         if beside is None:
             continue
@@ -196,19 +196,19 @@ def ray_of(scene: Scene, body: str, number: int) -> Ray | None:
         if beside.x == 0 or beside.y == 0:
             unit: Expression = Unit("j" if beside.x == 0 else "i")
             along = Vector(*(sp.Integer(0 if x == 0 else 1) for x in beside))
-            return Ray(body, Quantity("along", (velocity, unit)), along, each, REAL)
+            return Ray(body, Quantity("along", (velocity, unit)), along, equation, REAL)
         size = scene.model.story.size(beside)
         along = Vector(*(tidy(x / size) for x in beside))
         axis = tree_of(beside)
-        return Ray(body, Quantity("along", (velocity, axis)), along, each, REAL)
+        return Ray(body, Quantity("along", (velocity, axis)), along, equation, REAL)
     return None
 
 
-def _multiple(scene: Scene, body: str, velocity: Quantity, each: GivenEquation) -> Ray | None:
+def _multiple(scene: Scene, body: str, velocity: Quantity, equation: GivenEquation) -> Ray | None:
     """A velocity that is given as an unknown letter times a vector; None of another one."""
-    if each.link.left != velocity or each.link.sign != "=":
+    if equation.link.left != velocity or equation.link.sign != "=":
         return None
-    value = scene.vector(each.link.right)
+    value = scene.vector(equation.link.right)
     names = scene.unknown(value)
     if len(names) != 1:
         return None
@@ -217,7 +217,7 @@ def _multiple(scene: Scene, body: str, velocity: Quantity, each: GivenEquation) 
     direction = Vector(*(tidy(x / symbol) for x in value))
     if role is None or any(x.free_symbols for x in direction):
         return None
-    return Ray(body, velocity, direction, each, role, symbol)
+    return Ray(body, velocity, direction, equation, role, symbol)
 
 
 def _beside(
@@ -239,7 +239,7 @@ def _beside(
         if relation == "perpendicular to":
             direction = direction.turned_left()
         plain = plain_direction(direction)
-        if not all(each.is_number for each in plain):
+        if not all(value.is_number for value in plain):
             return None
         return -plain if scene.model.sign(plain.x) < 0 else plain
     return None
@@ -250,10 +250,10 @@ def _speed(scene: Scene, ray: Ray, number: int) -> GivenEquation | None:
     if ray.role is not REAL or ray.letter is not None:
         return None
     speed = Quantity("speed", (Name(ray.body),), number)
-    for each in scene.given:
-        if each.link.left == speed and each.link.sign == "=":
-            value = scene.scalar(each.link.right)
-            return None if scene.unknown(value) else each
+    for equation in scene.given:
+        if equation.link.left == speed and equation.link.sign == "=":
+            value = scene.scalar(equation.link.right)
+            return None if scene.unknown(value) else equation
     return None
 
 
@@ -318,10 +318,10 @@ def write_ray(
             Move("fact"), ray.given.refs, Relation(((ray.given.link,),))
         )
     taken = letters_taken(scene)
-    name = next(each for each in names if each not in taken)
+    name = next(name for name in names if name not in taken)
     symbol = ray.role.symbol(name)
     scene.model.unknowns.roles = {**scene.model.unknowns.roles, name: ray.role}
-    for model in {id(each): each for each in (scene.model, *scene.others)}.values():
+    for model in {id(model): model for model in (scene.model, *scene.others)}.values():
         final = model.branch.story.velocity(ray.body, number)
         value = tidy(final.dot(ray.direction) / ray.direction.dot(ray.direction))
         model.final[symbol] = value
@@ -336,8 +336,10 @@ def write_ray(
             other = tree_of(across if scene.model.sign(across.x) > 0 else -across)
         move = Move("define", _record(ray.given), number)
         none = chain(Quantity("along", (velocity, other)), (ZERO, None))
-        early = [scene.initial(each) for each in scene.spheres(number)]
-        pool = together(ray.given.refs, *(each.refs for each in early), scene.mass(ray.body).refs)
+        early = [scene.initial(sphere) for sphere in scene.spheres(number)]
+        pool = together(
+            ray.given.refs, *(source.refs for source in early), scene.mass(ray.body).refs
+        )
         premises = scene.judge.needed(move, pool, none)
         if premises is None:
             raise NotPlannedError("a line that is not told")
@@ -365,7 +367,7 @@ def _record(given: GivenEquation) -> str:
 
 
 def _tree(value: Vector) -> Expression:
-    return tree_of(Vector(*(tidy(sp.expand(each)) for each in value)))
+    return tree_of(Vector(*(tidy(sp.expand(component)) for component in value)))
 
 
 def _by_momentum(
@@ -391,7 +393,7 @@ def _by_momentum(
     move = Move("law", "momentum-vector", number, scene.bodies(number))
     line = scene.desk.write(move, refs, chain(left, (right, None)))
     rest = whole - late[body] * masses[body].value
-    value = Vector(*(tidy(sp.expand(each / masses[other].value)) for each in rest))
+    value = Vector(*(tidy(sp.expand(component / masses[other].value)) for component in rest))
     own = Quantity("velocity", (Name(other),), number)
     return value, scene.desk.write(Move("rearrange"), (line,), chain(own, (_tree(value), None)))
 
@@ -405,7 +407,7 @@ def _axis(
     change = Vector(*(sp.expand(a - b) for a, b in zip(late[body], source.value, strict=True)))
     centres = Quantity("line_of_centres", (), number)
     own = scene.model.frames[number]
-    is_found = not any(scene.unknown(each) for each in change)
+    is_found = not any(scene.unknown(value) for value in change)
     ahead = scene.model.sign(Vector(*map(scene.model.in_data, change)).dot(own.n))
     # Between spheres it points from the first to the second; into a wall, once it is known.
     back = ahead < 0 if own.wall is None else ahead > 0 and is_found
@@ -449,10 +451,10 @@ def _restitution(
         move = Move("law", "restitution-wall", number, (body,))
     else:
         first, second = scene.bodies(number)
-        early = {each: scene.initial(each).value for each in (first, second)}
+        early = {body: scene.initial(body).value for body in (first, second)}
         gap, approach = late[second] - late[first], early[first] - early[second]
         move = Move("law", "restitution", number, (first, second))
-    left, right = (_product(each, change) for each in (gap, approach))
+    left, right = (_product(vector, change) for vector in (gap, approach))
     final = chain(left, (swept(_times(e.value, right)), None))
     if len(late) == 1:
         return scene.desk.write(move, refs, final), final
@@ -471,7 +473,7 @@ def _product_of_difference(pair: tuple[Vector, Vector], change: Vector) -> Expre
     """The scalar product of the difference of two vectors with the change of velocity."""
     terms = []
     for one, other, by in zip(*pair, change, strict=True):
-        one, other, by = (tidy(sp.expand(each)) for each in (one, other, by))
+        one, other, by = (tidy(sp.expand(value)) for value in (one, other, by))
         if one == other or by == 0:
             continue
         if one == 0 or other == 0:
@@ -485,7 +487,7 @@ def _product(a: Vector, b: Vector) -> Expression:
     """A scalar product, by components."""
     terms = []
     for x, y in zip(a, b, strict=True):
-        one, other = (tidy(sp.expand(each)) for each in (x, y))
+        one, other = (tidy(sp.expand(value)) for value in (x, y))
         if one == 0 or other == 0:
             continue
         if one.could_extract_minus_sign() and other.could_extract_minus_sign():
@@ -514,7 +516,9 @@ def _settle(
         line: Ref = lines[body]
         if refs:
             line = scene.desk.write(Move("put"), (line, *refs), chain(velocity, (_tree(put), None)))
-        scene.desk.know(velocity, Vector(*(tidy(sp.expand(each)) for each in put)), (line,))
+        scene.desk.know(
+            velocity, Vector(*(tidy(sp.expand(component)) for component in put)), (line,)
+        )
         known[body] = line
     put, refs = scene.put(change)
     centres = Quantity("line_of_centres", (), number)

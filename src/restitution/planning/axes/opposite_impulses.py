@@ -31,7 +31,7 @@ def write_opposite_impulse(scene: Scene, impulse: Expression) -> None:
     move = Move("law", "opposite-impulses", event, scene.bodies(event))
     known = scene.desk.known(Quantity("impulse", (Name(other),), event))
     if known is not None and isinstance(known.value, Vector):
-        value = Vector(*(tidy(-each) for each in known.value))
+        value = Vector(*(tidy(-component) for component in known.value))
         if any(map(scene.unknown, value)):
             return
         write_formula(scene, Formula(move, itself, impulse, tree_of(value), value, known.refs))
@@ -44,7 +44,7 @@ def write_opposite_impulse(scene: Scene, impulse: Expression) -> None:
     own = _change(scene, other, event)
     if own is not None:
         change, value, refs = own
-        whole = Vector(*(tidy(-each) for each in value))
+        whole = Vector(*(tidy(-component) for component in value))
         write_formula(scene, Formula(move, itself, impulse, negative(change), whole, refs))
 
 
@@ -98,7 +98,9 @@ def is_by_vectors(scene: Scene, impulse: Quantity) -> bool:
         case _:
             return False
     known = filter(None, map(scene.desk.known, own))
-    return any(isinstance(each.value, Vector) and rests_on_vectors(scene, each) for each in known)
+    return any(
+        isinstance(source.value, Vector) and rests_on_vectors(scene, source) for source in known
+    )
 
 
 __all__ = ["is_by_vectors", "write_impulse_of_an_open_line", "write_opposite_impulse"]

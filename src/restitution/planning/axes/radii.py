@@ -32,10 +32,10 @@ def frame_by_places(scene: Scene, number: int, model_frame: Told) -> Frame:
         if struck(scene, number) is not None:
             return (write_centres(scene, number),)
         places = [spot(scene, sphere, number) for sphere in scene.spheres(number)]
-        refs = (f"axis {number}", *(ref for each in places for ref in each.refs))
+        refs = (f"axis {number}", *(ref for place in places for ref in place.refs))
         whole, _ = whole_direction(n)
         final = Relation(((Link(centres, "parallel to", vector(*map(tree_of, whole))),),))
-        values = [each.value for each in places]
+        values = [place.value for place in places]
         if model_frame.wall is None and all(isinstance(own, Vector) and own for own in values):
             # From one centre to the other, before what that is parallel to.
             between = swept(Binary("-", tree_of(values[1]), tree_of(values[0])))

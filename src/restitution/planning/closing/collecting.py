@@ -60,7 +60,7 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
     ``symbols`` are the unknowns in it.
     """
     link = scene.desk.last_link(line)
-    if link.sign != "=" or any(_is_plain(link, each.name) for each in symbols):
+    if link.sign != "=" or any(_is_plain(link, symbol.name) for symbol in symbols):
         return line
     if len(symbols) == 1 and _is_of_one_bracket(link, symbols[0].name):
         return line
@@ -72,14 +72,14 @@ def multiplied_out(scene: Scene, line: int, *symbols: sp.Symbol) -> int:
         if collected != line:
             return collected
     link = scene.desk.last_link(line)
-    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    sides = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
     generators = _of_all(sides, symbols)
     if generators is None:
         return line
     tangents = _tangents(link, sides, symbols)
     for angle, t in tangents.items():
         c = sp.cos(angle)
-        sides = [sp.cancel(each.xreplace({sp.sin(angle): t * c})) for each in sides]
+        sides = [sp.cancel(side.xreplace({sp.sin(angle): t * c})) for side in sides]
     for ratios in (True, False):
         polynomials = _without_common(tuple(sides), generators, ratios)
         own = None if polynomials is None else _written(scene, line, polynomials, symbols, tangents)
@@ -129,7 +129,7 @@ def _with_plain_squares(scene: Scene, line: int) -> int:
         own = own.operand if isinstance(own, Negate) else own
         return Binary("^", own, node.right) if len(walk(own)) < len(walk(node.left)) else node
 
-    left, right = (rebuilt(each, plain) for each in (link.left, link.right))
+    left, right = (rebuilt(side, plain) for side in (link.left, link.right))
     if (left, right) == (link.left, link.right):
         return line
     names = symbol_names(residual(scene, line))
@@ -144,7 +144,7 @@ def _across(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
     for near, far in ((link.left, link.right), (link.right, link.left)):
         match near:
             case Binary("/", above, below) if all(
-                _has(each, symbol.name) for each in (above, below) for symbol in symbols
+                _has(tree, symbol.name) for tree in (above, below) for symbol in symbols
             ):
                 pass
             case _:
@@ -176,20 +176,20 @@ def _squares_cleared(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> i
     ]
     if len(bases) < len(terms) or len(terms) < 3 or _has_difference(link):
         return line
-    values = [sp.sympify(scene_value(scene, each), strict=True) for each in bases]
-    powers = (power for each in values for power in each.atoms(sp.Pow))
-    if any(each.free_symbols and not each.exp.is_Integer for each in powers):
+    values = [sp.sympify(scene_value(scene, base), strict=True) for base in bases]
+    powers = (power for value in values for power in value.atoms(sp.Pow))
+    if any(power.free_symbols and not power.exp.is_Integer for power in powers):
         return line
-    fractions = [sp.fraction(sp.together(each)) for each in values]
+    fractions = [sp.fraction(sp.together(value)) for value in values]
     below = sp.lcm([d for _, d in fractions])
     if not any(d.is_Add or d.has(sp.Add) for _, d in fractions if d.free_symbols & set(symbols)):
         return line
     parts = [sp.factor_terms(sp.cancel(n * below / d)) for n, d in fractions]
-    common = sp.Mul(*set.intersection(*(set(sp.Mul.make_args(each)) for each in parts)))
+    common = sp.Mul(*set.intersection(*(set(sp.Mul.make_args(part)) for part in parts)))
     trees: list[Expression] = []
-    for each in parts:
-        factor, rest = sp.factor_terms(each / common).as_independent(
-            *each.free_symbols, as_Add=False
+    for part in parts:
+        factor, rest = sp.factor_terms(part / common).as_independent(
+            *part.free_symbols, as_Add=False
         )
         whole = square(tree_of(rest)) if rest != 1 else ONE
         trees.append(product(tree_of(tidy(factor**2)), whole) if factor**2 != 1 else whole)
@@ -238,9 +238,9 @@ def _written(
     ``tangents`` are letters that stand for those of angles.
     """
     link = scene.desk.last_link(line)
-    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
+    sides = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
     generators = polynomials[0].gens
-    steps = max(_steps(link, each.name) for each in symbols) + _has_common(
+    steps = max(_steps(link, symbol.name) for symbol in symbols) + _has_common(
         sides, polynomials, tangents
     )
     if steps <= _MOST:
@@ -252,7 +252,7 @@ def _written(
         Letter(t.name): Apply("tan", _angle_tree(angle)) for angle, t in tangents.items()
     }
     left, right = (
-        rebuilt(side, lambda each: back.get(each, each))
+        rebuilt(side, lambda tree: back.get(tree, tree))
         for side in _sides(scene, polynomials, generators)
     )
     relation = chain(left, (right, None))
@@ -276,7 +276,7 @@ def _is_of_one_bracket(link: Link, name: str) -> bool:
     From ``½mu = m(u − v)`` a reader sees v at once.
     """
     for near, far in ((link.left, link.right), (link.right, link.left)):
-        own = [each for each in factors(near) if _has(each, name)]
+        own = [factor for factor in factors(near) if _has(factor, name)]
         if len(own) != 1 or near in own or _has(far, name):
             continue
         terms = [e.operand if isinstance(e, Negate) else e for e in outer_terms(own[0])]
@@ -297,15 +297,15 @@ def _of_all(sides: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> tuple[sp.
         if own is None:
             return None
         terms += own
-    return tuple(sorted(terms, key=lambda each: not each.is_Symbol)) or None
+    return tuple(sorted(terms, key=lambda term: not term.is_Symbol)) or None
 
 
 def _generators(sides: Sequence[sp.Expr], symbol: sp.Symbol) -> tuple[sp.Expr, ...] | None:
     """In what the sides are polynomials: the unknown, or its sine and cosine, or its tangent."""
-    functions = {f for each in sides for f in each.atoms(sp.Function) if symbol in f.free_symbols}
+    functions = {f for side in sides for f in side.atoms(sp.Function) if symbol in f.free_symbols}
     bare = [side.xreplace(dict.fromkeys(functions, sp.Dummy())) for side in sides]
-    inside = any(symbol in each.free_symbols for each in bare)
-    roots = {p for each in sides for p in each.atoms(sp.Pow) if not p.exp.is_Integer}
+    inside = any(symbol in value.free_symbols for value in bare)
+    roots = {p for side in sides for p in side.atoms(sp.Pow) if not p.exp.is_Integer}
     if any(symbol in root.free_symbols for root in roots):
         return None
     if not functions:
@@ -331,16 +331,16 @@ def _without_common(
     With ``ratios`` sines and cosines of other angles that are common to all terms are gone too.
     """
     whole = [sp.fraction(one_fraction(side)) for side in sides]
-    below = sp.lcm(*(each[1] for each in whole))
-    if any(isinstance(x, sp.Float) for each in sides for x in each.atoms(sp.Float)):
+    below = sp.lcm(*(value[1] for value in whole))
+    if any(isinstance(x, sp.Float) for side in sides for x in side.atoms(sp.Float)):
         return None
     above = [expanded(cancelled(n * below / d)) for n, d in whole]
-    if not all(each.is_polynomial(*generators) for each in above):
+    if not all(value.is_polynomial(*generators) for value in above):
         return None  # with roots of numbers a common denominator may not be seen
-    polynomials = _without_the_same([sp.Poly(each, *generators) for each in above])
-    coefficients = [c for each in polynomials for c in each.coeffs() if c != 0]
+    polynomials = _without_the_same([sp.Poly(value, *generators) for value in above])
+    coefficients = [c for polynomial in polynomials for c in polynomial.coeffs() if c != 0]
     if not coefficients or any(
-        {*generators, *(g for each in generators for g in each.free_symbols)} & c.free_symbols
+        {*generators, *(g for value in generators for g in value.free_symbols)} & c.free_symbols
         for c in coefficients
     ):
         return None
@@ -362,12 +362,12 @@ def _without_common(
 
 def _without_the_same(sides: list[sp.Poly]) -> list[sp.Poly]:
     """Both sides without the terms that stand on both."""
-    one, other = (dict(each.terms()) for each in sides)
+    one, other = (dict(side.terms()) for side in sides)
     for m in one.keys() & other.keys():
         same = set(sp.Add.make_args(one[m])) & set(sp.Add.make_args(other[m]))
         one[m], other[m] = (expanded(each[m] - sp.Add(*same)) for each in (one, other))
     gens = sides[0].gens
-    of_an_angle = len(gens) > 1 and not any(each.is_Symbol for each in gens)
+    of_an_angle = len(gens) > 1 and not any(value.is_Symbol for value in gens)
     for m in one.keys() & other.keys() if of_an_angle else ():
         # Of sines and cosines like terms stand on one side: 2e cos²α, and not e cos²α on both.
         share = sp.cancel(other[m] / one[m]) if one[m] != 0 else sp.S.One
@@ -390,16 +390,18 @@ def _is_difference(polynomial: sp.Poly) -> bool:
 def _common(coefficients: Sequence[sp.Expr], ratios: bool) -> sp.Expr:
     """What divides all of some coefficients: positive letters, a root, and fractions of one."""
     common = sp.Integer(1)
-    terms = [term for each in coefficients for term in sp.Add.make_args(expanded(each))]
+    terms = [
+        term for coefficient in coefficients for term in sp.Add.make_args(expanded(coefficient))
+    ]
     powers = [term.as_powers_dict() for term in terms]
     for base in powers[0]:
         if (base.is_Symbol and base.is_positive) or (ratios and base.func in _TRIGONOMETRIC):
             common *= base ** min(power.get(base, 0) for power in powers)
     root = sp.sqrt(1)
     first = [p for p in sp.Mul.make_args(terms[0]) if p.is_Pow and p.exp == sp.S.Half]
-    for each in first:
-        if each.base.is_Integer and all(each in sp.Mul.make_args(x) for x in terms):
-            root *= each
+    for value in first:
+        if value.base.is_Integer and all(value in sp.Mul.make_args(x) for x in terms):
+            root *= value
     numbers = [sp.Mul(*(x for x in sp.Mul.make_args(t) if x.is_Rational)) for t in terms]
     lowest = sp.ilcm(1, *(x.q for x in numbers))
     greatest = sp.igcd(0, *(int(x * lowest) for x in numbers))
@@ -409,10 +411,10 @@ def _common(coefficients: Sequence[sp.Expr], ratios: bool) -> sp.Expr:
 def _is_of_tangents(link: Link, name: str) -> bool:
     """Whether a line has an angle in tangents alone."""
     kinds = {
-        each.function
+        node.function
         for side in (link.left, link.right)
-        for each in walk(side)
-        if isinstance(each, Apply) and each.argument == Letter(name)
+        for node in walk(side)
+        if isinstance(node, Apply) and node.argument == Letter(name)
     }
     return kinds == {"tan"}
 
@@ -431,9 +433,9 @@ def _has_common(
     sides: Sequence[sp.Expr], polynomials: Polynomials, tangents: Iterable[sp.Expr]
 ) -> int:
     """1 where a letter was common to all terms, and is gone."""
-    before = {x for each in sides for x in each.free_symbols}
-    after = {x for each in polynomials for x in each.free_symbols_in_domain}
-    after |= {x for each in polynomials for g in each.gens for x in g.free_symbols}
+    before = {x for side in sides for x in side.free_symbols}
+    after = {x for polynomial in polynomials for x in polynomial.free_symbols_in_domain}
+    after |= {x for polynomial in polynomials for g in polynomial.gens for x in g.free_symbols}
     after |= set(tangents)
     return int(bool(before - after))
 
@@ -460,7 +462,7 @@ def _sides(
         return _descending([(m, -c if minus else c) for m, c in left], generators), number(0)
     falling = len(generators) == 1 and max((m[0] for m, _ in (*left, *right)), default=0) > 1
     highest = [max(each)[1] for each in (left, right) if each]
-    falling = falling and all(scene.model.sign(each) > 0 for each in highest)
+    falling = falling and all(scene.model.sign(value) > 0 for value in highest)
     falling = falling and not _is_a_coefficient(scene, generators[0])
     return _tree(left, generators, falling), _tree(right, generators, falling)
 
@@ -483,11 +485,11 @@ def _tree(
     One letter of an equation with its square is from its highest power (``falling``).
     """
     if len(generators) == 1:
-        terms = sorted(terms, key=lambda each: each[0])
+        terms = sorted(terms, key=lambda term: term[0])
     own = [_term(term, generators) for term in terms]
     if falling:
         return _total(reversed(own))
-    first = next((n for n, each in enumerate(own) if not isinstance(each, Negate)), 0)
+    first = next((n for n, tree in enumerate(own) if not isinstance(tree, Negate)), 0)
     if own:
         own.insert(0, own.pop(first))
     return _total(own)
@@ -532,11 +534,11 @@ def _power(generator: sp.Expr, exponent: int) -> Expression:
 def _steps(link: Link, name: str) -> int:
     """How many steps lead to the unknown, beside the last: brackets, terms, what stands below."""
     terms = [term for side in (link.left, link.right) for term in _terms(side)]
-    several = sum(_has(each, name) for each in terms) > 1
+    several = sum(_has(term, name) for term in terms) > 1
     return (
-        min(2, sum(_brackets(each, name) for each in terms))
+        min(2, sum(_brackets(term, name) for term in terms))
         + several
-        + any(_stands_below(each, name) for each in terms)
+        + any(_stands_below(term, name) for term in terms)
         + _is_of_several_quotients(terms, name)
     )
 
@@ -544,14 +546,14 @@ def _steps(link: Link, name: str) -> int:
 def _is_of_several_quotients(terms: Sequence[Expression], name: str) -> bool:
     """Whether terms without the unknown are quotients over different letters, one of a sum."""
     quotients = [
-        each
-        for each in terms
-        if isinstance(each, Binary) and each.op == "/" and letters(each.right)
-        if not _has(each, name)
+        term
+        for term in terms
+        if isinstance(term, Binary) and term.op == "/" and letters(term.right)
+        if not _has(term, name)
     ]
-    sums = (node for each in quotients for node in walk(each.left))
-    several = len({write_expression(each.right) for each in quotients}) > 1
-    return several and any(isinstance(each, Binary) and each.op in ("+", "-") for each in sums)
+    sums = (node for quotient in quotients for node in walk(quotient.left))
+    several = len({write_expression(quotient.right) for quotient in quotients}) > 1
+    return several and any(isinstance(tree, Binary) and tree.op in ("+", "-") for tree in sums)
 
 
 def _terms(tree: Expression) -> Iterator[Expression]:

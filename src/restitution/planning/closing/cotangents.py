@@ -75,8 +75,8 @@ def cotangent_of(scene: Scene, line: int, letter: str) -> int | None:
 
 def _with_values(scene: Scene, put: Line, tangent: Apply, letter: str) -> int | None:
     """The same of a tangent into whose line values were put."""
-    lines = (scene.desk.line(each) for each in put.premises if isinstance(each, int))
-    numbers = [each.number for each in lines if isinstance(each.relation, Relation)]
+    lines = (scene.desk.line(ref) for ref in put.premises if isinstance(ref, int))
+    numbers = [line.number for line in lines if isinstance(line.relation, Relation)]
     own = next((n for n in numbers if scene.desk.last_link(n).left == tangent), None)
     line = None if own is None else cotangent_of(scene, own, letter)
     if line is None:

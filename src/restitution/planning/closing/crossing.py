@@ -38,7 +38,7 @@ def multiplied_across(scene: Scene, line: int, symbol: sp.Symbol) -> int:
         return line
     if any(map(_is_of_sines, (link.left, link.right))):
         return line
-    (above, below), (over, under) = ([_factors(scene, each) for each in pair] for pair in quotients)
+    (above, below), (over, under) = ([_factors(scene, tree) for tree in pair] for pair in quotients)
     above, over = _without_common(above, over)
     below, under = _without_common(below, under)
     left, right = [*above, *under], [*over, *below]
@@ -46,7 +46,7 @@ def multiplied_across(scene: Scene, line: int, symbol: sp.Symbol) -> int:
         return line
     numbers = _numbers(left, right)
     trees = [
-        product(number, *(each.tree for each in side if each.value.free_symbols))
+        product(number, *(factor.tree for factor in side if factor.value.free_symbols))
         for number, side in zip(numbers, (left, right), strict=True)
     ]
     if alike(trees[0], link.left) and alike(trees[1], link.right):
@@ -71,7 +71,8 @@ def _is_of_sines(tree: Expression) -> bool:
 
 def _factors(scene: Scene, tree: Expression) -> list[_Factor]:
     return [
-        _Factor(each, sp.sympify(scene_value(scene, each), strict=True)) for each in factors(tree)
+        _Factor(factor, sp.sympify(scene_value(scene, factor), strict=True))
+        for factor in factors(tree)
     ]
 
 
@@ -80,24 +81,24 @@ def _without_common(
 ) -> tuple[list[_Factor], list[_Factor]]:
     """Two products without the factors that both have."""
     first, second = list(one), list(other)
-    for each in one:
-        same = next((e for e in second if e.value.free_symbols and e.value == each.value), None)
+    for factor in one:
+        same = next((e for e in second if e.value.free_symbols and e.value == factor.value), None)
         if same is not None:
-            first.remove(each)
+            first.remove(factor)
             second.remove(same)
     return first, second
 
 
 def _is_to_multiply(side: Iterable[_Factor], symbol: sp.Symbol) -> bool:
     """Whether two sums are multiplied, of which one holds the unknown."""
-    sums = [each.value for each in side if each.value.is_Add]
+    sums = [factor.value for factor in side if factor.value.is_Add]
     return len(sums) > 1 and any(symbol in each.free_symbols for each in sums)
 
 
 def _numbers(left: Sequence[_Factor], right: Sequence[_Factor]) -> tuple[Expression, Expression]:
     """The numbers in front of both sides, without what they have in common."""
     values = [
-        sp.Mul(*(each.value for each in side if not each.value.free_symbols))
+        sp.Mul(*(factor.value for factor in side if not factor.value.free_symbols))
         for side in (left, right)
     ]
     ratio = tidy(values[0] / values[1])

@@ -50,7 +50,7 @@ def rejected(
     kept: Sequence[sp.Expr],
 ) -> int:
     """The line of what remains, with what excludes the rest: the line that was squared may."""
-    relation = Relation(tuple(option(subject, each) for each in kept))
+    relation = Relation(tuple(option(subject, value) for value in kept))
     move = Move("reject")
     own = background(scene, {symbol.name})
     component = _is_component(scene, symbol)
@@ -73,15 +73,15 @@ def rejected(
             return scene.desk.write(move, refs, relation)
     laws = _laws(scene, symbol) if component else ()
     names = {symbol.name}
-    for each in kept:
-        names |= symbol_names(each)
+    for value in kept:
+        names |= symbol_names(value)
     for ref in laws:
         names |= symbol_names(residual(scene, ref))  # type: ignore[arg-type]
-    rest = [each for each in background(scene, names) if each not in own]
+    rest = [ref for ref in background(scene, names) if ref not in own]
     for premises in (*_by_one_law(scene, laws, rest), *_by_laws(laws, rest)):
         if scene.judge.follows(move, (line, *premises), relation):
             return scene.desk.write(move, (line, *premises), relation)
-    facts = [each for each in scene.judge.known(names) if each in scene.facts]
+    facts = [ref for ref in scene.judge.known(names) if ref in scene.facts]
     for approach in _approaches(scene, line, symbol):
         refs = scene.judge.enough(move, (line,), relation, approach)
         if refs is not None:
@@ -139,11 +139,11 @@ def _approaches(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Re
     With it where they are then, and the lines under this one that tie the components.
     """
     lets = [
-        each.number
-        for each in scene.desk.lines
-        if isinstance(each.relation, Meaning) and isinstance(each.relation.quantity, Quantity)
+        line.number
+        for line in scene.desk.lines
+        if isinstance(line.relation, Meaning) and isinstance(line.relation.quantity, Quantity)
     ]
-    named = {scene.desk.line(each).relation.letter for each in lets}  # type: ignore[union-attr]
+    named = {scene.desk.line(number).relation.letter for number in lets}  # type: ignore[union-attr]
     if symbol.name not in named:
         return
     tied = [ref for ref in scene.desk.under(line) if isinstance(ref, int)]
@@ -151,8 +151,8 @@ def _approaches(scene: Scene, line: int, symbol: sp.Symbol) -> Iterator[tuple[Re
         bodies = scene.spheres(number)
         facts = [f"{kind} {body}" for body in bodies for kind in ("position", "velocity")]
         places = [scene.desk.known(Quantity("position", (Name(e),), number)) for e in bodies]
-        stands = [ref for each in places if each is not None for ref in each.refs]
-        own = [f"towards {number}", *(each for each in facts if each in scene.facts)]
+        stands = [ref for place in places if place is not None for ref in place.refs]
+        own = [f"towards {number}", *(ref for ref in facts if ref in scene.facts)]
         if own[0] in scene.facts:
             yield tuple(dict.fromkeys((*own, *stands, *lets, *sorted(tied))))
 
@@ -180,11 +180,11 @@ def _by_one_law(
         if len(letters & components) > 1:
             continue
         names = {letter.name for letter in letters}
-        own = [each for each in rest if any(name in str(each).split() for name in names)]
+        own = [ref for ref in rest if any(name in str(ref).split() for name in names)]
         alone.append((law,))
         for sign in (">= 0", "<= 1"):
-            angles = [each for each in own if not str(each).endswith(("= 0", "= 1"))]
-            ends = [each for each in own if str(each).endswith(sign)]
+            angles = [ref for ref in own if not str(ref).endswith(("= 0", "= 1"))]
+            ends = [ref for ref in own if str(ref).endswith(sign)]
             if ends or angles:
                 yield (law, *ends, *angles)
     yield from alone
@@ -194,9 +194,9 @@ def _by_laws(laws: tuple[Ref, ...], rest: Sequence[Ref]) -> Iterable[tuple[Ref, 
     """Sets of premises that may exclude a sense of a component: both laws, and 0 ≤ e ≤ 1."""
     if not laws:
         return
-    angles = tuple(each for each in rest if not str(each).endswith(("= 0", "= 1")))
-    low = tuple(each for each in rest if str(each).endswith(">= 0"))
-    high = tuple(each for each in rest if str(each).endswith("<= 1"))
+    angles = tuple(ref for ref in rest if not str(ref).endswith(("= 0", "= 1")))
+    low = tuple(ref for ref in rest if str(ref).endswith(">= 0"))
+    high = tuple(ref for ref in rest if str(ref).endswith("<= 1"))
     yield (*laws, *low, *angles)
     if high:
         yield (*laws, *high, *angles)
@@ -280,16 +280,20 @@ def _senses_of_components(scene: Scene, symbol: sp.Symbol) -> Iterator[tuple[Ref
 def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
     """Facts about the sense, or the range, of what a letter is, and what introduces the letter."""
     refs: list[Ref] = []
-    bodies = {body for (_, body), each in scene.model.components.items() if each.symbol == symbol}
+    bodies = {
+        body
+        for (_, body), component in scene.model.components.items()
+        if component.symbol == symbol
+    }
     for fact in scene.desk.facts:
         if not scene.desk.holds(fact.id) or not fact.id.startswith(("given", "sense")):
             continue
         nodes = [
-            each
+            node
             for links in fact.relation.options
             for link in links
             for side in (link.left, link.right)
-            for each in walk(side)
+            for node in walk(side)
         ]
         about = any(
             isinstance(node, Quantity)
@@ -313,8 +317,8 @@ def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
         ]
         axes = [
             ref
-            for (number, _), each in scene.model.components.items()
-            if each.symbol == symbol
+            for (number, _), component in scene.model.components.items()
+            if component.symbol == symbol
             for ref in scene.frame(number).refs
         ]
         return (*refs, *axes, *known)

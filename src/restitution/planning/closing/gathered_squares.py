@@ -37,20 +37,20 @@ def one_square_a_side(scene: Scene, line: int, angle: sp.Symbol, known: Sequence
     if link.sign != "=":
         return line
     trees = [*outer_terms(link.left), *map(negative, outer_terms(link.right))]
-    shares = _shares([scene_value(scene, each) for each in trees], angle)
+    shares = _shares([scene_value(scene, tree) for tree in trees], angle)
     if shares is None or _stands_so(shares):
         return line
     sums = [sp.Add(*own) for own in shares]
     signs = [scene.model.sign(own) for own in sums]
     if sorted(signs) != [-1, 1]:
         return line
-    whole = [[sign * each for each in own] for sign, own in zip(signs, shares, strict=True)]
+    whole = [[sign * value for value in own] for sign, own in zip(signs, shares, strict=True)]
     shares = [_numbers_added(own) for own in _without_common(scene, whole)]
     apart = [total(map(_term, own)) for own in shares]
     last = _without_common(scene, [[sp.Add(*own)] for own in shares])
     joined = [tree_of(tidy(factored(own[0]))) for own in last]
-    names = [square(Apply(each, Letter(angle.name))) for each in ("sin", "cos")]
-    several = any(len(own) > 1 and any(each.free_symbols for each in own) for own in shares)
+    names = [square(Apply(ratio, Letter(angle.name))) for ratio in ("sin", "cos")]
+    several = any(len(own) > 1 and any(value.free_symbols for value in own) for own in shares)
     for coefficients in (apart, joined) if several else (joined,):
         left, right = (product(c, name) for c, name in zip(coefficients, names, strict=True))
         written = scene.judge.write(_MOVES, [line, *known], chain(left, (right, None)))
@@ -84,29 +84,31 @@ def _stands_so(shares: Sequence[Sequence[sp.Expr]]) -> bool:
 
 def _without_common(scene: Scene, shares: list[list[sp.Expr]]) -> list[list[sp.Expr]]:
     """Coefficients without denominators, and without what all have in common."""
-    parts = [sp.fraction(one_fraction(each)) for own in shares for each in own]
+    parts = [sp.fraction(one_fraction(value)) for own in shares for value in own]
     below = sp.lcm_list([bottom for _, bottom in parts])
-    above = [[expanded(cancelled(each * below)) for each in own] for own in shares]
-    shared = factored(sp.gcd_list([each for own in above for each in own]))
+    above = [[expanded(cancelled(value * below)) for value in own] for own in shares]
+    shared = factored(sp.gcd_list([value for own in above for value in own]))
     ratio = sp.Mul(
         *(x for x in sp.Mul.make_args(shared) if x.is_number or proved_sign(scene.model.ground, x))
     )
-    return [[factored(cancelled(each / ratio)) for each in own] for own in above]
+    return [[factored(cancelled(value / ratio)) for value in own] for own in above]
 
 
 def _numbers_added(terms: Sequence[sp.Expr]) -> list[sp.Expr]:
     """Terms of which those that are numbers are one."""
-    worth = sp.Add(*(each for each in terms if each.is_number))
-    rest = [each for each in terms if not each.is_number]
-    return [*rest, worth] if worth.is_negative else [each for each in (worth, *rest) if each != 0]
+    worth = sp.Add(*(term for term in terms if term.is_number))
+    rest = [term for term in terms if not term.is_number]
+    return (
+        [*rest, worth] if worth.is_negative else [value for value in (worth, *rest) if value != 0]
+    )
 
 
 def _term(value: sp.Expr) -> Expression:
     """A term with its sign in front of it; what is squared begins with its number."""
     squares = {
-        each: (-each.base) ** each.exp
-        for each in value.atoms(sp.Pow)
-        if each.exp.is_even and each.base.is_Add and each.base.as_coeff_Add()[0].is_negative
+        power: (-power.base) ** power.exp
+        for power in value.atoms(sp.Pow)
+        if power.exp.is_even and power.base.is_Add and power.base.as_coeff_Add()[0].is_negative
     }
     value = value.xreplace(squares)
     minus = value.as_coeff_Mul()[0].is_negative

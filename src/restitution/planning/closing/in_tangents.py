@@ -37,7 +37,7 @@ def write_in_tangents(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[int, 
         for base, power in sp.fraction(each)[1].as_powers_dict().items():
             powers[base] = max(power, powers.get(base, power))
     below = sp.Mul(*(base**power for base, power in powers.items() if base.has(_T)))
-    left, right = ([each * below for each in side] for side in (left, right))
+    left, right = ([value * below for value in side] for side in (left, right))
     gap = sp.expand(sp.Add(*left) - sp.Add(*right))
     if not below.has(_T) or not gap.is_polynomial(_T):
         return None
@@ -74,8 +74,8 @@ def _terms(side: sp.Expr, symbol: sp.Symbol) -> list[sp.Expr] | None:
     c = sp.Dummy("c", positive=True)
     put = {sp.sin(symbol): _T * c, sp.tan(symbol): _T, sp.cos(symbol): c}
     terms: list[sp.Expr] = []
-    for each in sp.Add.make_args(side):
-        own = each.xreplace(put)
+    for term in sp.Add.make_args(side):
+        own = term.xreplace(put)
         # The number stays in front of the sum.
         rest = own / c**2 if own.has(c) else sp.Mul(own, _SQUARE.as_expr(), evaluate=False)
         if rest.free_symbols - {_T}:
@@ -103,7 +103,7 @@ def _difference_of_squares(terms: Sequence[sp.Expr]) -> tuple[sp.Expr, sp.Expr] 
 def _sides(
     step: tuple[Sequence[sp.Expr], Sequence[sp.Expr]], symbol: sp.Symbol
 ) -> tuple[Expression, Sign, Expression]:
-    left, right = (total(_in_tangent(each, symbol) for each in side) for side in step)
+    left, right = (total(_in_tangent(value, symbol) for value in side) for side in step)
     return left, "=", right
 
 

@@ -70,16 +70,16 @@ class _Loss:
         early = [in_direction(scene, "along", b, event - 1, self.frame) for b in self.bodies]
         letters = [self._letter(body) for body in self.bodies]
         laws = [written_law(scene, record, event) for record in ("momentum", "restitution")]
-        if None in letters or None in laws or any(each.value == 0 for each in early):
+        if None in letters or None in laws or any(source.value == 0 for source in early):
             return None
-        values = [scene.desk.known(Letter(each.name)) for each in letters if each is not None]
-        known = [each for each in values if each is not None]
-        if len(known) != len(letters) or not any(_is_long(each.value) for each in known):
+        values = [scene.desk.known(Letter(letter.name)) for letter in letters if letter is not None]
+        known = [value for value in values if value is not None]
+        if len(known) != len(letters) or not any(_is_long(source.value) for source in known):
             return None
-        if any(scene.put(each.value)[1] for each in known):
+        if any(scene.put(source.value)[1] for source in known):
             return None
-        w, x = (Letter(each.name) for each in letters if each is not None)
-        return self._products(early, w, x, known[1], [each for each in laws if each is not None])
+        w, x = (Letter(letter.name) for letter in letters if letter is not None)
+        return self._products(early, w, x, known[1], [law for law in laws if law is not None])
 
     def _letter(self, body: str) -> sp.Symbol | None:
         """The letter for the component of a sphere after the impact."""
@@ -90,9 +90,9 @@ class _Loss:
         self, early: list[Source], w: Letter, x: Letter, known: Source, laws: list[int]
     ) -> int | None:
         scene = self.scene
-        a, b = (each.value for each in early)
-        masses = [scene.mass(each) for each in self.bodies]
-        one, other = (tree_of(each.value) for each in masses)
+        a, b = (source.value for source in early)
+        masses = [scene.mass(body) for body in self.bodies]
+        one, other = (tree_of(mass.value) for mass in masses)
         first, second = tree_of(a), tree_of(b)
         change = total((x, negative(second)))
         approach = tidy(a - b)
@@ -106,8 +106,8 @@ class _Loss:
         )
         move = Move("define", "energy-lost", self.event, self.bodies)
         refs = together(
-            *(each.refs for each in masses),
-            *(each.whole for each in early),
+            *(mass.refs for mass in masses),
+            *(source.whole for source in early),
             self.frame.names_axis("along"),
             scene.desk.meanings(laws),
         )

@@ -52,7 +52,7 @@ def _above(scene: Scene, line: int) -> sp.Expr:
 
 def _background(scene: Scene, lines: Iterable[int]) -> tuple[Any, ...]:
     names = symbol_names(*(residual(scene, line) for line in lines))
-    facts = (each for each in scene.judge.known(names) if each in scene.facts)
+    facts = (ref for ref in scene.judge.known(names) if ref in scene.facts)
     return (*background(scene, names), *facts)
 
 
@@ -72,7 +72,7 @@ def _write(scene: Scene, move: Move, lines: Sequence[int], relation: Relation) -
 def _linear(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """One unknown is left out of two linear equations; then the other follows from one of them."""
     x, y = unknowns
-    rows = [_above(scene, each) for each in lines]
+    rows = [_above(scene, number) for number in lines]
     if any(inside_functions(row) & set(unknowns) for row in rows):
         return False
     polys = [sp.Poly(row, x, y) for row in rows]
@@ -314,9 +314,9 @@ def _as_multiple(scene: Scene, line: int, own: sp.Poly, place: int, subject: Exp
     source = scene.desk.line(line)
     first = [ref for ref in source.premises if isinstance(ref, int)]
     start = first[0] if source.move.id in ("rearrange", "cancel") and len(first) == 1 else line
-    for each in (start, line):
+    for number in (start, line):
         for move in (Move("rearrange"), Move("cancel")):
-            written = _write(scene, move, (each,), relation)
+            written = _write(scene, move, (number,), relation)
             if written is not None:
                 return written
     return line
@@ -340,7 +340,7 @@ def _put_in(
     if expressed is None:
         return False
     link = scene.desk.last_link(lines[1])
-    left, right = (swept(_with(each, subject, tree_of(value))) for each in (link.left, link.right))
+    left, right = (swept(_with(side, subject, tree_of(value))) for side in (link.left, link.right))
     relation = Relation(((Link(left, "=", right),),))
     put = _write(scene, Move("put"), (lines[1], expressed), relation)
     if put is None:
@@ -353,10 +353,10 @@ def _put_in(
 def _reduced(scene: Scene, line: int) -> int:
     """An equation without a factor that stands above and below a line on one side of it."""
     link = scene.desk.last_link(line)
-    sides = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
-    if not all(each.is_rational_function() for each in sides):
+    sides = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
+    if not all(side.is_rational_function() for side in sides):
         return line
-    plain = [sp.cancel(each) for each in sides]
+    plain = [sp.cancel(side) for side in sides]
     if not any(
         not sp.fraction(sp.together(a))[1].is_number and sp.fraction(b)[1].is_number
         for a, b in zip(sides, plain, strict=True)
@@ -376,17 +376,17 @@ def _with(tree: Expression, subject: Expression, value: Expression) -> Expressio
 
     base = subject.left if isinstance(subject, Binary) and subject.op == "^" else None
 
-    def change(each: Expression) -> Expression:
-        if each == subject:
+    def change(tree: Expression) -> Expression:
+        if tree == subject:
             return value
-        match each:
+        match tree:
             case Binary("*", left, Binary("/", above, below)) if above == ONE:
                 return Binary("/", left, below)
             case Binary("^", inside, _) if base is not None:
                 rest = _without(inside, base)
                 if rest is not None:
                     return product(square(rest), value)
-        return each
+        return tree
 
     return rebuilt(tree, change)
 

@@ -66,8 +66,8 @@ def _is_nested(term: Expression, name: str) -> bool:
     sums = [node for node in walk(term) if _is_sum(node, name)]
     quotients = [
         node
-        for each in sums
-        for node in walk(each)
+        for tree in sums
+        for node in walk(tree)
         if isinstance(node, Binary) and node.op == "/" and any(_is_sum(e, name) for e in walk(node))
     ]
     return bool(quotients) and any(

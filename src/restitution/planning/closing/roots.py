@@ -80,8 +80,8 @@ def by_roots(
     sides = sides_but_for_sign(scene, number, symbol) if generator == symbol else None
     if sides is not None:
         linear = [sp.expand(sides[0] - sides[1]), sp.expand(sides[0] + sides[1])]
-    if sides is not None or (len(linear) > 1 and any(each.atoms(sp.Pow) for each in linear)):
-        factors = [(each, 1) for each in linear]  # with roots of numbers they are not found again
+    if sides is not None or (len(linear) > 1 and any(value.atoms(sp.Pow) for value in linear)):
+        factors = [(value, 1) for value in linear]  # with roots of numbers they are not found again
     polynomials = [_without_root_in_front(sp.Poly(base, generator)) for base, _ in factors]
     if not factors or any(
         polynomial.degree() > 2
@@ -94,11 +94,11 @@ def by_roots(
         roots += _real_roots(scene, number, polynomial)
     roots = list(dict.fromkeys(roots))
     kept = [root for root in roots if is_reached(scene, root, of, symbol)]
-    wanted = [each for each in kept if is_value(scene.model, each, of, symbol)]
+    wanted = [value for value in kept if is_value(scene.model, value, of, symbol)]
     if len(wanted) != 1:
         return None
     (value,) = wanted
-    kept.sort(key=lambda each: _first_reached(scene, each, of, symbol))
+    kept.sort(key=lambda value: _first_reached(scene, value, of, symbol))
     roots = [*kept, *(root for root in roots if root not in kept)]
     dropped = [root for root in roots if root not in kept]
     whole = expanded(sp.Mul(*(base**power for base, power in factors)))
@@ -157,9 +157,9 @@ def _but_for_sign(
     ends = [other if tidy((one - other).subs(symbol, e)) == 0 else -other for e in roots]
     if len(ends) != 2 or ends[0] == ends[1]:
         return None
-    left, right = (tree_of(sp.factor_terms(each)) for each in sides)
+    left, right = (tree_of(sp.factor_terms(side)) for side in sides)
     relation = Relation(
-        tuple((Link(left, "=", right if each == other else negative(right)),) for each in ends)
+        tuple((Link(left, "=", right if end == other else negative(right)),) for end in ends)
     )
     known = background(scene, symbol_names(residual(scene, number)))
     refs = scene.judge.enough(_ROOTS, (number,), relation, known)
@@ -185,8 +185,8 @@ def _by_the_formula(
     if len(polynomials) != 1 or polynomials[0].degree() != 2:
         return None
     coefficients = polynomials[0].all_coeffs()
-    if not all(each.is_number for each in coefficients) or all(
-        each.is_Rational for each in coefficients
+    if not all(coefficient.is_number for coefficient in coefficients) or all(
+        coefficient.is_Rational for coefficient in coefficients
     ):
         return None
     if coefficients[1] == 0 or len(roots.options) < 2:
@@ -206,13 +206,13 @@ def _by_linear_factors(
 
     None of other factors.
     """
-    if len(polynomials) < 2 or any(each.degree() != 1 for each in polynomials):
+    if len(polynomials) < 2 or any(polynomial.degree() != 1 for polynomial in polynomials):
         return None
-    if not all(c.is_number for each in polynomials for c in each.all_coeffs()):
+    if not all(c.is_number for polynomial in polynomials for c in polynomial.all_coeffs()):
         return None
     quotients: dict[sp.Expr, Expression] = {}
-    for each in polynomials:
-        slope, rest = (expanded(c) for c in each.all_coeffs())
+    for polynomial in polynomials:
+        slope, rest = (expanded(c) for c in polynomial.all_coeffs())
         shared = sp.gcd(*(sp.factor_terms(c).as_coeff_Mul()[0] for c in (slope, rest)))
         if scene.model.sign(slope) < 0:
             shared = -shared
@@ -235,8 +235,8 @@ def _of_a_square(
 ) -> int | None:
     """The roots of (px + q)² = c, of a p that is a sum of roots of numbers, as quotients."""
     subject = roots.options[0][0].left
-    base, right = (sp.sympify(scene_value(scene, each), strict=True) for each in sides)
-    symbols = [each for each in base.free_symbols if Letter(each.name) == subject]
+    base, right = (sp.sympify(scene_value(scene, side), strict=True) for side in sides)
+    symbols = [symbol for symbol in base.free_symbols if Letter(symbol.name) == subject]
     if len(symbols) != 1 or len(base.free_symbols) != 1 or not right.is_number:
         return None
     (symbol,) = symbols
@@ -247,7 +247,7 @@ def _of_a_square(
     for links in roots.options:
         value = scene.scalar(links[0].right)
         root = sp.sqrt(right) if scene.model.sign(slope * value + rest) > 0 else -sp.sqrt(right)
-        trees = (tree_of(each, as_it_is=True) for each in (expanded(root - rest), slope))
+        trees = (tree_of(value, as_it_is=True) for value in (expanded(root - rest), slope))
         tree = tree_of(value) if value.is_Rational else Binary("/", *trees)
         options.append((Link(subject, "=", tree),))
     return _then(scene, number, Relation(tuple(options)), roots, known, Move("rearrange"))
@@ -284,7 +284,7 @@ def _in_two_lines(
     turned = scene.model.sign(polynomial.LC()) < 0
     a, b, c = (-polynomial.nth(n) if turned else polynomial.nth(n) for n in (2, 1, 0))
     half = expanded(b / 2)
-    if any(not each.as_coeff_Mul()[0].is_Integer for each in sp.Add.make_args(half)):
+    if any(not term.as_coeff_Mul()[0].is_Integer for term in sp.Add.make_args(half)):
         a, half, c = 2 * a, b, 2 * c  # (−7 ± √193)/6, and not (−7/2 ± √(193/4))/3
     inside = expanded(half**2 - a * c)
     own = expanded(tidy(sp.sqrt(inside)))
@@ -349,7 +349,7 @@ def _real_roots(scene: Scene, number: int, polynomial: sp.Poly) -> list[sp.Expr]
         root = tidy(sp.sqrt(inside))
         root = root.replace(sp.Abs, lambda x: x if scene.model.sign(x) >= 0 else -x)
         return [tidy((-b + sign * root) / (2 * a)) for sign in (1, -1)]
-    return [tidy(each) for each in sp.roots(polynomial)]
+    return [tidy(root) for root in sp.roots(polynomial)]
 
 
 def _quotient_root(scene: Scene, square_: sp.Expr) -> sp.Expr | None:
@@ -407,8 +407,8 @@ def in_standard_form(
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
     if refs is None and pure:
         # A given fact may tell that what it is divided by is not zero.
-        given = [each for each in scene.judge.known(names_) if each in scene.facts]
-        given += [each for each in scene.facts if each.startswith(("approach ", "velocity "))]
+        given = [ref for ref in scene.judge.known(names_) if ref in scene.facts]
+        given += [ref for ref in scene.facts if ref.startswith(("approach ", "velocity "))]
         refs = scene.judge.enough(Move("cancel"), (number,), relation, given) if given else None
         if refs is not None:
             return scene.desk.write(Move("cancel"), refs, relation)
@@ -416,7 +416,7 @@ def in_standard_form(
         # What it is divided by may be zero: that stands on the side of the square.
         sides = (polynomial.nth(2), -polynomial.nth(0))
         minus = scene.model.sign(scene.model.in_data(sides[1])) < 0
-        lead, rest = (tidy(factored(-each if minus else each)) for each in sides)
+        lead, rest = (tidy(factored(-side if minus else side)) for side in sides)
         plain = tree_of(lead * generator**2) if squared == tree_of(generator**2) else None
         left = plain or product(tree_of(lead), squared)
         relation = chain(left, (tree_of(rest), None))
@@ -433,8 +433,8 @@ def _is_in_powers(scene: Scene, link: Link, letter: sp.Expr) -> bool:
     if len(letters(link.left)) < 2 or not all(value.is_polynomial(letter) for value in values):
         return False
     polynomials = [sp.Poly(value, letter) for value in values]
-    powers = [each.degree() for each in polynomials]
-    return all(each.is_monomial for each in polynomials) and powers == [2, 1, 0]
+    powers = [polynomial.degree() for polynomial in polynomials]
+    return all(polynomial.is_monomial for polynomial in polynomials) and powers == [2, 1, 0]
 
 
 def _plain(scene: Scene, above: sp.Expr, generator: sp.Expr) -> sp.Poly:
@@ -456,9 +456,13 @@ def _without_root_in_front(polynomial: sp.Poly) -> sp.Poly:
     _, root = lead.as_independent(*lead.free_symbols)[0].as_coeff_Mul()
     if not (root.is_Pow and root.base.is_Integer and root.exp == sp.Rational(1, 2)):
         return polynomial
-    divided = sp.Poly([sp.expand(each / root) for each in polynomial.all_coeffs()], polynomial.gen)
+    divided = sp.Poly(
+        [sp.expand(coefficient / root) for coefficient in polynomial.all_coeffs()], polynomial.gen
+    )
     before, after = (sum(c.has(root) for c in e.all_coeffs()) for e in (polynomial, divided))
-    whole = all(sp.fraction(sp.together(each))[1] == 1 for each in divided.all_coeffs())
+    whole = all(
+        sp.fraction(sp.together(coefficient))[1] == 1 for coefficient in divided.all_coeffs()
+    )
     return divided if after < before and whole else polynomial
 
 
@@ -480,8 +484,8 @@ def _in_factors(
         relation = Relation(((Link(square(polynomial_tree(once, subject)), "=", ZERO),),))
     elif degrees in ([1, 1], [2, 2]):
         plain = [_plain(scene, factor, generator) for factor in factors]
-        plain.sort(key=lambda each: (each.nth(0) != 0, each.LC() == 1, str(each.nth(0))))
-        trees = [polynomial_tree(each, subject) for each in plain]
+        plain.sort(key=lambda value: (value.nth(0) != 0, value.LC() == 1, str(value.nth(0))))
+        trees = [polynomial_tree(value, subject) for value in plain]
         relation = Relation(((Link(product(*trees), "=", ZERO),),))
     else:
         return number

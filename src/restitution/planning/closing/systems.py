@@ -27,12 +27,12 @@ def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Sym
 
     Raises NotPlannedError where the lines do not fix as many unknowns as they are.
     """
-    lines = list(dict.fromkeys(with_known(scene, each) for each in numbers))
-    opened = {each: scene.unknown(residual(scene, each)) for each in lines}
-    lines = [each for each in lines if opened[each]]
+    lines = list(dict.fromkeys(with_known(scene, number) for number in numbers))
+    opened = {number: scene.unknown(residual(scene, number)) for number in lines}
+    lines = [number for number in lines if opened[number]]
     unknowns = sorted(
-        {symbol for each in lines for symbol in opened[each]},
-        key=lambda each: (each in asked, each.name),
+        {symbol for number in lines for symbol in opened[number]},
+        key=lambda value: (value in asked, value.name),
     )
     if not lines or len(unknowns) != len(lines):
         raise NotPlannedError(f"{len(lines)} equations for {len(unknowns)} unknowns")
@@ -50,7 +50,7 @@ def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Sym
     if len(relation.options) > 1:
         scene.desk.splits += ((line, relation.options.index(own)),)
         scene.others = tuple(
-            model for model, each in zip(models, options, strict=True) if each == own
+            model for model, option in zip(models, options, strict=True) if option == own
         )
     for symbol in unknowns:
         scene.desk.know(Letter(symbol.name), scene.final(symbol), (line,))

@@ -20,7 +20,7 @@ def with_wanted_letters(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation | None:
     """The working without a letter that one line puts in; None where it is needed."""
-    users = [each for each in derivation.lines if line.number in each.premises]
+    users = [other for other in derivation.lines if line.number in other.premises]
     fixed = derivation.held
     letter = _letter_of(line)
     if len(users) != 1 or line.number in fixed or letter is None:
@@ -39,9 +39,9 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
     move = Move("combine", eliminated=letter)
     direct = replace(user, move=move, premises=line.premises, relation=relation)
     lines = tuple(
-        direct if each.number == user.number else each
-        for each in derivation.lines
-        if each.number != line.number
+        direct if other.number == user.number else other
+        for other in derivation.lines
+        if other.number != line.number
     )
     whole = replace(derivation, lines=lines)
     read = reader_of(whole, oracle)

@@ -31,13 +31,13 @@ def zero_of_a_sum(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     if not any(map(_is_of_a_sum, (*walk(link.left), *walk(link.right)))):
         return None
     own = numerator(residual(scene, line))
-    angles = sorted((each for each in own.free_symbols if _is_acute(scene, each)), key=str)
+    angles = sorted((symbol for symbol in own.free_symbols if _is_acute(scene, symbol)), key=str)
     value = tidy_angle(scene.final(symbol))
     if symbol not in angles or len(angles) < len(_SAMPLES[0]):
         return None  # of one angle a sum with degrees would hide where these come from
     if value.free_symbols != set(angles) - {symbol}:
         return None
-    known: list[Ref] = [f"acute:{each}" for each in angles]
+    known: list[Ref] = [f"acute:{angle}" for angle in angles]
     for function, whole, turn in _sums(own, symbol, value):
         relation = chain(Apply(function, whole), (ZERO, None))
         refs = scene.judge.enough(Move("identity", "sum-of-angles"), (line,), relation, ())
@@ -75,9 +75,9 @@ def _sums(
     """
     others = sorted(value.free_symbols, key=str)
     rest = sorted(own.free_symbols - {symbol, *others}, key=str)
-    put = own.subs({each: sp.Integer(n) for n, each in enumerate(rest, 2)})
-    samples = [dict(zip((symbol, *others), each, strict=False)) for each in _SAMPLES]
-    values = [complex(put.subs(each).evalf()) for each in samples]
+    put = own.subs({value: sp.Integer(n) for n, value in enumerate(rest, 2)})
+    samples = [dict(zip((symbol, *others), sample, strict=False)) for sample in _SAMPLES]
+    values = [complex(put.subs(sample).evalf()) for sample in samples]
     for times in range(1, _MOST + 1):
         for degrees in (90, 180):
             whole = sp.expand(times * (symbol - value) + sp.pi * degrees / 180)
@@ -98,11 +98,11 @@ def _without_number(whole: sp.Expr) -> sp.Expr:
 
 def _sum(whole: sp.Expr) -> Expression | None:
     """A sum of whole multiples of angles, without a number; None of another."""
-    shares = [each.as_coeff_Mul() for each in sp.Add.make_args(_without_number(whole))]
+    shares = [term.as_coeff_Mul() for term in sp.Add.make_args(_without_number(whole))]
     if not all(count.is_Integer for count, _ in shares):
         return None
-    shares.sort(key=lambda each: bool(each[0] < 0))
-    trees = [product(number(abs(count)), Letter(str(each))) for count, each in shares]
+    shares.sort(key=lambda share: bool(share[0] < 0))
+    trees = [product(number(abs(count)), Letter(str(value))) for count, value in shares]
     tree, *others = trees
     for (count, _), other in zip(shares[1:], others, strict=True):
         tree = Binary("+" if count > 0 else "-", tree, other)

@@ -107,16 +107,16 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
     frame = _frame_of_line(scene, body, stage, line)
     above, below, walls = components_to_a_line(scene, body, stage, line)
     trees = []
-    for each in (above, below):
-        tree = tree_of(each.value)
-        trees.append(negative(tree) if scene.model.sign(each.value) < 0 else tree)
+    for source in (above, below):
+        tree = tree_of(source.value)
+        trees.append(negative(tree) if scene.model.sign(source.value) < 0 else tree)
     if is_zero(trees[1]):
         raise NotPlannedError("a right angle")
     value = tidy(above.value / below.value)
     value = -value if scene.model.sign(value) < 0 else value
     if not is_zero(trees[0]) and not _of_one_sign(scene, above.value):
         raise NotPlannedError("a tangent of open sign")
-    both = {each.sign(each.in_data(below.value)) for each in scene.others} >= {1, -1}
+    both = {model.sign(model.in_data(below.value)) for model in scene.others} >= {1, -1}
     if (both and isinstance(line, Name)) or not _of_one_sign(scene, below.value):
         # Which way the body goes along the line is open, or not the same in each solution.
         size = sp.Abs(below.value, evaluate=False)
@@ -175,7 +175,7 @@ def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
             if scene.model.sign(scene.model.in_data(own_line.value)) < 0:
                 own_line = worth  # who moves against the line does so by a value
             right, value = _to_the_line(scene, along, across, own_line)
-            refs = together(*(each.whole for each in (along, across, zero, own_line)), names)
+            refs = together(*(source.whole for source in (along, across, zero, own_line)), names)
             return Formula(move, tangent, quantity, right, value, refs)
     cross = tidy(expanded(a.value * d.value - b.value * c.value))
     if not _of_one_sign(scene, cross):
@@ -185,7 +185,7 @@ def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
         terms, cross = terms[::-1], -cross
     below = total(product(tree_of(x.value), tree_of(y.value)) for x, y in ((a, c), (b, d)))
     value = tidy(cross / tidy(expanded(a.value * c.value + b.value * d.value)))
-    refs = together(*(each.whole for one in own for each in one), names)
+    refs = together(*(source.whole for one in own for source in one), names)
     return Formula(move, tangent, quantity, Binary("/", difference(*terms), below), value, refs)
 
 
@@ -193,20 +193,20 @@ def _by_product(scene: Scene, quantity: Quantity, pair: Iterable[tuple[str, int]
     """The cosine of the angle between two velocities as vectors, by their scalar product."""
     pair = list(pair)
     sources = [velocity_as_a_line(scene, *each) for each in pair]
-    (a, b), (c, d) = ([tree_of(each) for each in source.value] for source in sources)
-    squares_ = [tidy(expanded(sum(each**2 for each in source.value))) for source in sources]
+    (a, b), (c, d) = ([tree_of(value) for value in source.value] for source in sources)
+    squares_ = [tidy(expanded(sum(value**2 for value in source.value))) for source in sources]
     if any(scene.model.identically_zero(each) for each in squares_):
         raise NotPlannedError("an angle to what is at rest")
     above = total((product(a, c), product(b, d)))
     sizes = [
-        Apply("sqrt", total(square(tree_of(each)) for each in source.value if each != 0))
+        Apply("sqrt", total(square(tree_of(value)) for value in source.value if value != 0))
         for source in sources
     ]
     dot = sum(x * y for x, y in zip(sources[0].value, sources[1].value, strict=True))
     value = tidy(expanded(dot) / tidy(sp.sqrt(squares_[0])) / tidy(sp.sqrt(squares_[1])))
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", max(stage for _, stage in pair) or None, bodies)
-    refs = together(*(each.whole for each in sources))
+    refs = together(*(source.whole for source in sources))
     right = Binary("/", above, product(*sizes))
     return Formula(move, cosine, quantity, right, value, refs)
 
@@ -253,10 +253,10 @@ def product_formula(scene: Scene, quantity: Quantity) -> Formula:
                 case Quantity() | Letter():
                     raise NotPlannedError("a scalar product of other vectors")
         put, _ = scene.put(scene.vector(argument))
-        vectors.append(Vector(*(tidy(expanded(each)) for each in put)))
+        vectors.append(Vector(*(tidy(expanded(component)) for component in put)))
     if not refs:
         raise NotPlannedError("a scalar product of data")
-    (a, b), (c, d) = ([tree_of(each) for each in own] for own in vectors)
+    (a, b), (c, d) = ([tree_of(value) for value in own] for own in vectors)
     value = tidy(expanded(sum(x * y for x, y in zip(*vectors, strict=True))))
     move = Move("define", "product", late or None, tuple(dict.fromkeys(bodies)))
     right = total((product(a, c), product(b, d)))
@@ -325,8 +325,8 @@ def _to_the_line(
     ):
         raise NotPlannedError("to which side a sphere turns is open")
     trees = [
-        negative(tree_of(each.value)) if sign < 0 else tree_of(each.value)
-        for each, sign in ((across, side), (along, sense))
+        negative(tree_of(source.value)) if sign < 0 else tree_of(source.value)
+        for source, sign in ((across, side), (along, sense))
     ]
     return Binary("/", *trees), tidy(side * sense * across.value / along.value)
 
@@ -361,7 +361,7 @@ def _angle_to_unit(
     size = -above.value if scene.model.sign(above.value) < 0 else above.value
     along_the_line = _along_the_line(scene, body, stage)
     trees = tree_of(size), tree_of(below.value)
-    if along_the_line and all(each.is_number for each in scene.frame(stage).n):
+    if along_the_line and all(component.is_number for component in scene.frame(stage).n):
         # Along a line of centres the size of the velocity does not matter.
         common = sp.sqrt(size**2 + below.value**2)
         whole, _ = whole_direction(Vector(tidy(below.value / common), tidy(size / common)))
@@ -420,7 +420,7 @@ def _along_the_line(scene: Scene, body: str, stage: int) -> tuple[Ref, ...]:
         if own.value == 0:
             # A direction in letters is that of the velocity with both its components.
             frame_ = frame if frame.write is not None else scene.model.frames[stage]
-            plain = all(each.is_number for each in frame_.n)
+            plain = all(component.is_number for component in frame_.n)
             other = "along" if kind == "across" else "across"
             whole = () if plain else after(scene, other, body, frame).refs
             return together(own.refs, whole, frame.refs)
@@ -442,7 +442,7 @@ def deflection_formula(scene: Scene, quantity: Quantity) -> Formula:
     cross = tidy(expanded(c.value * t.value - s.value * d.value))
     if not _of_one_sign(scene, cross):
         raise NotPlannedError("to which side a sphere turns is open")
-    trees = [tree_of(each.value) for each in (c, s, d, t)]
+    trees = [tree_of(source.value) for source in (c, s, d, t)]
     above = [product(trees[0], trees[3]), product(trees[1], trees[2])]
     if scene.model.sign(cross) < 0:
         above, cross = above[::-1], -cross
@@ -454,5 +454,5 @@ def deflection_formula(scene: Scene, quantity: Quantity) -> Formula:
         quantity,
         Binary("/", difference(*above), below),
         tidy(cross / dot),
-        together(*(each.whole for each in (*early, *late)), names),
+        together(*(source.whole for source in (*early, *late)), names),
     )

@@ -25,11 +25,11 @@ def by_change_along(scene: Scene, body: str, stage: int, frame: Frame) -> Formul
     """
     if stage not in scene.model.frames or not frame.is_slanted:
         return None
-    if not all(each.is_number for each in frame.n):
+    if not all(component.is_number for component in frame.n):
         return None
-    for each in scene.spheres(stage):
-        beside = scene.desk.known(frame.component("across", each, stage))
-        if beside is not None and (each == body or beside.value != 0):
+    for sphere in scene.spheres(stage):
+        beside = scene.desk.known(frame.component("across", sphere, stage))
+        if beside is not None and (sphere == body or beside.value != 0):
             return None
     if _across_is_wanted(scene, body, stage, frame):
         return None
@@ -71,12 +71,12 @@ def _across_is_wanted(scene: Scene, body: str, stage: int, frame: Frame) -> bool
 
     Or whether it is wanted for the next way of a body along a circular wall.
     """
-    later = any(body in scene.bodies(each) for each in range(stage + 1, scene.events + 1))
+    later = any(body in scene.bodies(index) for index in range(stage + 1, scene.events + 1))
     if later and circle_of(scene, stage) is not None:
         return True
     velocity = Quantity("velocity", (Name(body),), stage)
-    for each in scene.asked:
-        match each:
+    for tree in scene.asked:
+        match tree:
             case Quantity("along" | "across" | "dot", (one, axis)) if velocity in (one, axis):
                 if frame.along in (one, axis) or not {Unit("i"), Unit("j")} & {one, axis}:
                     return True

@@ -82,9 +82,9 @@ def write_formula(scene: Scene, own: Formula) -> int:
     between: tuple[tuple[Expression, MoveId | None], ...] = ()
     if _depth_of_roots(right) > _MOST_ROOTS and not _trivial(own.right, final):
         squares = root_of_a_square(scene, final)
-        between = (*_with_squares(scene, right), *((each, "rearrange") for each in squares))
+        between = (*_with_squares(scene, right), *((square, "rearrange") for square in squares))
     else:
-        between = tuple((each, "rearrange") for each in terms_between(scene, right, final))
+        between = tuple((term, "rearrange") for term in terms_between(scene, right, final))
     if isinstance(own.value, Vector):
         number = scene.desk.write(own.move, own.refs, chain(own.left, (right, None)))
         if right != final:
@@ -95,7 +95,9 @@ def write_formula(scene: Scene, own: Formula) -> int:
             link = chain(own.left, *steps)
             move = Move("rearrange")
             pythagoras = Move("identity", "pythagoras")
-            ratios = any(sp.sympify(each, strict=True).atoms(sp.sin, sp.cos) for each in own.value)
+            ratios = any(
+                sp.sympify(value, strict=True).atoms(sp.sin, sp.cos) for value in own.value
+            )
             if ratios and not scene.judge.follows(move, (number,), link):
                 move = pythagoras if scene.judge.follows(pythagoras, (number,), link) else move
             number = scene.desk.write(move, (number,), link)
@@ -156,7 +158,7 @@ def _with_squares(scene: Scene, root: Expression) -> tuple[tuple[Expression, Mov
             terms = (sum_.left, sum_.right)
         case _:
             raise NotPlannedError("a root of sums of roots")
-    squares = [tidy(sp.expand(scene.scalar(each))) for each in terms]
+    squares = [tidy(sp.expand(scene.scalar(term))) for term in terms]
     tree = Apply("sqrt", Binary("+", *map(tree_of, squares)))
     if _depth_of_roots(tree) > _MOST_ROOTS:
         raise NotPlannedError("a root of sums of roots")

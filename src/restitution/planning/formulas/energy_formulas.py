@@ -109,7 +109,7 @@ def _speed_before(scene: Scene, body: str, stage: int) -> None:
         or known_speed(scene, body, stage)
     ):
         return
-    if any(scene.unknown(each.value) or each.value == 0 for each in parts(scene, body, stage)):
+    if any(scene.unknown(part.value) or part.value == 0 for part in parts(scene, body, stage)):
         return
     own = speed_formula(scene, speed)
     scene.desk.know(speed, own.value, (write_formula(scene, own),))
@@ -140,7 +140,7 @@ def speed_by_its_energy(scene: Scene, speed: Quantity) -> int | None:
     known, record = scene.desk.known(Quantity("energy", (Name(body),), stage)), "energy"
     if known is None and tuple(scene.model.story.spheres) == (body,):
         known, record = scene.desk.known(Quantity("energy", (), stage)), "total"
-    if known is None or any(each.value == 0 for each in parts(scene, body, stage)):
+    if known is None or any(part.value == 0 for part in parts(scene, body, stage)):
         return None
     return _speed_of_energy(scene, body, stage, known, record)
 
@@ -151,9 +151,13 @@ def speed_by_given_energy(scene: Scene, speed: Quantity) -> int | None:
     if stage not in scene.model.frames or known_speed(scene, body, stage):
         return None
     energy = Quantity("energy", (Name(body),), stage)
-    for each in scene.given:
-        if each.link.left == energy and each.link.sign == "=" and not has_quantity(each.link.right):
-            known = Source(scene.scalar(each.link.right), each.refs)
+    for equation in scene.given:
+        if (
+            equation.link.left == energy
+            and equation.link.sign == "="
+            and not has_quantity(equation.link.right)
+        ):
+            known = Source(scene.scalar(equation.link.right), equation.refs)
             if not scene.unknown(scene.mass(body).value):
                 return _speed_of_energy(scene, body, stage, known, "energy")
     return None
@@ -209,7 +213,7 @@ def _left_of_energy(scene: Scene, quantity: Quantity) -> Formula | None:
         return None
     right = difference(tree_of(before.value), tree_of(lost.value))
     own = [_known_energy(scene, stage, body) for body in scene.model.story.spheres]
-    shares = [tree_of(each.value) for each in own if each is not None]
+    shares = [tree_of(source.value) for source in own if source is not None]
     if len(shares) == len(own) and len(walk(total(shares))) <= len(walk(right)):
         return None
     value = tidy(expanded(before.value - lost.value))
@@ -247,23 +251,23 @@ def _lost_by_losses(scene: Scene, quantity: Quantity, stage: int) -> Formula | N
     Where that of one impact alone is none yet, it is written.
     """
     happenings = (scene.model.happening(number).step for number in range(1, stage + 1))
-    if stage < 2 or any(isinstance(each, Arrival) for each in happenings):
+    if stage < 2 or any(isinstance(happening, Arrival) for happening in happenings):
         return None
     each_lost = [Quantity("energy_lost", (), n) for n in range(1, stage + 1)]
-    lost = [_known_value(scene, each) for each in each_lost]
-    missing = [each for each, known in zip(each_lost, lost, strict=True) if known is None]
+    lost = [_known_value(scene, quantity) for quantity in each_lost]
+    missing = [quantity for quantity, known in zip(each_lost, lost, strict=True) if known is None]
     if len(missing) == 1:
         own_loss = energy_lost_formula(scene, missing[0])
         if not scene.unknown(own_loss.value):
             number_ = write_formula(scene, own_loss)
             scene.desk.know(missing[0], own_loss.value, (number_,))
-            lost = [_known_value(scene, each) for each in each_lost]
-    own = [each for each in lost if each is not None]
+            lost = [_known_value(scene, quantity) for quantity in each_lost]
+    own = [source for source in lost if source is not None]
     if len(own) != stage:
         return None
-    right = total(tree_of(each.value) for each in own)
-    value = tidy(expanded(sum(each.value for each in own)))
-    refs = together(*(each.refs for each in own))
+    right = total(tree_of(source.value) for source in own)
+    value = tidy(expanded(sum(source.value for source in own)))
+    refs = together(*(source.refs for source in own))
     return Formula(Move("define", "total-lost", stage), itself, quantity, right, value, refs)
 
 
@@ -273,13 +277,13 @@ def _lost_by_energies(
     """What is lost, of kinetic energies that are lines already; None where one of them is not."""
     for group in ([()], [(body,) for body in bodies]):
         ends = [[_known_energy(scene, stage, *names) for names in group] for stage in stages]
-        early, late = ([each for each in own if each is not None] for own in ends)
+        early, late = ([source for source in own if source is not None] for own in ends)
         if len(early) != len(group) or len(late) != len(group):
             continue
         pairs = list(zip(early, late, strict=True))
-        terms = [difference(*(tree_of(each.value) for each in pair)) for pair in pairs]
+        terms = [difference(*(tree_of(source.value) for source in pair)) for pair in pairs]
         value = sum(one.value - other.value for one, other in pairs)
-        refs = together(*(each.refs for pair in pairs for each in pair))
+        refs = together(*(source.refs for pair in pairs for source in pair))
         record = "energy-lost" if quantity.kind == "energy_lost" else "total-lost"
         move = Move("define", record, stages[1], bodies if quantity.kind == "energy_lost" else ())
         return Formula(move, itself, quantity, total(terms), tidy(expanded(value)), refs)
@@ -298,9 +302,9 @@ def _write_energies_after(scene: Scene, event: int) -> None:
     whole = Quantity("energy", (), event)
     if whole in scene.asked and len(own) == len(scene.model.story.spheres):
         own.append(whole)
-    for each in own:
-        if scene.desk.known(each) is None:
-            formula = energy_formula(scene, each)
+    for quantity in own:
+        if scene.desk.known(quantity) is None:
+            formula = energy_formula(scene, quantity)
             if scene.unknown(formula.value):
                 return
             write_formula(scene, formula)
@@ -314,7 +318,7 @@ def _lost_by_energies_after(
     The energy before it is a line, or is made of the speeds. None where one after it is no line.
     """
     late = [_known_energy(scene, event, body) for body in bodies]
-    kept = [each for each in late if each is not None]
+    kept = [source for source in late if source is not None]
     if len(bodies) < _PAIR or len(kept) < len(bodies):
         return None
     first = (
@@ -324,15 +328,15 @@ def _lost_by_energies_after(
         formulas = [
             energy_formula(scene, Quantity("energy", (Name(body),), event - 1)) for body in bodies
         ]
-        before = total(each.right for each in formulas)
-        value = sum(each.value for each in formulas)
-        refs = together(*(each.refs for each in formulas))
+        before = total(formula.right for formula in formulas)
+        value = sum(formula.value for formula in formulas)
+        refs = together(*(formula.refs for formula in formulas))
     else:
         before, value, refs = tree_of(first.value), first.value, first.refs
-    right = difference(before, total(tree_of(each.value) for each in kept))
-    value = tidy(expanded(value - sum(each.value for each in kept)))
+    right = difference(before, total(tree_of(source.value) for source in kept))
+    value = tidy(expanded(value - sum(source.value for source in kept)))
     move = Move("define", "energy-lost", event, bodies)
-    pool = together(refs, *(each.refs for each in kept))
+    pool = together(refs, *(source.refs for source in kept))
     own = Formula(move, itself, quantity, right, value, pool)
     return own if not scene.unknown(value) and _follows(scene, own) else None
 
@@ -370,7 +374,7 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     for body in scene.spheres(event):
         early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
         mass = scene.mass(body)
-        squared = [square(tree_of(each.value)) for each in (early, late)]
+        squared = [square(tree_of(source.value)) for source in (early, late)]
         change = difference(*squared)
         terms.append(half(tree_of(mass.value), change))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
@@ -420,7 +424,8 @@ def energy_change(scene: Scene, asked: Expression) -> Formula | None:
     ):
         return None
     if any(
-        scene.desk.known(each) is not None or each in scene.asked_alone for each in (first, second)
+        scene.desk.known(quantity) is not None or quantity in scene.asked_alone
+        for quantity in (first, second)
     ):
         return None
     ends = [in_direction(scene, "along", body, k, frame) for k in (event, event - 1)]
@@ -517,7 +522,7 @@ def _read_off(scene: Scene, body: str, stage: int) -> Source | None:
     if known is None:
         return None
     value, refs = scene.put(known.value)
-    sizes = [each for each in value if each != 0]
+    sizes = [other for other in value if other != 0]
     if len(sizes) > 1 or any(map(scene.unknown, value)):
         return None
     sign = scene.model.proved_sign(scene.model.in_data(sizes[0])) if sizes else 1
@@ -534,9 +539,12 @@ def _given_speed(scene: Scene, body: str, stage: int) -> Source | None:
         match fact.relation.only[0].right:
             case Polar(size) if not isinstance(size, Unit):
                 refs = (fact.id,)
-    for each in scene.given if last else ():
-        if each.link.left == Quantity("speed", (Name(body),), last) and each.link.sign == "=":
-            size, refs = each.link.right, each.refs
+    for equation in scene.given if last else ():
+        if (
+            equation.link.left == Quantity("speed", (Name(body),), last)
+            and equation.link.sign == "="
+        ):
+            size, refs = equation.link.right, equation.refs
     if size is None or has_quantity(size):
         return None
     value, more = scene.put(scene.scalar(size))
@@ -586,7 +594,7 @@ def momentum_formula(scene: Scene, quantity: Quantity) -> Formula:
         itself,
         quantity,
         product(tree_of(mass.value), tree_of(velocity.value)),
-        Vector(*(tidy(mass.value * each) for each in velocity.value)),
+        Vector(*(tidy(mass.value * component) for component in velocity.value)),
         together(mass.refs, velocity.refs),
     )
 
@@ -601,12 +609,12 @@ def _momentum_of_all(scene: Scene, quantity: Quantity) -> Formula:
     for body in scene.model.story.spheres:
         velocity = velocity_as_a_line(scene, body, scene.last_event(body, stage))
         refs += velocity.refs
-        if all(each == 0 for each in velocity.value):
+        if all(value == 0 for value in velocity.value):
             continue
         mass = scene.mass(body)
         refs += mass.refs
         terms.append(product(tree_of(mass.value), tree_of(velocity.value)))
         x, y = (a + mass.value * b for a, b in zip((x, y), velocity.value, strict=True))
-    whole = Vector(*(tidy(expanded(each)) for each in (x, y)))
+    whole = Vector(*(tidy(expanded(component)) for component in (x, y)))
     move = Move("define", "momentum-of", stage or None, ())
     return Formula(move, itself, quantity, total(terms), whole, together(refs))

@@ -38,7 +38,8 @@ def fraction_lost(scene: Scene, asked: Expression) -> Formula | None:
     if stage != (0 if kind == "total_energy_lost" else event - 1):
         return None
     if any(
-        scene.desk.known(each) is not None or each in scene.asked_alone for each in (lost, before)
+        scene.desk.known(quantity) is not None or quantity in scene.asked_alone
+        for quantity in (lost, before)
     ):
         return None
     whole, size, refs = squares(scene, body, scene.last_event(body, stage), known=True)
@@ -50,7 +51,7 @@ def fraction_lost(scene: Scene, asked: Expression) -> Formula | None:
         late, used = speed.value, speed.refs
         change, value = difference(whole, square(tree_of(late))), size - late**2
     elif ends is not None:
-        change = difference(*(square(tree_of(each.value)) for each in ends))
+        change = difference(*(square(tree_of(end.value)) for end in ends))
         value, used = ends[0].value ** 2 - ends[1].value ** 2, _refs_of(scene, ends, event)
     else:
         return None
@@ -73,7 +74,7 @@ def _by_component(scene: Scene, body: str, event: int) -> tuple[Source, Source]:
 
 def _refs_of(scene: Scene, ends: tuple[Source, Source], event: int) -> tuple[Ref, ...]:
     """What two components along the line of an impact rest on, with the line itself."""
-    return together(*(each.whole for each in ends), scene.frame(event).names_axis("along"))
+    return together(*(end.whole for end in ends), scene.frame(event).names_axis("along"))
 
 
 __all__ = ["fraction_lost"]

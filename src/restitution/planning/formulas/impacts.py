@@ -102,7 +102,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         in_a_line = frame.write is not None or not is_polar(scene, body)
         # Who moves along the line of centres, by its angle, has its speed as its component.
         in_a_line |= frame.wall is None and not any(
-            _parallel(scene, initial.value, each) for each in (frame.n, frame.t)
+            _parallel(scene, initial.value, vector) for vector in (frame.n, frame.t)
         )
         # Of a direction in letters a sum of its ratios has to be seen: −v(cos θ + sin θ)/√2.
         in_a_line |= any(each.has(sp.cos, sp.sin) for each in value.atoms(sp.Add))
@@ -279,9 +279,9 @@ def _parallel(scene: Scene, a: Vector, b: Vector) -> int:
 def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:
     """A component of a velocity of which the components in other directions are known."""
     own = scene.frame(stage)
-    parts = [after(scene, each, body, own) for each in ("along", "across")]
+    parts = [after(scene, axis, body, own) for axis in ("along", "across")]
     direction = frame.direction(kind)
-    shares = [tidy(own.direction(each).dot(direction)) for each in ("along", "across")]
+    shares = [tidy(own.direction(axis).dot(direction)) for axis in ("along", "across")]
     put = [_put(scene, part) for part in parts]
     value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
     if kind == "along" and frame.wall is not None and frame.number == stage + 1:
@@ -305,27 +305,27 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
         product(
             tree_of(a.value),
             _share_of_degrees(b, function, short=in_degrees)
-            or _product_of_units(own.direction(each), direction, b),
+            or _product_of_units(own.direction(axis), direction, b),
         )
-        for each, a, b, function in zip(("along", "across"), put, shares, functions, strict=True)
+        for axis, a, b, function in zip(("along", "across"), put, shares, functions, strict=True)
         if a.value
     ]
     if own.direction("along").x == 0:
         terms.reverse()  # along **i** first
     terms.sort(key=lambda term: isinstance(term, Negate))
     quantity = frame.component(kind, body, stage)
-    if own.is_slanted and frame.is_slanted and _are_two_terms([each.value for each in put]):
+    if own.is_slanted and frame.is_slanted and _are_two_terms([source.value for source in put]):
         # Instead of four products of the unit vectors of two slanting lines.
         whole = put_together(body, stage, own, (put[0], put[1]))
         vector = Source(whole.value, (write_formula(scene, whole),))
         return by_scalar_product(scene, quantity, vector, frame, direction)
-    refs = together(*(each.whole for each in put), own.unit_free, frame.unit_free)
+    refs = together(*(source.whole for source in put), own.unit_free, frame.unit_free)
     move = Move("define", "component", frame.number, (body,))
     first, last = swept(total(terms)), tree_of(value)
     if any(ratio.args[0].is_Add for ratio in value.atoms(sp.sin, sp.cos)):
         number = scene.desk.write(move, refs, chain(quantity, (first, None)))
         refs, move, first = (number,), Move("identity", "sum-of-angles"), last
-    exact = {each: tree_of(tidy(scene.scalar(each))) for each in _of_degrees(first)}
+    exact = {tree: tree_of(tidy(scene.scalar(tree))) for tree in _of_degrees(first)}
     between: tuple[tuple[Expression, MoveId | None], ...] = ()
     if exact and not in_degrees:
         between = ((swept(exchanged(first, exact)), "rearrange"),)
@@ -408,7 +408,7 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
     given = velocity_given(scene, body, frame.number)
     if given is not None and scene.desk.known(velocity) is None:
         speed = Quantity("speed", velocity.arguments, frame.number)
-        is_given = any(each.link.left == speed for each in scene.given)
+        is_given = any(equation.link.left == speed for equation in scene.given)
         along = is_given and tidy(given[1].cross(frame.direction(kind))) == 0
         # Along its own direction a velocity has its speed as its component.
         size = tree_of(tidy(given[1].dot(frame.direction(kind)))) if along else None
@@ -422,10 +422,10 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
 def _is_by_momentum(scene: Scene, velocity: Source, frame: Frame) -> bool:
     """Whether a velocity after an impact of two spheres is what is left of the momentum."""
     return frame.wall is None and any(
-        isinstance(each, int) and scene.desk.line(each).move.record == "momentum-vector"
+        isinstance(other, int) and scene.desk.line(other).move.record == "momentum-vector"
         for ref in velocity.refs
         if isinstance(ref, int)
-        for each in scene.desk.under(ref)
+        for other in scene.desk.under(ref)
     )
 
 
@@ -476,7 +476,7 @@ def blown(scene: Scene, body: str, number: int) -> Source:
     if fact is None:
         raise NotPlannedError(f"the velocity of {body} after event {number}")
     plain = scene.frame(number)
-    parts = [in_direction(scene, each, body, number - 1, plain) for each in ("along", "across")]
+    parts = [in_direction(scene, axis, body, number - 1, plain) for axis in ("along", "across")]
     early = Vector(*(part.value for part in parts))
     mass = scene.mass(body)
     right = fact.relation.only[0].right
@@ -582,8 +582,8 @@ def closing_at_wall(scene: Scene, body: str, frame: Frame, kind: str) -> int:
         open_ = scene.unknown(earlier.value) and not scene.unknown(later.value)
         if open_ or isinstance(sides[1], Letter):
             sides.reverse()
-        if all(isinstance(each, Negate) for each in sides):
-            sides = [negative(each) for each in sides]  # along the wall in the other sense
+        if all(isinstance(side, Negate) for side in sides):
+            sides = [negative(side) for side in sides]  # along the wall in the other sense
         relation = chain(sides[0], (sides[1], None))
         if not scene.judge.follows(move, refs, relation):
             # Beside a vector that is given, one of the data is resolved in the same line.
@@ -635,13 +635,13 @@ def restitution(scene: Scene, frame: Frame, separation: sp.Expr | None = None) -
     step = scene.model.happening(frame.number).step
     assert isinstance(step, Impact)
     e = scene.coefficient(frame.number)
-    early = [before(scene, "along", each, frame) for each in (first, second)]
-    late = [_now(scene, each, frame) for each in (first, second)]
+    early = [before(scene, "along", body, frame) for body in (first, second)]
+    late = [_now(scene, body, frame) for body in (first, second)]
     # Where e is 0 nothing is said of the velocities before.
     order = late if e.value == 0 else (*early, *late)
-    refs = together(e.refs, *(each.whole for each in order), frame.names_axis("along"))
-    v, w = (tree_of(each.value) for each in late)
-    u, x = (tree_in_law(each) for each in early)
+    refs = together(e.refs, *(source.whole for source in order), frame.names_axis("along"))
+    v, w = (tree_of(source.value) for source in late)
+    u, x = (tree_in_law(source) for source in early)
     approach = difference(u, x)
     # As long as solutions have their lines in common, all write it as the first one does.
     chosen = scene.others[0] if scene.others else scene.model

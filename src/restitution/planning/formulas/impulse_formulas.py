@@ -174,7 +174,7 @@ def _size_by_vectors(scene: Scene, quantity: Quantity, event: int) -> Formula | 
     The vector has its line. None where components are known, or the velocities are no vectors.
     """
     frame = scene.frame(event)
-    if not frame.is_slanted or not any(each.free_symbols for each in frame.n):
+    if not frame.is_slanted or not any(component.free_symbols for component in frame.n):
         return None
     for body in scene.spheres(event):
         ends = [velocity_source(scene, body, n).value for n in (event - 1, event)]
@@ -211,19 +211,21 @@ def _has_components(scene: Scene, body: str, event: int) -> bool:
     stages = (scene.last_event(body, event - 1), event)
     along = scene.frame(event).along
     velocities = [Quantity("velocity", (Name(body),), stage) for stage in stages]
-    known = [scene.desk.known(Quantity("along", (each, along))) for each in velocities]
-    return all(each is not None and not scene.unknown(scene.put(each.value)[0]) for each in known)
+    known = [scene.desk.known(Quantity("along", (velocity, along))) for velocity in velocities]
+    return all(
+        source is not None and not scene.unknown(scene.put(source.value)[0]) for source in known
+    )
 
 
 def _has_surd(value: Any) -> bool:
     """Whether a root of a number stands in a value."""
     powers = sp.sympify(value, strict=True).atoms(sp.Pow)
-    return any(each.is_number and each.exp.is_Rational and each.exp.q != 1 for each in powers)
+    return any(power.is_number and power.exp.is_Rational and power.exp.q != 1 for power in powers)
 
 
 def _is_in_a_plain_direction(vector: Vector) -> bool:
     """Whether the components of a vector are numbers, or in the ratio of numbers."""
-    x, y = (sp.sympify(each, strict=True) for each in vector)
+    x, y = (sp.sympify(component, strict=True) for component in vector)
     if not (x.free_symbols | y.free_symbols):
         return True
     return bool(x) and bool(y) and bool(tidy(y / x).is_number)
@@ -241,12 +243,12 @@ def _size(move: Move, quantity: Quantity, vector: Source) -> Formula:
     """The size of a vector by its components."""
     value = tidy(sp.sqrt(tidy(expanded(vector.value.dot(vector.value)))))
     whole, length = whole_direction(vector.value)
-    parts = [each for each in vector.value if each != 0]
+    parts = [value for value in vector.value if value != 0]
     factor: sp.Expr = sp.Integer(1)
-    if length != 1 and not all((2 * sp.sympify(each, strict=True)).is_Integer for each in parts):
+    if length != 1 and not all((2 * sp.sympify(part, strict=True)).is_Integer for part in parts):
         # A factor that both components have stands before the root.
         parts, factor = list(whole), tidy(value / length)
-    root = Apply("sqrt", total(square(tree_of(each)) for each in parts))
+    root = Apply("sqrt", total(square(tree_of(part)) for part in parts))
     tree: Expression = product(tree_of(factor), root)
     if len(parts) == 1 and sp.sympify(parts[0], strict=True).is_number:
         tree = tree_of(value)
@@ -263,7 +265,7 @@ def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
         return along
     late, early = (velocity_source(scene, body, stage) for stage in (event, event - 1))
     change = Binary("-", tree_of(late.value), tree_of(early.value))
-    value = Vector(*(tidy(mass.value * each) for each in late.value - early.value))
+    value = Vector(*(tidy(mass.value * component) for component in late.value - early.value))
     return Formula(
         Move("law", "impulse-vector", event, (body,)),
         itself,
@@ -292,7 +294,7 @@ def _along_the_line(scene: Scene, quantity: Quantity, body: str, event: int) -> 
     change = difference(tree_of(late.value), tree_of(early.value))
     tree = product(tree_of(mass.value), change, unit_tree(frame.n))
     move = Move("law", "impulse-vector", event, (body,))
-    value = Vector(*(tidy(expanded(size * each)) for each in frame.n))
+    value = Vector(*(tidy(expanded(size * component)) for component in frame.n))
     pool = together(mass.refs, late.whole, early.whole, frame.refs)
     refs = scene.judge.needed(move, pool, chain(quantity, (tree, None)), mass.refs)
     if refs is None:

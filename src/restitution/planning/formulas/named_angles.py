@@ -61,7 +61,7 @@ def letter_known(scene: Scene, asked: Quantity) -> tuple[str, Ref] | None:
 def free_letter(scene: Scene, kind: str) -> str:
     """A letter for an angle of a kind that stands for nothing yet."""
     taken, names = letters_taken(scene), ANGLES[kind]
-    numbered = (f"{each}_{n}" for n in range(1, 9) for each in names)
+    numbered = (f"{name}_{n}" for n in range(1, 9) for name in names)
     return next(each for each in (*names, *numbered) if each not in taken)
 
 
@@ -93,7 +93,7 @@ def ratio_line(
     if not (ends and _is_of_degrees(final)):
         ends = (*ends, tree_of(final))
     rearrange: MoveId = "rearrange"
-    relation = chain(ratio, (first, None), *((each, rearrange) for each in ends))
+    relation = chain(ratio, (first, None), *((end, rearrange) for end in ends))
     names = letters(relation.only[0].right)
     # On which side of a right angle the angle is, may rest on what is given of letters.
     known = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
@@ -120,16 +120,16 @@ def _over_roots(scene: Scene, quotient: Expression) -> Iterator[Expression]:
     """A quotient of numbers without common letters, where a sum with roots stands below."""
     match quotient:
         case Binary("/", above, below) if letters(above) & letters(below):
-            sides = [sp.sympify(scene.scalar(each), strict=True) for each in (above, below)]
+            sides = [sp.sympify(scene.scalar(tree), strict=True) for tree in (above, below)]
         case _:
             return
-    common = sp.Mul(*(each for each in sides[1].free_symbols))
-    top, bottom = (sp.expand(sp.cancel(each / common)) for each in sides)
+    common = sp.Mul(*(symbol for symbol in sides[1].free_symbols))
+    top, bottom = (sp.expand(sp.cancel(side / common)) for side in sides)
     if not top.is_number or not bottom.is_number or not bottom.is_Add:
         return
     terms = [term for side in (top, bottom) for term in sp.Add.make_args(side)]
     lowest = sp.ilcm(1, *(term.as_coeff_Mul()[0].q for term in terms))
-    top, bottom = (tree_of(sp.expand(each * lowest), as_it_is=True) for each in (top, bottom))
+    top, bottom = (tree_of(sp.expand(value * lowest), as_it_is=True) for value in (top, bottom))
     yield Binary("/", top, bottom)
 
 
@@ -164,7 +164,7 @@ def _tangent_by_a_letter(
         links = line.relation.options[0]
         if len(line.relation.options) > 1 or links[0].left != Apply("tan", asked):
             continue
-        if any(each.sign != "=" for each in links) or scene.lets_in(links[-1]):
+        if any(link.sign != "=" for link in links) or scene.lets_in(links[-1]):
             continue
         relation = chain(subject, (links[-1].right, None))
         premises = scene.judge.enough(Move("rearrange"), (line.number, meaning), relation)
@@ -185,7 +185,7 @@ def _tangent_with_values(scene: Scene, asked: Quantity, meaning: Ref, own: Formu
         links = line.relation.options[0]
         if len(line.relation.options) > 1 or links[0].left not in (subject, Apply("tan", asked)):
             continue
-        if any(each.sign != "=" for each in links) or has_quantity(links[-1].right):
+        if any(link.sign != "=" for link in links) or has_quantity(links[-1].right):
             continue
         ratios, given = _given_ratios(scene, links[-1].right)
         put, refs = scene.put(scene.scalar(exchanged(links[-1].right, ratios)))

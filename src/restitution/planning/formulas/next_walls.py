@@ -108,7 +108,7 @@ def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source
         return None
     first = Quantity("angle", (velocity, Name(frame.wall)))
     walls = (f"wall {frame.wall}", f"wall {wall.name}")
-    letters_in = {name for each in (here, there) for name in letters(each)}
+    letters_in = {name for tree in (here, there) for name in letters(tree)}
     pool = together(known.refs, walls, _ranges(scene, letters_in | _names(known)))
     move = Move("define", "difference", stage, (body,))
     for sense in (1, -1):

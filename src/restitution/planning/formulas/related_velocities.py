@@ -20,22 +20,22 @@ def write_related(scene: Scene, asked: Expression) -> None:
     bodies = {node.name for node in walk(asked) if isinstance(node, Name)}
     if not isinstance(asked, Quantity):
         return
-    for each in scene.given:
-        match each.link.left:
+    for equation in scene.given:
+        match equation.link.left:
             case Quantity("velocity", (Name(body),), int(stage)) as velocity if (
                 body in bodies or not bodies
             ):
                 pass
             case _:
                 continue
-        others = list(_others(scene, each))
-        if each.link.sign != "=" or common_velocity(each) is not None or not others:
+        others = list(_others(scene, equation))
+        if equation.link.sign != "=" or common_velocity(equation) is not None or not others:
             continue
         if scene.desk.known(velocity) is not None or stage not in scene.model.frames:
             continue
         mark = scene.desk.mark()
         try:
-            _write(scene, each, velocity, others)
+            _write(scene, equation, velocity, others)
         except NotPlannedError:
             scene.desk.back(mark)
 

@@ -20,7 +20,7 @@ def in_another_form(scene: Scene, number: int, relation: Relation) -> int | None
         if refs is not None:
             return scene.desk.write(move, refs, relation)
     # A given fact may tell that what it is divided by is not zero.
-    given = [each for each in scene.judge.known(names) if each in scene.facts]
+    given = [ref for ref in scene.judge.known(names) if ref in scene.facts]
     known = (*background(scene, names), *given)
     refs = scene.judge.enough(Move("cancel"), (number,), relation, known) if given else None
     return None if refs is None else scene.desk.write(Move("cancel"), refs, relation)

@@ -23,7 +23,7 @@ from restitution.planning.writing.scene import Scene
 
 def _separation_tree(scene: Scene, frame: Frame) -> Expression:
     first, second = scene.bodies(frame.number)
-    own, other = (component_letter(scene, each, frame) for each in (second, first))
+    own, other = (component_letter(scene, body, frame) for body in (second, first))
     return Binary("-", Letter(own.name), Letter(other.name))
 
 

@@ -40,7 +40,7 @@ def _standing(scene: Scene, body: str, stage: int) -> Vector | None:
     elif (known := scene.desk.known(velocity)) is not None:
         value = known.value
     else:
-        given = [each for each in scene.given if each.link.left == velocity]
+        given = [equation for equation in scene.given if equation.link.left == velocity]
         if len(given) != 1 or given[0].link.sign != "=":
             return None
         value = scene.value(given[0].link.right)

@@ -37,17 +37,17 @@ from restitution.vector import Vector
 _KINDS = ("along", "across")
 
 
-def write_tie(scene: Scene, each: GivenEquation) -> int:
+def write_tie(scene: Scene, equation: GivenEquation) -> int:
     """The line in which a tie of directions becomes an equation."""
-    left, right, record = tied(each.link) or (each.link.left, each.link.right, "")
+    left, right, record = tied(equation.link) or (equation.link.left, equation.link.right, "")
     pair = [moving(scene, side) for side in (left, right)]
     both = [own for own in pair if own is not None]
     if len(both) == 2:
-        return _two_velocities(scene, each, record, both)
+        return _two_velocities(scene, equation, record, both)
     if not both:
         raise NotPlannedError("a tie of two directions that are given")
     other = right if pair[0] is not None else left
-    return _to_a_direction(scene, each, record, both[0], other)
+    return _to_a_direction(scene, equation, record, both[0], other)
 
 
 def tied(own: Link) -> tuple[Expression, Expression, str] | None:
@@ -87,7 +87,7 @@ def moving(scene: Scene, tree: Expression) -> tuple[str, int] | None:
 
 
 def _two_velocities(
-    scene: Scene, each: GivenEquation, record: str, both: list[tuple[str, int]]
+    scene: Scene, equation: GivenEquation, record: str, both: list[tuple[str, int]]
 ) -> int:
     frame = frame_after(scene, *max(both, key=lambda own: own[1]))
     sources = _as_vectors(scene, both) if frame.is_slanted else None
@@ -98,7 +98,7 @@ def _two_velocities(
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
     cited = [_cited(pair) for pair in pairs]
-    first, second = (_product(each.value for each in pair) for pair in cited)
+    first, second = (_product(source.value for source in pair) for pair in cited)
     bodies = tuple(dict.fromkeys(body for body, _ in both))
     move = Move("define", record, frame.number, bodies)
     for along, still in ((a, d), (c, b)) if record == "perpendicular" else ():
@@ -106,14 +106,14 @@ def _two_velocities(
             continue
         # Who moves along the line of centres is at right angles to who moves across it.
         read = Relation(((link(tree_of(along.value), ZERO),),))
-        cites = scene.judge.needed(move, together(each.refs, along.whole, still.whole), read)
+        cites = scene.judge.needed(move, together(equation.refs, along.whole, still.whole), read)
         if cites is not None:
             return scene.desk.write(move, cites, read)
     if record == "parallel" and len(bodies) == 1 and d.value != 0:
-        line = _without_what_stays(scene, each, move, b if both[0][1] < both[1][1] else d)
+        line = _without_what_stays(scene, equation, move, b if both[0][1] < both[1][1] else d)
         if line is not None:
             return line
-    refs = together(each.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
+    refs = together(equation.refs, *(s.refs for p in cited for s in p), _axis(frame, cited))
     own = link(total((first, second)), ZERO) if record == "perpendicular" else link(first, second)
     relation = Relation(((own,),))
     # Components after another event are named by the line of centres of that.
@@ -124,13 +124,15 @@ def _two_velocities(
     return scene.desk.write(move, refs, relation)
 
 
-def _without_what_stays(scene: Scene, each: GivenEquation, move: Move, still: Source) -> int | None:
+def _without_what_stays(
+    scene: Scene, equation: GivenEquation, move: Move, still: Source
+) -> int | None:
     """The line that what an impact leaves of a velocity is zero, as that keeps its line.
 
     Who comes back along his path, hits a wall at right angles. None where that does not follow.
     """
     relation = Relation(((link(tree_of(still.value), ZERO),),))
-    pool = (*each.refs, *still.whole)
+    pool = (*equation.refs, *still.whole)
     refs = scene.judge.needed(move, pool, relation)
     if refs is None:  # with components of another axis
         pool = (*pool, *scene.frame(move.event or 0).refs)
@@ -141,9 +143,9 @@ def _without_what_stays(scene: Scene, each: GivenEquation, move: Move, still: So
 def _product(values: Iterable[sp.Expr]) -> Expression:
     """Components side by side; the square of one with a root in front as such: (√5 u)²."""
     factors = list(values)
-    if len(factors) > 1 and all(each == factors[0] for each in factors):
+    if len(factors) > 1 and all(factor == factors[0] for factor in factors):
         number, _ = factors[0].as_coeff_Mul()
-        roots = [each for each in factors[0].atoms(sp.Pow) if each.is_number]
+        roots = [power for power in factors[0].atoms(sp.Pow) if power.is_number]
         if number.is_Rational and roots and factors[0].free_symbols:
             return square(tree_of(factors[0]))
     return product(*map(tree_of, factors))
@@ -157,13 +159,13 @@ def _as_vectors(scene: Scene, both: list[tuple[str, int]]) -> list[list[Source]]
         if vector is None and (stage or is_polar(scene, body)):
             return None
         own = scene.initial(body) if vector is None else vector
-        vectors.append([source_of(scene, each, own.refs) for each in own.value])
+        vectors.append([source_of(scene, value, own.refs) for value in own.value])
     return vectors
 
 
 def _cited(pair: tuple[Source, Source]) -> tuple[Source, ...]:
     """The factor that is zero, of a product that is zero."""
-    return next(((each,) for each in pair if each.value == 0), pair)
+    return next(((source,) for source in pair if source.value == 0), pair)
 
 
 def _axis(frame: Frame, pairs: Any) -> tuple[Ref, ...]:
@@ -175,7 +177,7 @@ def _axis(frame: Frame, pairs: Any) -> tuple[Ref, ...]:
 
 
 def _to_a_direction(
-    scene: Scene, each: GivenEquation, record: str, own: tuple[str, int], other: Expression
+    scene: Scene, equation: GivenEquation, record: str, own: tuple[str, int], other: Expression
 ) -> int:
     body, stage = own
     frame = frame_after(scene, body, stage)
@@ -185,17 +187,17 @@ def _to_a_direction(
     if centres or wall:
         kind = "along" if (record == "perpendicular") != wall else "across"
         source = in_direction(scene, kind, body, stage, frame)
-        refs = together(each.refs, source.whole, frame.names_axis(kind))
+        refs = together(equation.refs, source.whole, frame.names_axis(kind))
         return scene.desk.write(move, refs, Relation(((link(tree_of(source.value), ZERO),),)))
     direction, about = _direction(scene, other)
     vector = scene.desk.known(Quantity("velocity", (Name(body),), stage))
     if frame.is_slanted and vector is None:
-        return _across_a_frame(scene, each, move, body, stage, frame, direction, about)
+        return _across_a_frame(scene, equation, move, body, stage, frame, direction, about)
     if vector is not None:
-        x, y = (source_of(scene, each, vector.refs) for each in vector.value)
+        x, y = (source_of(scene, value, vector.refs) for value in vector.value)
     else:
         x, y = in_the_plane(scene, body, stage)
-    refs = together(each.refs, about)
+    refs = together(equation.refs, about)
     if record == "perpendicular":
         terms = [(x, direction.x), (y, direction.y)]
         used = [(s, w) for s, w in terms if w != 0]
@@ -229,7 +231,7 @@ def _share(factor: sp.Expr, component: sp.Expr) -> Expression:
 
 def _across_a_frame(
     scene: Scene,
-    each: GivenEquation,
+    equation: GivenEquation,
     move: Move,
     body: str,
     stage: int,
@@ -243,10 +245,10 @@ def _across_a_frame(
         direction = direction.turned_left()
         if direction.y == 0 and scene.model.sign(direction.x) < 0:
             direction = -direction  # the component in the direction of **i**
-    shares = [tidy(direction.dot(each)) for each in (frame.n, frame.t)]
+    shares = [tidy(direction.dot(vector)) for vector in (frame.n, frame.t)]
     used = [(s, w) for s, w in zip(sources, shares, strict=True) if w != 0]
     used.sort(key=lambda term: tidy(term[0].value * term[1]).could_extract_minus_sign())
-    refs = together(each.refs, about, *(s.refs for s, _ in used), frame.refs)
+    refs = together(equation.refs, about, *(s.refs for s, _ in used), frame.refs)
     # In the direction of **i**, or of **j**, they are the shares of a component.
     common_ = sp.Integer(1) if 0 in direction else _common_surd([w for _, w in used])
     trees = (
@@ -260,12 +262,12 @@ def _across_a_frame(
 
 def _common_surd(shares: list[sp.Expr]) -> sp.Expr:
     """What numbers that are all multiples of one root have in common: √2 of 4√2 and −√2; else 1."""
-    if len(shares) < 2 or any(not each.is_number or each.is_rational for each in shares):
+    if len(shares) < 2 or any(not share.is_number or share.is_rational for share in shares):
         return sp.Integer(1)
-    parts = [sp.Abs(each / shares[0]) for each in shares]
-    if not all(each.is_Rational for each in map(tidy, parts)):
+    parts = [sp.Abs(share / shares[0]) for share in shares]
+    if not all(value.is_Rational for value in map(tidy, parts)):
         return sp.Integer(1)
-    return tidy(sp.Abs(shares[0]) * sp.gcd_list([tidy(each) for each in parts]))
+    return tidy(sp.Abs(shares[0]) * sp.gcd_list([tidy(part) for part in parts]))
 
 
 def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]:
@@ -278,10 +280,10 @@ def _direction(scene: Scene, tree: Expression) -> tuple[Vector, tuple[Ref, ...]]
     if isinstance(tree, Unit):
         return Vector(*(sp.Integer(tree.axis == axis) for axis in "ij")), refs
     own, more = scene.put(scene.model.story.direction(tree, scene.events))
-    if any(scene.unknown(each) for each in own):
+    if any(scene.unknown(value) for value in own):
         raise NotPlannedError("a tie to a direction that is open")
     whole, _ = whole_direction(own)
-    return Vector(*(tidy(each) for each in whole)), together(refs, more)
+    return Vector(*(tidy(component) for component in whole)), together(refs, more)
 
 
 __all__ = ["moving", "tied", "write_tie"]

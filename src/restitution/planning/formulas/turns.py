@@ -89,7 +89,7 @@ class Turn:
         if first is None and second is None:
             return STRAIGHT if self.form.startswith("rest") else NONE
         if first is None or second is None:
-            (one,) = (each for each in (first, second) if each is not None)
+            (one,) = (tree for tree in (first, second) if tree is not None)
             return Binary("-", STRAIGHT, one) if self.form.startswith("rest") else one
         match self.form:
             case "sum":
@@ -152,7 +152,7 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
 def _is_given_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
     """Whether the facts give the angle of a velocity to **i** or **j**."""
     angles = (Quantity("angle", (velocity, each)) for each in (Unit("i"), Unit("j")))
-    return any(given_angle(scene, each) is not None for each in angles)
+    return any(given_angle(scene, angle) is not None for angle in angles)
 
 
 def _is_found_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
@@ -172,7 +172,7 @@ def _is_found_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
             if len(own.options) > 1 or not scene.desk.holds(line.number):
                 continue
             return True
-    return any(_is_along_i(scene, each, velocity) for each in scene.desk.lines)
+    return any(_is_along_i(scene, line, velocity) for line in scene.desk.lines)
 
 
 def _is_along_i(scene: Scene, line: Line, velocity: Quantity) -> bool:
@@ -187,7 +187,9 @@ def _is_along_i(scene: Scene, line: Line, velocity: Quantity) -> bool:
             return False
     if velocity not in (a, b) or not scene.desk.holds(line.number):
         return False
-    (x, y), (own, _) = (scene.vector(each) for each in ((b, a) if velocity == a else (a, b)))
+    (x, y), (own, _) = (
+        scene.vector(quantity) for quantity in ((b, a) if velocity == a else (a, b))
+    )
     if scene.unknown(x) or scene.unknown(own) or not scene.model.identically_zero(y):
         return False
     return scene.model.sign(x) > 0 > scene.model.sign(own)
@@ -197,7 +199,7 @@ def _from_a_unit(
     scene: Scene, asked: Quantity, frame: Frame, move: Move, sides: tuple[Direction, Direction]
 ) -> Turn | None:
     """Where it is open which way a body goes along the line of centres: by angles of up to 180°."""
-    units = [each for each in (frame.along, frame.across) if isinstance(each, Unit)]
+    units = [tree for tree in (frame.along, frame.across) if isinstance(tree, Unit)]
     fact = scene.facts.get(f"axis {frame.number}")
     line = fact.relation.only[0].right if fact is not None else None
     unit = line if isinstance(line, Unit) else next(iter(units), None)
@@ -247,7 +249,7 @@ def _of_two_from_a_unit(
     if not all(_is_found_to_a_unit(scene, side.velocity) for side in sides):
         return None
     (a, b), (c, d) = ([side.along.value, side.across.value] for side in sides)
-    across, turn = (scene.model.sign(tidy(sp.expand(each))) for each in (b * d, a * d - b * c))
+    across, turn = (scene.model.sign(tidy(sp.expand(value))) for value in (b * d, a * d - b * c))
     if across != 1 or not turn or scene.unknown(a) or scene.unknown(c):
         return None
     seen = [replace(s, named=Quantity("angle", (s.velocity, unit)), sources=()) for s in sides]
@@ -259,9 +261,9 @@ def _of_two_from_a_unit(
 def _met(scene: Scene, frame: Frame, body: str) -> tuple[Ref, ...]:
     """What the component along the line of centres of what a body meets rests on, before it."""
     before = frame.number - 1
-    others = (each for each in scene.spheres(frame.number) if each != body)
+    others = (sphere for sphere in scene.spheres(frame.number) if sphere != body)
     sources = (in_direction(scene, "along", each, before, frame) for each in others)
-    return together(*(each.whole for each in sources))
+    return together(*(source.whole for source in sources))
 
 
 def impact_of(scene: Scene, one: Moving, other: Moving) -> int | None:
@@ -296,7 +298,7 @@ def _direction(scene: Scene, frame: Frame, body: str, last: int) -> Direction | 
     along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
     velocity = Quantity("velocity", (Name(body),), last)
     named = Quantity("angle", (velocity, Quantity("line_of_centres", (), frame.number)))
-    zero = [scene.model.identically_zero(each.value) for each in (along, across)]
+    zero = [scene.model.identically_zero(source.value) for source in (along, across)]
     if all(zero):
         return None
     angle: Expression | None = None
@@ -371,7 +373,7 @@ def _form_of(scene: Scene, p: Direction, q: Direction, same: bool) -> tuple[Form
         at = scene.model.sign(own)
         return at if at and scene.model.decide(at * own, ">=", 0) else None
 
-    a, b, c, d = (each.value for each in (p.along, p.across, q.along, q.across))
+    a, b, c, d = (source.value for source in (p.along, p.across, q.along, q.across))
     onward = 1 if RIGHT in (p.angle, q.angle) else sign(a * c)
     beside = 1 if same or NONE in (p.angle, q.angle) else sign(b * d)
     if onward is None or beside is None:

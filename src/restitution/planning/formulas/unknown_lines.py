@@ -34,7 +34,7 @@ def law_by_vectors(scene: Scene, kind: str, body: str, frame: Frame) -> int | No
     ends = [velocity.value.dot(direction) for velocity in (late, early)]
     if any(sp.sympify(end, strict=True).is_Symbol for end in ends):
         direction, ends = -direction, [-end for end in ends]  # −b = b − 2
-    sides = [_product(each.value, direction) for each in (late, early)]
+    sides = [_product(source.value, direction) for source in (late, early)]
     pool = together(late.refs, early.refs, frame.refs)
     if kind == "across":
         move = Move("law", "unchanged", frame.number, (body,))
@@ -52,7 +52,7 @@ def law_by_vectors(scene: Scene, kind: str, body: str, frame: Frame) -> int | No
 
 def _forwards(direction: Vector) -> Vector:
     """A direction in the sense in which its first part is positive, as far as that is plain."""
-    first = next((each for each in direction if each != 0), sp.Integer(1))
+    first = next((component for component in direction if component != 0), sp.Integer(1))
     return -direction if sp.sympify(first, strict=True).could_extract_minus_sign() else direction
 
 

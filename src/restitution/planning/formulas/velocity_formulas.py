@@ -123,7 +123,7 @@ def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formu
     fact = scene.facts.get(f"velocity {body}")
     if not refs and not (fact is not None and isinstance(fact.relation.only[0].right, Polar)):
         raise NotPlannedError("a velocity that is given")
-    whole = Vector(*(tidy(each) for each in value))
+    whole = Vector(*(tidy(component) for component in value))
     own = Quantity(quantity.kind, quantity.arguments, 0)
     move = Move("define", "assemble", None, (body,))
     if fact is not None:
@@ -135,7 +135,7 @@ def _once_more(scene: Scene, quantity: Quantity, body: str, stage: int, known: S
     """A velocity that is a line already, perhaps in letters that are known by now."""
     value, refs = scene.put(known.value)
     own = Quantity(quantity.kind, quantity.arguments, stage)
-    whole = Vector(*(tidy(each) for each in value))
+    whole = Vector(*(tidy(component) for component in value))
     move = Move("put") if refs else Move("rearrange")
     # What is put in comes after the line into which it is.
     lines = sorted(known.refs, key=lambda ref: isinstance(ref, str))
@@ -173,8 +173,8 @@ def squares(
     struck = known_vector(scene, body, stage)
     if struck is not None:
         value, more = scene.put(struck.value)
-        tree = total(square(tree_of(each)) for each in value if each != 0)
-        return tree, sum(each**2 for each in value), together(struck.refs, more)
+        tree = total(square(tree_of(other)) for other in value if other != 0)
+        return tree, sum(other**2 for other in value), together(struck.refs, more)
     frame = frame_after(scene, body, stage)
     own = parts(scene, body, stage, frame)
     speed = known_speed(scene, body, stage) if known else None
@@ -184,14 +184,14 @@ def squares(
         squared = tidy(speed.value**2)
         tree = square(tree_of(speed.value))
         return tree_of(squared) if is_root_of_a_sum(speed.value) else tree, squared, speed.refs
-    refs = together(*(each.refs for each in own), _bridge(frame, own))
-    tree = total(square(tree_of(each.value)) for each in own if each.value != 0)
-    return tree, sum(each.value**2 for each in own), refs
+    refs = together(*(source.refs for source in own), _bridge(frame, own))
+    tree = total(square(tree_of(source.value)) for source in own if source.value != 0)
+    return tree, sum(source.value**2 for source in own), refs
 
 
 def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool:
     """Whether a speed is known, or its square has no root of what is open."""
-    if not any(scene.unknown(each.value) for each in components):
+    if not any(scene.unknown(component.value) for component in components):
         return True
     under = (own for ref in speed.refs if isinstance(ref, int) for own in scene.desk.under(ref))
     if any(str(ref).startswith("given ") for ref in (*speed.refs, *under)):
@@ -203,7 +203,7 @@ def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool
 def is_root_of_a_sum(value: object) -> bool:
     """Whether a speed is the root of a sum in which letters stand."""
     roots = sp.sympify(value, strict=True).atoms(sp.Pow)
-    return any(each.exp == sp.S.Half and each.base.is_Add and each.free_symbols for each in roots)
+    return any(root.exp == sp.S.Half and root.base.is_Add and root.free_symbols for root in roots)
 
 
 def _speed_by_a_multiple(scene: Scene, body: str, stage: int) -> Source | None:
@@ -247,12 +247,12 @@ def known_speed(scene: Scene, body: str, stage: int) -> Source | None:
     if known is not None:
         value, refs = scene.put(known.value)
         return Source(value, together(known.refs, refs))
-    for each in scene.given:
-        if each.link.sign == "=" and each.link.left == quantity:
-            if has_quantity(each.link.right):
+    for equation in scene.given:
+        if equation.link.sign == "=" and equation.link.left == quantity:
+            if has_quantity(equation.link.right):
                 continue
-            value, refs = scene.put(scene.scalar(each.link.right))
-            return Source(value, together((each.fact.id,), refs))
+            value, refs = scene.put(scene.scalar(equation.link.right))
+            return Source(value, together((equation.fact.id,), refs))
     return None
 
 
@@ -282,15 +282,15 @@ def _initial_square(scene: Scene, body: str) -> tuple[Expression, sp.Expr, tuple
     initial = scene.initial(body)
     if fact not in scene.facts:
         value, refs = scene.put(initial.value)
-        tree = total(square(tree_of(each)) for each in value if each != 0)
-        return tree, sum(each**2 for each in value), together(initial.refs, refs)
+        tree = total(square(tree_of(other)) for other in value if other != 0)
+        return tree, sum(other**2 for other in value), together(initial.refs, refs)
     (link,) = scene.facts[fact].relation.only
     if isinstance(link.right, Polar):
         size, refs = scene.put(scene.scalar(link.right.size))
         return square(tree_of(size)), size**2, together((fact,), refs)
     value, refs = scene.put(initial.value)
-    tree = total(square(tree_of(each)) for each in value if each != 0)
-    return tree, sum(each**2 for each in value), together((fact,), refs)
+    tree = total(square(tree_of(other)) for other in value if other != 0)
+    return tree, sum(other**2 for other in value), together((fact,), refs)
 
 
 def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
@@ -307,7 +307,7 @@ def speed_formula(scene: Scene, quantity: Quantity) -> Formula:
     size = _of_one_square(scene, tree) or tidy(sp.sqrt(tidy(expanded(value))))
     if len({atom.args for atom in value.atoms(sp.sin, sp.cos)}) > 1:
         # Products of ratios of several angles are longer multiplied out.
-        size = min(size, _with_factor_outside(value), key=lambda each: each.count_ops())
+        size = min(size, _with_factor_outside(value), key=lambda value: value.count_ops())
     right = tree if value == 0 else Apply("sqrt", tree)
     own = Formula(move, itself, quantity, right, without_bars(scene.model, size), refs)
     return _by_its_square(scene, own) or own
@@ -371,21 +371,21 @@ def _by_its_angle(
             continue
         second = Quantity("velocity", (Name(other),), stage)
         for pair in ((velocity, second), (second, velocity)):
-            refs = together(*(each.whole for each in own if each is not None))
+            refs = together(*(source.whole for source in own if source is not None))
             lines[Quantity("angle", pair)] = (None, "cos", refs)
-    for each in scene.given:
-        line = lines.get(each.link.left) if each.link.sign == "=" else None
-        if line is None or not isinstance(each.link.right, Degrees):
+    for equation in scene.given:
+        line = lines.get(equation.link.left) if equation.link.sign == "=" else None
+        if line is None or not isinstance(equation.link.right, Degrees):
             continue
         across, along, more = line
         kinds = [(kind, own) for kind, own in (("across", across), ("along", along)) if own]
-        stand = [each for each in kinds if _stands(scene, frame.component(each[0], body, stage))]
+        stand = [kind for kind in kinds if _stands(scene, frame.component(kind[0], body, stage))]
         for kind, ratio in (stand or kinds)[:1]:
             known = in_direction(scene, kind, body, stage, frame)
             sign = scene.model.proved_sign(scene.model.in_data(known.value))
             if sign and not scene.unknown(known.value):
-                size, below = tidy(sign * known.value), Apply(ratio, each.link.right)
-                refs = together(each.refs, known.whole, more, frame.refs)
+                size, below = tidy(sign * known.value), Apply(ratio, equation.link.right)
+                refs = together(equation.refs, known.whole, more, frame.refs)
                 value = tidy(size / scene.scalar(below))
                 return swept(Binary("/", tree_of(size), below)), value, refs
     return None
@@ -434,7 +434,7 @@ def component_formula(scene: Scene, quantity: Quantity) -> Formula:
     size = scene.model.story.size(wanted)
     unit = Vector(tidy(wanted.x / size), tidy(wanted.y / size))
     own = parts(scene, body, stage, frame)
-    shares = [tidy(each.dot(unit)) for each in (frame.n, frame.t)]
+    shares = [tidy(vector.dot(unit)) for vector in (frame.n, frame.t)]
     axis: tuple[Ref, ...] = ()
     if isinstance(direction, Quantity) and direction.kind == "line_of_centres" and -1 in shares:
         axis = _as_in_the_statement(scene, direction, wanted)
@@ -512,11 +512,11 @@ def in_the_plane(scene: Scene, body: str, stage: int) -> tuple[Source, Source]:
     plane = {id(along): isinstance(frame.along, Quantity), id(across): frame.across is None}
     x, y = (
         Source(
-            tidy(sign * each.value),
-            each.refs,
-            frame.refs if plane[id(each)] and not each.axis else (),
+            tidy(sign * source.value),
+            source.refs,
+            frame.refs if plane[id(source)] and not source.axis else (),
         )
-        for sign, each in zip(signs, (first, second), strict=True)
+        for sign, source in zip(signs, (first, second), strict=True)
     )
     return x, y
 

@@ -112,7 +112,7 @@ def part_of(place: Any, axis: Axis) -> sp.Expr:
 
 def partner_of(scene: Scene, body: str, number: int) -> str | None:
     """The other sphere of an impact of two."""
-    others = [each for each in scene.bodies(number) if each != body]
+    others = [other for other in scene.bodies(number) if other != body]
     if len(others) != 1 or others[0] not in scene.model.story.spheres:
         return None
     return others[0]
@@ -137,7 +137,7 @@ def are_apart(scene: Scene, stage: int) -> bool:
 def rests(scene: Scene, body: str, stage: int) -> bool:
     """Whether a body is at rest until an event."""
     own, _ = scene.put(scene.velocity(body, last_move(scene, body, stage)))
-    return all(scene.model.in_data(each) == 0 for each in own)
+    return all(scene.model.in_data(value) == 0 for value in own)
 
 
 def hide_place_of_rest(scene: Scene, body: str, since: int, number: int) -> None:
@@ -169,7 +169,7 @@ def keeps_still(scene: Scene, body: str, since: int, axis: Axis) -> bool:
 def tidied(scene: Scene, place: Any) -> Vector:
     """A place with what stands on the desk put in."""
     own, _ = scene.put(place)
-    return Vector(*(tidy(each) for each in own))
+    return Vector(*(tidy(component) for component in own))
 
 
 def value_of_velocity(scene: Scene, body: str, stage: int, axis: Axis) -> sp.Expr:

@@ -98,7 +98,7 @@ def _by_its_tangent(
     compared = claims.compared([tangent], Relation(((ratios,),)))
     if compared is None:
         return None
-    names = {each.name for each in (left, right) if isinstance(each, Letter)}
+    names = {tree.name for tree in (left, right) if isinstance(tree, Letter)}
     pool = [compared, *extent, *claims.judge.known(names), *extents(claims.scene, names)]
     return claims.judge.write(_COMPARE, pool, relation)
 
@@ -212,7 +212,7 @@ def _by_the_other(
 
 def _which_is_less(claims: Comparing, link: Link, angle: Expression) -> Link | None:
     """What an inequality says of an angle of the motion and one of the data: ``β <= α``."""
-    left, right = (_in_two(claims, each) for each in (link.left, link.right))
+    left, right = (_in_two(claims, side) for side in (link.left, link.right))
     if left is None or right is None or not isinstance(angle, Letter):
         return None
     gap = expanded(left - right)
@@ -232,14 +232,14 @@ def _in_two(claims: Comparing, tree: Expression) -> sp.Expr | None:
     named = {let.quantity: let.letter for let in _lets(claims)}
     sums = {
         link.left: link.right
-        for each in scene.desk.lines
-        if isinstance(each.relation, Relation) and len(each.relation.options) == 1
-        for link in each.relation.only[:1]
-        if each.move.record in ("sum", "difference")
+        for line in scene.desk.lines
+        if isinstance(line.relation, Relation) and len(line.relation.options) == 1
+        for link in line.relation.only[:1]
+        if line.move.record in ("sum", "difference")
     }
 
-    def change(each: Expression) -> Expression:
-        letter = Letter(named[each]) if each in named else each
+    def change(tree: Expression) -> Expression:
+        letter = Letter(named[tree]) if tree in named else tree
         return sums.get(letter, letter)
 
     put = rebuilt(tree, change)

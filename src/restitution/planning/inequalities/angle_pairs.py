@@ -54,7 +54,7 @@ def made_of_two(scene: Scene, asked: Quantity) -> tuple[int, tuple[int, ...]] | 
             angle = turn.made_of(*(term.angle for term in terms))
             line = made_of_angles(scene, turn, chain(Letter(letter), (angle, None)), ())
             if line is not None:
-                refs = (ref for each in terms for ref in each.refs)
+                refs = (ref for term in terms for ref in term.refs)
                 return line, tuple(ref for ref in refs if isinstance(ref, int))
         scene.desk.back(mark)
     return None

@@ -81,7 +81,7 @@ class AngleAtEnds:
                 return None
         closed: Sign = "<=" if sign[0] == "<" else ">="
         for name in self.names():
-            others = [each for each in self.names() if each != name]
+            others = [other for other in self.names() if other != name]
             for end, bounds in self.ends_of(name):
                 mark = self.scene.desk.mark()
                 there = Relation(((Link(self.asked, closed, self.at(name, end)),),))
@@ -163,7 +163,7 @@ def write_at_ends(claims: Claims, solver: Solver, relation: Relation) -> int:
     Raises NotPlannedError for what is no such inequality.
     """
     sides = [side for link in relation.only for side in (link.left, link.right)]
-    angles = dict.fromkeys(each for each in sides if is_angle_of_motion(each))
+    angles = dict.fromkeys(side for side in sides if is_angle_of_motion(side))
     if len(angles) != 1:
         raise NotPlannedError("an inequality")
     (asked,) = angles
@@ -183,11 +183,11 @@ def is_angle_of_motion(tree: Expression) -> bool:
 def _with_acute(value: sp.Expr, acute: list[sp.Symbol]) -> sp.Expr:
     """A value with arctan(tan φ) as φ, for acute angles."""
     put = {
-        inverse: each
+        inverse: other
         for inverse in value.atoms(sp.atan)
-        for each in acute
-        if inverse.args[0] == sp.tan(each)
-        or sp.cancel(inverse.args[0] * sp.cos(each) / sp.sin(each)) == 1
+        for other in acute
+        if inverse.args[0] == sp.tan(other)
+        or sp.cancel(inverse.args[0] * sp.cos(other) / sp.sin(other)) == 1
     }
     return value.xreplace(put)
 

@@ -73,7 +73,7 @@ def _written(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bounded
 def _side(worths: Worths, angle: Quantity, pool: Sequence[Ref], up: sp.Expr) -> int | None:
     """The line that says on which side of **i** a velocity points."""
     low, high = (0, 180) if worths.scene.model.sign(up) > 0 else (-180, 0)
-    ends = [tree_of(sp.Integer(each) * sp.pi / 180, angle=True) for each in (low, high)]
+    ends = [tree_of(sp.Integer(number) * sp.pi / 180, angle=True) for number in (low, high)]
     links = (Link(ends[0], "<", angle), Link(angle, "<", ends[1]))
     return worths.judge.write((Move("sign"),), pool, Relation((links,)))
 
@@ -95,7 +95,7 @@ def _cotangent_of_deflection(worths: Worths, angle: Quantity, letter: str, let: 
     if line is None:
         return None
     # A root below stays there: (8 - k)/(3√3 k).
-    top, bottom = (tree_of(each) for each in sp.fraction(own.value)[::-1])
+    top, bottom = (tree_of(value) for value in sp.fraction(own.value)[::-1])
     last = Relation(((Link(cotangent, "=", swept(Binary("/", top, bottom))),),))
     moves = (Move("rearrange"), Move("cancel"))
     return worths.judge.write(moves, [line, *known], last) or line

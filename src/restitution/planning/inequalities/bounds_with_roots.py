@@ -26,7 +26,7 @@ def collected(worths: Worths, line: int, sign: Sign, x: sp.Expr, solved: Link) -
             angle = True
         case _:
             return line
-    symbols = [each for each in x.free_symbols if each.name == name]
+    symbols = [symbol for symbol in x.free_symbols if symbol.name == name]
     form = linear_in(x, symbols[0], angle) if len(x.free_symbols) == len(symbols) == 1 else None
     if form is None or form[0] != solved.left or not form[2].is_Add:
         return line
@@ -35,11 +35,11 @@ def collected(worths: Worths, line: int, sign: Sign, x: sp.Expr, solved: Link) -
         factor, rest, sign = -factor, -rest, FLIPPED[sign]
     above, below = tree_of(rest, as_it_is=True), tree_of(factor, as_it_is=True)
     known = worths.known_in(x)
-    for each in (
+    for link in (
         Link(product(below, solved.left), sign, above),
         Link(solved.left, sign, Binary("/", above, below)),
     ):
-        after = worths.judge.write(_MOVES, [line, *known], Relation(((each,),)))
+        after = worths.judge.write(_MOVES, [line, *known], Relation(((link,),)))
         line = line if after is None else after
     return line
 

@@ -66,13 +66,13 @@ class ClaimLines:
     def _ranges(self, lines: Sequence[int]) -> list[int]:
         """The ranges of the letters in some lines, where lines above say them."""
         desk = self.scene.desk
-        inside = {n for each in lines for n in letters(desk.last_link(each).right)}
+        inside = {n for number in lines for n in letters(desk.last_link(number).right)}
         return [line for each in sorted(inside) for line in self.ranges_of(each)]
 
     def ranges_of(self, letter: str) -> list[int]:
         """The lines above that say between what a letter is."""
         bounds = self._bounds_of(Letter(letter))
-        return [each for each in bounds if len(self.scene.desk.relation(each).only) == 2]
+        return [bound for bound in bounds if len(self.scene.desk.relation(bound).only) == 2]
 
     def _bounds_of(self, subject: Expression) -> list[int]:
         """The lines above that bound a letter, or a ratio of one."""
@@ -95,7 +95,7 @@ class ClaimLines:
         known = roles(self.scene.problem)
         names = sorted(letters(self.scene.desk.last_link(line).right) & set(known))
         # What has two ends is bounded by them; of a mass the other end is far away.
-        for name in sorted(names, key=lambda each: known[each].kind == "positive"):
+        for name in sorted(names, key=lambda name: known[name].kind == "positive"):
             others = letters(self.scene.desk.last_link(line).right) - {name}
             pool = [line, *bounds, *self.judge.known([name]), *self.judge.known(others)]
             number_ = self.judge.write((Move("monotone"),), pool, relation)
@@ -132,10 +132,10 @@ class ClaimLines:
         if rooted is not None:
             pool = [rooted, *pool]
         conditions = [
-            each
-            for each in refs
-            if isinstance(each, int)
-            and isinstance(own := self.scene.desk.line(each).relation, Relation)
+            ref
+            for ref in refs
+            if isinstance(ref, int)
+            and isinstance(own := self.scene.desk.line(ref).relation, Relation)
             and own.options[0][0].sign != "="
         ]
         for condition in conditions:
@@ -233,10 +233,10 @@ class ClaimLines:
                 pass
             case _:
                 return []
-        refs = {ref for each in conditions for ref in self.scene.desk.under(each)}
+        refs = {ref for condition in conditions for ref in self.scene.desk.under(condition)}
         return [
             ref
-            for ref in sorted(each for each in refs if isinstance(each, int))
+            for ref in sorted(ref for ref in refs if isinstance(ref, int))
             if any(
                 isinstance(node, Binary) and node.op == "/" and letter in walk(node.right)
                 for tree in self._trees(ref)

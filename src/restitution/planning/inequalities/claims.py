@@ -69,9 +69,9 @@ class Claims(Eliminated):
         lines = self._worths(trees, quantities)
         facts = [
             ref
-            for each in quantities
-            if self.worths.is_data(each)
-            for ref in self.worths.data_of(each)
+            for quantity in quantities
+            if self.worths.is_data(quantity)
+            for ref in self.worths.data_of(quantity)
         ]
         target = {name for tree in trees for name in letters(tree)}
         base = [*lines, *facts, *lets]
@@ -81,9 +81,9 @@ class Claims(Eliminated):
             if line is not None:
                 return line
         if base:
-            for each in lines:
-                line = self._by_difference_of_squares(each, relation)
-                line = self.monotone(each, relation) if line is None else line
+            for number in lines:
+                line = self._by_difference_of_squares(number, relation)
+                line = self.monotone(number, relation) if line is None else line
                 if line is not None:
                     return line
             if len(lines) != 1 or is_plain(self.scene, lines[0], relation):
@@ -167,8 +167,8 @@ class Claims(Eliminated):
 
         None where there is none.
         """
-        for each in self.scene.desk.lines:
-            own = each.relation
+        for other in self.scene.desk.lines:
+            own = other.relation
             if not isinstance(own, Meaning):
                 continue
             renamed = Relation(
@@ -176,7 +176,7 @@ class Claims(Eliminated):
             )
             line = None if renamed == relation else self.judge.standing(renamed)
             if line is not None:
-                return line, each.number
+                return line, other.number
         return None
 
     def write_parts(self, asked: Expression, relation: Relation) -> int:
@@ -208,7 +208,7 @@ class Claims(Eliminated):
             if inequality.id not in under and inequality.kind in ("given", "range")
         ]
         cited = [own.relation for e in under if (own := self.scene.facts.get(str(e))) is not None]
-        rest = [each for each in rest if each.relation not in cited]
+        rest = [fact for fact in rest if fact.relation not in cited]
         if line.move.id != "compare" or not rest:
             return number
         again = number != len(desk.lines)
@@ -258,7 +258,7 @@ class Claims(Eliminated):
         for tree in trees:
             opened = self.worths.opened(tree)
             inside = list(self.worths.quantities(opened))
-            if not inside or not all(each in left for each in inside):
+            if not inside or not all(quantity in left for quantity in inside):
                 continue
             mark = self.worths.mark()
             line = (
@@ -270,15 +270,15 @@ class Claims(Eliminated):
                 self.worths.back(mark)
                 continue
             lines.append(line)
-            left = [each for each in left if each not in inside]
-        return [*dict.fromkeys(lines), *(self.worths.quantity(each) for each in left)]
+            left = [quantity for quantity in left if quantity not in inside]
+        return [*dict.fromkeys(lines), *(self.worths.quantity(quantity) for quantity in left)]
 
 
 def _renamed(link: Link, meaning: Meaning) -> Link:
     """A link with a letter for the quantity for which it stands."""
     letter = Letter(meaning.letter)
     left, right = (
-        rebuilt(side, lambda each: letter if each == meaning.quantity else each)
+        rebuilt(side, lambda tree: letter if tree == meaning.quantity else tree)
         for side in (link.left, link.right)
     )
     return Link(left, link.sign, right)

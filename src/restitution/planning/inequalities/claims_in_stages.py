@@ -83,7 +83,7 @@ class InStages(ClaimLines):
             if end is None:
                 return None
             ends.append(end)
-        named = [each for each in extent if isinstance(each, int)]
+        named = [ref for ref in extent if isinstance(ref, int)]
         return self.compared([*ends, *named], relation)
 
     def _bounded(self, line: int, link: Link) -> int | None:
@@ -145,8 +145,8 @@ class InStages(ClaimLines):
             return completed
         mark = self.worths.mark()
         written: list[int] = []
-        for each in relation.only:
-            link = turned(each) if has_quantity(each.right) else each
+        for other in relation.only:
+            link = turned(other) if has_quantity(other.right) else other
             own = Relation(((link,),))
             line = self._in_a_range(link)
             if line is not None:
@@ -303,7 +303,7 @@ class InStages(ClaimLines):
             return None
         (link,) = relation.only
         for one, other in (lines, lines[::-1]):
-            left, whole = (self.scene.desk.last_link(each) for each in (one, other))
+            left, whole = (self.scene.desk.last_link(number) for number in (one, other))
             own = link if link.left == left.left else turned(link)
             if (own.left, own.right) != (left.left, whole.left):
                 continue

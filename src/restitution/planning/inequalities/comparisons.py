@@ -60,14 +60,14 @@ class Comparison:
             line = self.claims.compared(list(dict.fromkeys(lines)), relation)
             if line is not None:
                 return line, relation
-        numbers = [each for each in dict.fromkeys(lines) if isinstance(each, int)]
+        numbers = [line for line in dict.fromkeys(lines) if isinstance(line, int)]
         if len(numbers) == 2:
             turn = 1 if link.sign[0] == ">" else -1
             value = tidy(factored(values[::turn][0] - values[::turn][1]))
             put = swept(Binary("-", *map(tree_of, values[::turn])))
             steps = [tree_of(value), *_with_its_square(value)]
             difference = chain(
-                Binary("-", *sides[::turn]), (put, None), *((each, "rearrange") for each in steps)
+                Binary("-", *sides[::turn]), (put, None), *((step, "rearrange") for step in steps)
             )
             line = self._difference(difference, numbers)
             if line is not None:
@@ -105,11 +105,11 @@ class Comparison:
                 event = scene.last_event(one, stage)
             case _:
                 return None
-        components = [scene.model.components.get((event, each)) for each in (one, other)]
+        components = [scene.model.components.get((event, body)) for body in (one, other)]
         if scene.last_event(other, late) != event or None in components:
             return None
-        symbols = [each.symbol for each in components if each is not None]
-        if not all(scene.unknown(each) for each in symbols):
+        symbols = [component.symbol for component in components if component is not None]
+        if not all(scene.unknown(symbol) for symbol in symbols):
             return None
         frame = scene.frame(event)
         wanted = scene.model.story.direction(axis, scene.events)
@@ -121,7 +121,7 @@ class Comparison:
         if apart is not None:
             ahead = scene.model.sign(wanted.dot(frame.n)) * frame.letter_sign
             sign = link.sign if ahead > 0 else FLIPPED[link.sign]
-            first, second = (Letter(each.name) for each in symbols)
+            first, second = (Letter(symbol.name) for symbol in symbols)
             relation = Relation(((Link(first, sign, second),),))
             conditions = self.claims.conditions
             for more in (lambda: (), conditions.lines, conditions.story):
@@ -164,7 +164,7 @@ class Comparison:
     ) -> int | None:
         """The sense of a component with several coefficients: their product is positive."""
         own_roles = roles(self.scene.problem)
-        names = {s.name for each in values for s in each.free_symbols if s.name in own_roles}
+        names = {s.name for value in values for s in value.free_symbols if s.name in own_roles}
         several = self.claims.coefficients(names)
         mark = self.worths.mark()
         products = self.claims.products(several)
@@ -246,7 +246,7 @@ class Comparison:
 
 def _with_its_square(value: sp.Expr) -> Iterator[Expression]:
     """A product whose only sum is 1 − e + e², with that as (e − ½)² + ¾; nothing of another one."""
-    sums = [each for each in sp.Mul.make_args(sp.fraction(value)[0]) if each.is_Add]
+    sums = [factor for factor in sp.Mul.make_args(sp.fraction(value)[0]) if factor.is_Add]
     completed = completed_square(sums[0]) if len(sums) == 1 else None
     if completed is None or isinstance(completed, Negate):
         return

@@ -75,7 +75,7 @@ def _shows(claims: Comparing, line: int, symbol: sp.Symbol) -> bool:
     """Whether a coefficient stands in one square of a line alone, which is not multiplied out."""
     right = claims.scene.desk.last_link(line).right
     squares = [node for node in walk(right) if is_square(node) and symbol.name in letters(node)]
-    outside = rebuilt(right, lambda each: ZERO if each in squares else each)
+    outside = rebuilt(right, lambda tree: ZERO if tree in squares else tree)
     return len(squares) == 1 and symbol.name not in letters(outside)
 
 
@@ -97,7 +97,7 @@ def _completed(
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
     """A coefficient, and a, p and r of the a((e − p)² + r) that a square is, with p inside."""
     known = {name for name, role in roles(claims.scene.problem).items() if _is_coefficient(role)}
-    symbols = [each for each in value.free_symbols if each.name in known]
+    symbols = [symbol for symbol in value.free_symbols if symbol.name in known]
     parts = completed_parts(value, symbols[0]) if len(symbols) == 1 else None
     if parts is None or not (0 < parts[1] < 1 and parts[2] > 0):
         return None

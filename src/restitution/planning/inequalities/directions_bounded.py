@@ -36,12 +36,12 @@ def write_of_direction(
     """
     match quantities:
         case [Quantity("direction", _, int()) as direction] if all(
-            each.sign in FLIPPED for each in relation.only
+            link.sign in FLIPPED for link in relation.only
         ):
             pass
         case _:
             return None
-    links = [_solved(claims, each, direction) for each in relation.only]
+    links = [_solved(claims, link, direction) for link in relation.only]
     whole = Relation((tuple(_as_bounds(links)),))
     mark = claims.worths.mark()
     velocity = Quantity("velocity", direction.arguments, direction.stage)
@@ -55,7 +55,7 @@ def write_of_direction(
         line = write_ratio_of(scene, direction, function, x, y)
         letter, let = letter_of(scene, direction)
         ratio = Apply(function, Letter(letter))
-        ends = [own for each in links if (own := _bound(claims, ratio, each)) is not None]
+        ends = [own for link in links if (own := _bound(claims, ratio, link)) is not None]
         if len(ends) < len(links):
             continue
         between = Relation((tuple(_as_bounds(ends)),))
@@ -66,7 +66,7 @@ def write_of_direction(
             last = claims.judge.write((Move("compare"),), pool, whole)
             if last is None:
                 side = _side(claims, direction, [let, *y.whole, *known], scene.model.sign(y.value))
-                names = {name for each in links for name in letters(each.right)}
+                names = {name for link in links for name in letters(link.right)}
                 pool = [bounds, let, *(() if side is None else (side,)), *claims.judge.known(names)]
                 last = claims.judge.write((Move("compare"),), pool, whole)
             if last is not None and whole != relation:
@@ -88,18 +88,18 @@ def write_of_wide_angle(
     """
     # The statement may have a letter for the angle.
     opened = [
-        Link(claims.worths.opened(each.left), each.sign, claims.worths.opened(each.right))
-        for each in relation.only
+        Link(claims.worths.opened(link.left), link.sign, claims.worths.opened(link.right))
+        for link in relation.only
     ]
     match quantities:
         case [Quantity("angle" | "deflection") as angle] if all(
-            each.sign in FLIPPED and angle in (each.left, each.right) for each in opened
+            link.sign in FLIPPED and angle in (link.left, link.right) for link in opened
         ):
-            links = [_solved(claims, each, angle) for each in opened]
+            links = [_solved(claims, link, angle) for link in opened]
         case _:
             return None
     to_a_wall = angle.kind == "angle" and any(isinstance(e, Name) for e in angle.arguments)
-    if all(_is_acute(claims, each) for each in links) or to_a_wall:
+    if all(_is_acute(claims, link) for link in links) or to_a_wall:
         return None
     mark = claims.worths.mark()
     scene = claims.scene
@@ -111,12 +111,12 @@ def write_of_wide_angle(
     letter, let = letter_of(scene, angle)
     line = cotangent_of(scene, tangent, letter)
     ratio = Apply("cot", Letter(letter))
-    ends = [own for each in links if (own := _bound(claims, ratio, each)) is not None]
+    ends = [own for link in links if (own := _bound(claims, ratio, link)) is not None]
     if line is not None and len(ends) == len(links):
         between = Relation((tuple(_as_bounds(ends)),))
         bounds = claims.monotone(line, between) or claims.compared([line], between)
         if bounds is not None:
-            names = {name for each in links for name in letters(each.right)}
+            names = {name for link in links for name in letters(link.right)}
             pool = [bounds, let, f"0° <= {letter} <= 180°", *claims.judge.known(names)]
             by_tangent = Relation(
                 tuple(tuple(_by_tangent(claims, e) for e in links) for links in relation.options)
@@ -149,7 +149,7 @@ def _is_acute(claims: Comparing, link: Link) -> bool:
 def _solved(claims: Comparing, link: Link, direction: Quantity) -> Link:
     """A bound with the direction alone on the left: ``θ ≥ 90°`` of ``180° − θ ≤ 90°``."""
     sides = (link.left, link.right)
-    own = link if any(each == direction for each in walk(sides[0])) else turned(link)
+    own = link if any(node == direction for node in walk(sides[0])) else turned(link)
     match own.left:
         case Binary("-", other, angle) if angle == direction:
             value, sign = _value(claims, other) - _value(claims, own.right), FLIPPED[own.sign]
@@ -166,10 +166,10 @@ def _value(claims: Comparing, tree: Expression) -> sp.Expr:
 
 def _as_bounds(links: Sequence[Link]) -> Iterator[Link]:
     """Bounds as ``a <= θ <= b``, where there are two."""
-    lower = [each for each in links if each.sign in (">", ">=")]
+    lower = [link for link in links if link.sign in (">", ">=")]
     if len(links) == 2 and len(lower) == 1:
         yield turned(lower[0])
-        yield next(each for each in links if each is not lower[0])
+        yield next(link for link in links if link is not lower[0])
     else:
         yield from links
 
@@ -177,7 +177,7 @@ def _as_bounds(links: Sequence[Link]) -> Iterator[Link]:
 def _side(claims: Comparing, direction: Quantity, pool: Sequence[Ref], sign: int) -> int | None:
     """The line that says on which side of **i** a velocity points."""
     low, high = (0, 180) if sign > 0 else (-180, 0)
-    ends = [tree_of(sp.Integer(each) * sp.pi / 180, angle=True) for each in (low, high)]
+    ends = [tree_of(sp.Integer(number) * sp.pi / 180, angle=True) for number in (low, high)]
     links = (Link(ends[0], "<", direction), Link(direction, "<", ends[1]))
     return claims.judge.write((Move("sign"),), pool, Relation((links,)))
 

@@ -78,7 +78,7 @@ def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:
     for term in walk(tree):
         match term:
             case Binary("^", _, Number(Fraction(numerator=2))):
-                rest = rebuilt(tree, lambda each: ZERO if each == term else each)  # noqa: B023
+                rest = rebuilt(tree, lambda tree: ZERO if tree == term else tree)  # noqa: B023
                 try:
                     left = worths.value(rest)
                 except StatementError:  # the square stands below a bar
@@ -113,7 +113,7 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
     if bound is None:
         return None
     sign, other = bound
-    value, most = (scene_value(scene, each) for each in (whole.right, other))
+    value, most = (scene_value(scene, tree) for tree in (whole.right, other))
     mark = worths.mark()
     sides: list[Expression] = [other, whole.left]
     start: int | None = line
@@ -149,7 +149,7 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
 def _ranges(scene: Scene, x: sp.Expr) -> Iterator[Ref]:
     """What may be cited of letters, both ends of a coefficient of restitution as one range."""
     known = roles(scene.problem)
-    for name in sorted(each.name for each in x.free_symbols if each.name in known):
+    for name in sorted(symbol.name for symbol in x.free_symbols if symbol.name in known):
         role = known[name]
         if role.kind == "restitution" and (role.low, role.high, *role.closed) == (0, 1, True, True):
             yield f"0 <= {name} <= 1"
@@ -217,10 +217,10 @@ def _is_signed(scene: Scene, x: sp.Expr) -> bool:
     """Whether each factor has a certain sign, or may be zero at an end of a letter."""
     above, below = sp.fraction(x)
     known = roles(scene.problem)
-    for each in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)):
-        if len(symbol_names(each) & set(known)) < len(each.free_symbols):
+    for factor in (*sp.Mul.make_args(above), *sp.Mul.make_args(below)):
+        if len(symbol_names(factor) & set(known)) < len(factor.free_symbols):
             return False
-        base, power = each.as_base_exp()
+        base, power = factor.as_base_exp()
         if power.is_Integer and power % 2 == 0:
             continue
         if proved_sign(scene.model.inside, base) is None:

@@ -42,7 +42,7 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     x = by_tangent(value, symbol, t) if role.kind == "angle" else value.subs(symbol, t)
     above, below = sp.fraction(sp.factor(sp.together(x)))
     try:
-        top, poly = (sp.Poly(sp.expand(each), t) for each in (above, below))
+        top, poly = (sp.Poly(sp.expand(value), t) for value in (above, below))
     except sp.PolynomialError:
         return None
     if end.sign[0] != "<" or stated not in ("=", "<="):
@@ -54,14 +54,14 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
         return None
     c = tidy(top.nth(1))
     common = sp.gcd(sp.gcd(a, b), sp.gcd(c, d)) if all(e.is_Rational for e in (a, b)) else 1
-    a, b, c, d = (tidy(each / common) for each in (a, b, c, d))
+    a, b, c, d = (tidy(value / common) for value in (a, b, c, d))
     if scene.model.sign(a) < 0:
-        a, b, c, d = (tidy(-each) for each in (a, b, c, d))
+        a, b, c, d = (tidy(-value) for value in (a, b, c, d))
     lettered = bool(a.free_symbols | b.free_symbols)
     share: sp.Expr = sp.Integer(1)
     if lettered:
         share = _number_in_common(a, b, d)
-        a, b, d = (tidy(each / share) for each in (a, b, d))
+        a, b, d = (tidy(value / share) for value in (a, b, d))
         above, share = sp.fraction(c / share)
         c = tidy(above)
     letter: Expression = Letter(symbol.name)
@@ -89,14 +89,14 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     if quotient is None:
         return None
     front = _common(a, b)
-    roots = [tree_of(tidy(sp.sqrt(each / front))) for each in (a, b)]
+    roots = [tree_of(tidy(sp.sqrt(value / front))) for value in (a, b)]
     gap = product(tree_of(front), square(Binary("-", roots[0], product(roots[1], own))))
     rest = tree_of(tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d))
     if a.free_symbols and b.free_symbols:
         # A root of a product is not that of its factors: both are as in the square.
         rest = total((product(tree_of(2), *roots), tree_of(d)))
     squared = Relation(((Link(Letter(name), "=", total((Binary("/", gap, own), rest))),),))
-    texts = [each for each in known if each not in scene.facts]
+    texts = [ref for ref in known if ref not in scene.facts]
     complete = judge.write((Move("complete"),), [let, *texts], squared)
     if complete is None:
         return None
@@ -123,8 +123,8 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
 
 def _number_in_common(*terms: sp.Expr) -> sp.Expr:
     """The largest number that divides all terms; 1 where one of them has no rational factor."""
-    numbers = [sp.factor(each).as_coeff_Mul()[0] for each in terms if each != 0]
-    if not all(each.is_Rational for each in numbers):
+    numbers = [sp.factor(term).as_coeff_Mul()[0] for term in terms if term != 0]
+    if not all(number.is_Rational for number in numbers):
         return sp.Integer(1)
     return sp.Abs(sp.gcd_list(numbers))
 
@@ -134,7 +134,7 @@ def _common(a: sp.Expr, b: sp.Expr) -> sp.Expr:
     if not (a.is_Rational and b.is_Rational) or (sp.sqrt(a).is_Rational and sp.sqrt(b).is_Rational):
         return sp.Integer(1)
     both = sp.gcd(a, b)
-    plain = all(sp.sqrt(each / both).is_Rational for each in (a, b))
+    plain = all(sp.sqrt(value / both).is_Rational for value in (a, b))
     return both if plain else sp.Integer(1)
 
 

@@ -106,7 +106,7 @@ def _of_a_turn(
     if not isinstance(asked, Quantity) or asked.kind != "deflection":
         return None
     nodes = {n for link in relation.only for e in (link.left, link.right) for n in walk(e)}
-    rooted = any(isinstance(each, Apply) and each.function == "sqrt" for each in nodes)
+    rooted = any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes)
     if not (rooted or _ends_at_a_right_angle(relation) or _is_at_a_slanting_wall(scene, asked)):
         return None
     if Apply("tan", asked) in scene.asked or _has_its_tangent(scene, asked):
@@ -206,9 +206,9 @@ def _further_conditions(claims: Claims, line: int) -> Iterator[Fact]:
     facts = claims.scene.facts
     under = claims.scene.desk.under(line)
     cited = [facts[ref].relation for ref in under if isinstance(ref, str) and ref in facts]
-    for each in claims.conditions.inequalities():
-        if each.kind in ("given", "range") and each.relation not in cited:
-            yield each
+    for fact in claims.conditions.inequalities():
+        if fact.kind in ("given", "range") and fact.relation not in cited:
+            yield fact
 
 
 def _by_a_bound_above(claims: Claims, relation: Relation) -> int | None:
@@ -225,7 +225,7 @@ def _by_a_bound_above(claims: Claims, relation: Relation) -> int | None:
             continue
         if own.only[0] in ends and claims.scene.desk.holds(line.number):
             sides = (Binary("-", end.left, end.right) for end in relation.only)
-            names = {name for each in sides for name in letters(each)}
+            names = {name for side in sides for name in letters(side)}
             pool = (line.number, *claims.judge.known(names))
             written = claims.judge.write((Move("compare"),), pool, relation)
             if written is not None:
@@ -240,10 +240,10 @@ def _by_an_earlier_bound(claims: Claims, relation: Relation) -> int | None:
     asked: ``e > 1/k`` with e = ⅖ gives k > 5/2. None where it does not come to the range.
     """
     scene, desk = claims.scene, claims.scene.desk
-    if len(relation.options) > 1 or any(each.sign not in FLIPPED for each in relation.only):
+    if len(relation.options) > 1 or any(link.sign not in FLIPPED for link in relation.only):
         return None
     ends = {*relation.only, *map(turned, relation.only)}
-    wanted = next((s for each in ends for s in (each.left, each.right) if letters(s)), None)
+    wanted = next((s for end in ends for s in (end.left, end.right) if letters(s)), None)
     above = {ref for end in desk.ends if desk.holds(end.line) for ref in desk.under(end.line)}
     for number in sorted((e for e in above if isinstance(e, int)), reverse=True):
         own = desk.line(number).relation
@@ -260,7 +260,7 @@ def _by_an_earlier_bound(claims: Claims, relation: Relation) -> int | None:
         mark, values = claims.worths.mark(), [scene.scalar(e) for e in (bound.left, bound.right)]
         with suppress(NotPlannedError):
             claims.solver.determine(values)
-        sides = [scene.put(each) for each in values]
+        sides = [scene.put(value) for value in values]
         refs = [ref for _, own_refs in sides for ref in own_refs]
         stripped = without_signs(scene, expanded(sides[0][0] - sides[1][0]), bound.sign)
         solved = None if stripped is None else solve_linear(scene, *stripped, wanted)
@@ -289,7 +289,7 @@ def _with_values(scene: Scene, solver: Solver, number: int, relation: Relation) 
     ]
     try:
         solver.determine(ends)
-        refs = [ref for each in ends for ref in scene.put(each)[1]]
+        refs = [ref for end in ends for ref in scene.put(end)[1]]
     except NotPlannedError:
         return None
     return scene.judge.write((Move("put"),), (number, *refs), relation) if refs else None
@@ -299,7 +299,7 @@ def _is_range_like(own: Relation, relation: Relation) -> bool:
     """Whether two relations bound the same thing from the same sides."""
     if len(own.options) != 1 or len(own.only) != len(relation.only):
         return False
-    if any(each.sign == "=" for each in own.only):
+    if any(link.sign == "=" for link in own.only):
         return False
     pairs = list(zip(own.only, relation.only, strict=True))
     return all(a.sign == b.sign and (a.left == b.left or a.right == b.right) for a, b in pairs)
@@ -313,8 +313,8 @@ def _with_what_holds(claims: Claims, line: int, relation: Relation) -> int:
         return line
     desk.lines.pop()
     conditions = claims.conditions
-    lines = (conditions.holding(each) for each in conditions.inequalities())
-    held = [each for each in lines if each is not None]
+    lines = (conditions.holding(fact) for fact in conditions.inequalities())
+    held = [line for line in lines if line is not None]
     move = Move("compare") if held else own.move
     return desk.write(move, (*held, *own.premises), relation)
 
@@ -332,16 +332,16 @@ def _by_its_ratio(claims: Claims, asked: Expression, line: int, relation: Relati
     for ref in own.premises:
         match desk.line(ref).relation if isinstance(ref, int) else None:
             case Relation((links,)):
-                bounds = [each for each in links if each.left == Apply("cos", asked)]
-                bounds += [each for each in links if each.left == Apply("sin", asked)]
+                bounds = [link for link in links if link.left == Apply("cos", asked)]
+                bounds += [link for link in links if link.left == Apply("sin", asked)]
             case _:
                 continue
         for bound in bounds:
             ratio = bound.left.function  # type: ignore[union-attr]
             inverse = Apply(f"arc{ratio}", bound.right)
             links = tuple(
-                Link(_as(claims, inverse, each.left), each.sign, _as(claims, inverse, each.right))
-                for each in relation.only
+                Link(_as(claims, inverse, link.left), link.sign, _as(claims, inverse, link.right))
+                for link in relation.only
             )
             if links != relation.only:
                 range_of_ratio = Relation((links,))
@@ -370,7 +370,7 @@ def _as(claims: Claims, inverse: Apply, side: Expression) -> Expression:
     """An end of a range that is an inverse tangent as the other inverse ratio that it is."""
     if not isinstance(side, Apply) or side.function != "arctan":
         return side
-    tangent, ratio = (claims.worths.value(each) for each in (side.argument, inverse.argument))
+    tangent, ratio = (claims.worths.value(tree) for tree in (side.argument, inverse.argument))
     hypotenuse = sp.sqrt(1 + tangent**2)
     own = (1 if inverse.function == "arccos" else tangent) / hypotenuse
     return inverse if claims.scene.model.identically_zero(own - ratio) else side
@@ -388,16 +388,16 @@ def relation_of(asked: Expression, result: ItemResult) -> Relation:
     assert not isinstance(own, tuple), "a range is a set"
     parts = [
         part
-        for each in (own.args if isinstance(own, sp.Union) else (own,))
-        for part in (map(sp.FiniteSet, each) if isinstance(each, sp.FiniteSet) else (each,))
+        for value in (own.args if isinstance(own, sp.Union) else (own,))
+        for part in (map(sp.FiniteSet, value) if isinstance(value, sp.FiniteSet) else (value,))
     ]
     if not all(isinstance(part, sp.Interval | sp.FiniteSet) for part in parts):
         raise NotPlannedError("a range that is no interval")
-    ends = [each.inf for each in parts]
+    ends = [part.inf for part in parts]
     if len(parts) > 1 and not all((a < b) in (sp.true, sp.false) for a in ends for b in ends):
         raise NotPlannedError("a range in pieces whose order rests on letters")
-    ordered = sorted(parts, key=lambda each: each.inf) if len(parts) > 1 else parts
-    return Relation(tuple(_links_of(asked, each, answer.angle) for each in ordered))
+    ordered = sorted(parts, key=lambda part: part.inf) if len(parts) > 1 else parts
+    return Relation(tuple(_links_of(asked, value, answer.angle) for value in ordered))
 
 
 def general_answer(result: ItemResult) -> Answer | None:
@@ -407,8 +407,8 @@ def general_answer(result: ItemResult) -> Answer | None:
     there are several such forms.
     """
     forms = result.distinct
-    lettered = [each for each in forms if getattr(each.value, "free_symbols", None)]
-    wide = [each for each in forms if any(set(text) & {"<", ">"} for text in each.condition)]
+    lettered = [form for form in forms if getattr(form.value, "free_symbols", None)]
+    wide = [form for form in forms if any(set(text) & {"<", ">"} for text in form.condition)]
     own = next((each for each in (forms, lettered, wide) if len(each) == 1), None)
     return None if own is None else own[0]
 
@@ -418,7 +418,7 @@ def _links_of(asked: Expression, own: sp.Interval | sp.FiniteSet, angle: bool) -
         (value,) = own
         return (Link(asked, "=", tree_of(value, angle=angle, as_it_is=angle)),)
     links: list[Link] = []
-    low, high = (_end(each, angle) for each in (own.start, own.end))
+    low, high = (_end(end, angle) for end in (own.start, own.end))
     if low is not None and high is not None:
         left: Sign = "<" if own.left_open else "<="
         right: Sign = "<" if own.right_open else "<="

@@ -75,7 +75,7 @@ def _signed(claims: Comparing, ref: Ref) -> Iterator[Ref]:
     is_plain = isinstance(own, Relation) and own.only[0].sign == "="
     if isinstance(own, Relation) and is_plain and not is_vector(own.only[-1].right):
         value = claims.worths.value(own.only[-1].right)
-        if any(isinstance(each, sp.Add) for each in sp.Mul.make_args(value)):
+        if any(isinstance(factor, sp.Add) for factor in sp.Mul.make_args(value)):
             order: Sign = ">" if scene.model.sign(value) > 0 else "<"
             compared = Relation(((Link(own.only[0].left, order, ZERO),),))
             line = claims.compared([ref], compared)

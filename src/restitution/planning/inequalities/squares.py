@@ -96,8 +96,8 @@ def square_and_solve(
 ) -> int | None:
     """An inequality of two sizes with a root: both sides squared, and solved."""
     own = worths.scene.desk.last_link(line)
-    values = [worths.value(each) for each in (own.left, own.right)]
-    roots = [p for each in values for p in each.atoms(sp.Pow) if p.exp == sp.Rational(1, 2)]
+    values = [worths.value(side) for side in (own.left, own.right)]
+    roots = [p for value in values for p in value.atoms(sp.Pow) if p.exp == sp.Rational(1, 2)]
     if not any(root.base.free_symbols for root in roots):
         return None
     mark = worths.mark()
@@ -116,7 +116,7 @@ def both_squared(worths: Worths, line: int, sign: Sign, x: sp.Expr) -> tuple[int
     As it is, where that is not plain, or there is no such root.
     """
     own = worths.scene.desk.last_link(line)
-    sides = [worths.value(each) for each in (own.left, own.right)]
+    sides = [worths.value(side) for side in (own.left, own.right)]
     half = sp.Rational(1, 2)
     if not any(p.exp == half and p.base.free_symbols for v in sides for p in v.atoms(sp.Pow)):
         return line, sign, x
@@ -172,7 +172,7 @@ def _in_one_ratio(sign: Sign, x: sp.Expr) -> Link | None:
 
     So is one with squares of cosines by the sine. None of another one.
     """
-    angles = {each.args[0] for each in x.atoms(sp.sin, sp.cos)}
+    angles = {sine.args[0] for sine in x.atoms(sp.sin, sp.cos)}
     if len(angles) != 1 or not (x.has(sp.sin) and x.has(sp.cos)):
         return None
     (angle,) = angles
@@ -217,17 +217,17 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
     solved = worths.judge.write(_SOLVING[:2], [line], Relation(((link,),)))
     if solved is None:
         return line
-    low, high = (tidy(-b / (2 * a) + each * sp.sqrt(gap)) for each in (-1, 1))
+    low, high = (tidy(-b / (2 * a) + sign * sp.sqrt(gap)) for sign in (-1, 1))
     letter = tree_of(symbol)
     inside: Sign = "<" if len(own) == 1 else "<="
     between = (Link(tree_of(low), inside, letter), Link(letter, inside, tree_of(high)))
     beyond = Link(letter, own, tree_of(high))
     for links in (between,) if own[0] == "<" else ((beyond,),):
         chosen = [links, links[1:]] if own[0] == "<" else [links]
-        for each in chosen:
+        for chain in chosen:
             mark = worths.mark()
-            after = worths.judge.write((Move("compare"),), [solved, *known], Relation((each,)))
-            if after is not None and (len(each) == 1 or _may_be_low(worths, symbol, low)):
+            after = worths.judge.write((Move("compare"),), [solved, *known], Relation((chain,)))
+            if after is not None and (len(chain) == 1 or _may_be_low(worths, symbol, low)):
                 return after
             worths.back(mark)
     return solved
@@ -242,7 +242,7 @@ def solve_in_squares(
     """
     if not isinstance(wanted, Letter) or not x.is_polynomial(*x.free_symbols):
         return line
-    symbols = [each for each in x.free_symbols if each.name == wanted.name]
+    symbols = [symbol for symbol in x.free_symbols if symbol.name == wanted.name]
     poly = sp.Poly(x, *symbols) if symbols else None
     if poly is None or poly.degree() != 4 or poly.nth(3) != 0 or poly.nth(1) != 0:
         return line
@@ -252,7 +252,7 @@ def solve_in_squares(
     root = tidy(sp.sqrt(factored(b**2 - 4 * a * c)))
     if lead is None or own[0] != "<" or root.has(sp.Abs):
         return line
-    low, high = (tidy(sp.factor((-b + each * root) / (2 * a))) for each in (-1, 1))
+    low, high = (tidy(sp.factor((-b + sign * root) / (2 * a))) for sign in (-1, 1))
     squared = square(wanted)
     standard = Link(tree_of(expanded(lead * x)), own, ZERO)
     between = (Link(tree_of(low), own, squared), Link(squared, own, tree_of(high)))
@@ -261,7 +261,7 @@ def solve_in_squares(
     if number is None:
         return cleared
     last = worths.judge.write((Move("compare"),), [number, *known], Relation((between,)))
-    ends = [as_square(each) for each in (low, high)]
+    ends = [as_square(value) for value in (low, high)]
     if last is None or None in ends:
         return number if last is None else last
     squares = Link(ends[0], own, squared), Link(squared, own, ends[1])  # type: ignore[arg-type]
@@ -271,7 +271,7 @@ def solve_in_squares(
 def _multiplied_by_denominators(worths: Worths, line: int, known: Sequence[Ref]) -> int | None:
     """An inequality of quotients without them, and not yet multiplied out."""
     own = worths.scene.desk.last_link(line)
-    sides = [sp.fraction(factored(worths.value(each))) for each in (own.left, own.right)]
+    sides = [sp.fraction(factored(worths.value(side))) for side in (own.left, own.right)]
     (above, below), (other, under) = sides
     if not (below * under).free_symbols:
         return None
@@ -304,13 +304,13 @@ def _without_denominators(worths: Worths, own: Link) -> tuple[sp.Expr, sp.Expr] 
 
     None where sines and cosines stand in them, or more than one letter is left.
     """
-    sides = [one_fraction(worths.value(each)) for each in (own.left, own.right)]
+    sides = [one_fraction(worths.value(side)) for side in (own.left, own.right)]
     if any(side.has(sp.sin, sp.cos, sp.tan) for side in sides):
         return None
     common = sp.lcm([sp.fraction(side)[1] for side in sides])
     above = [expanded(cancelled(side * common)) for side in sides]
     shared = sp.gcd(*above)
-    left, right = (expanded(cancelled(each / shared)) for each in above)
+    left, right = (expanded(cancelled(value / shared)) for value in above)
     if len(left.free_symbols | right.free_symbols) != 1:
         return None
     return left, right

@@ -26,8 +26,10 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
     gap = factored(one_fraction(worths.value(link.left) - worths.value(link.right)))
     above, _ = sp.fraction(gap)
     factors = list(sp.Mul.make_args(above))
-    sums = [each for each in factors if each.as_base_exp()[0].is_Add]
-    sums = [each for each in factors if each.is_Symbol and not each.is_positive and sums] + sums
+    sums = [factor for factor in factors if factor.as_base_exp()[0].is_Add]
+    sums = [
+        factor for factor in factors if factor.is_Symbol and not factor.is_positive and sums
+    ] + sums
     if len(sums) < 2 or link.right == ZERO:
         return line
     if (
@@ -84,11 +86,11 @@ def as_quadratic(
 def _polynomial(x: sp.Expr, wanted: Expression | None) -> tuple[sp.Expr, sp.Poly] | None:
     """The variable in which ``x`` is a polynomial: its one letter, the wanted one, or one ratio."""
     ratios = x.atoms(sp.sin, sp.cos, sp.tan)
-    angles = {each.args[0] for each in ratios}
-    letters = x.free_symbols - {symbol for each in angles for symbol in each.free_symbols}
+    angles = {ratio.args[0] for ratio in ratios}
+    letters = x.free_symbols - {symbol for angle in angles for symbol in angle.free_symbols}
     try:
         if not ratios and len(letters) > 1:
-            own = next((each for each in letters if wanted == Letter(each.name)), None)
+            own = next((letter for letter in letters if wanted == Letter(letter.name)), None)
             return None if own is None else (own, sp.Poly(x, own))
         if letters and not ratios:
             return (own := letters.pop()), sp.Poly(x, own)
@@ -108,9 +110,9 @@ def _polynomial(x: sp.Expr, wanted: Expression | None) -> tuple[sp.Expr, sp.Poly
 
 def _in_order(generator: sp.Expr, poly: sp.Poly) -> tuple[Expression, Expression]:
     """``a t² + b t + c``, in whole numbers as far as there are no roots, and 0."""
-    shares = [tidy(each / poly.LC()) for each in poly.all_coeffs()]
-    below = sp.ilcm(*(each.as_coeff_Mul()[0].q for each in shares))
-    a, b, c = (tree_of(tidy(each * below)) for each in shares)
+    shares = [tidy(coefficient / poly.LC()) for coefficient in poly.all_coeffs()]
+    below = sp.ilcm(*(share.as_coeff_Mul()[0].q for share in shares))
+    a, b, c = (tree_of(tidy(share * below)) for share in shares)
     tree = tree_of(generator)
     return total([product(a, square(tree)), product(b, tree), c]), ZERO
 

@@ -28,7 +28,7 @@ from restitution.planning.writing.forms import ZERO, product_without, tree_of
 
 def write_by_a_ratio(worths: Worths, fact: Fact, link: Link) -> int | None:
     """The bound of a ratio that an item above has in letters; None without such an item."""
-    left, right = (_multiple(worths, each) for each in (link.left, link.right))
+    left, right = (_multiple(worths, side) for side in (link.left, link.right))
     if left is None or right is None:
         return None
     (first, a), (second, b) = left, right
@@ -58,19 +58,19 @@ def write_by_a_ratio(worths: Worths, fact: Fact, link: Link) -> int | None:
 def _positive(worths: Worths, quantity: Quantity) -> int | None:
     """The line that a quantity is positive, after that of the sums in it; None where it is open."""
     known = worths.scene.desk.known(quantity)
-    if known is None or not all(isinstance(each, int) for each in known.refs):
+    if known is None or not all(isinstance(ref, int) for ref in known.refs):
         return None
     sums = [
-        each
-        for each in sp.Mul.make_args(sp.fraction(sp.sympify(known.value, strict=True))[0])
-        if each.is_Add
+        factor
+        for factor in sp.Mul.make_args(sp.fraction(sp.sympify(known.value, strict=True))[0])
+        if factor.is_Add
     ]
     names = symbol_names(known.value)
     pool: list[Ref] = [*known.refs, *worths.judge.known(names)]
     relation = Relation(((Link(quantity, ">", ZERO),),))
     roles = worths.scene.model.unknowns.roles
     # That a product of masses and speeds is positive needs no line.
-    plain = not sums and all(roles[each].kind == "positive" for each in names if each in roles)
+    plain = not sums and all(roles[name].kind == "positive" for name in names if name in roles)
     shown: Showing = "silent" if plain else "line"
     line = worths.judge.write((Move("sign"),), pool, relation, shown=shown)
     for each in sums if line is None else ():
@@ -84,7 +84,7 @@ def _positive(worths: Worths, quantity: Quantity) -> int | None:
 def _multiple(worths: Worths, side: Expression) -> tuple[Quantity, sp.Expr] | None:
     """A positive number times one quantity of the motion; None of anything else."""
     quantities = {node for node in walk(side) if isinstance(node, Quantity)}
-    own = next((each for each in quantities if each.kind in _KINDS), None)
+    own = next((quantity for quantity in quantities if quantity.kind in _KINDS), None)
     factor = None if own is None else product_without(side, own)
     if own is None or factor is None or has_quantity(factor):
         return None

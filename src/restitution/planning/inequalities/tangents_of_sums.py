@@ -35,14 +35,14 @@ def write_tangent_of_a_sum(scene: Scene, relation: Relation, tangents: Sequence[
     form = forms.get(whole.op)
     if form is None:
         return None
-    ratios = [Apply("tan", each) for each in (whole.left, whole.right)]
+    ratios = [Apply("tan", side) for side in (whole.left, whole.right)]
     links = {line: scene.desk.last_link(line) for line in tangents}
     worth = {link.left: link.right for link in links.values()}
     lines = [line for line, link in links.items() if link.left in ratios]
     if not lines:
         return None
     mark = scene.desk.mark()
-    names = scene.judge.known(each.name for each in (whole.left, whole.right))
+    names = scene.judge.known(side.name for side in (whole.left, whole.right))
     first = scene.judge.write(
         (Move("identity", "sum-of-angles"),),
         names,
@@ -50,7 +50,7 @@ def write_tangent_of_a_sum(scene: Scene, relation: Relation, tangents: Sequence[
     )
     if first is None:
         return None
-    values = [worth.get(each, each) for each in ratios]
+    values = [worth.get(ratio, ratio) for ratio in ratios]
     both = tree_of(sp.Mul(*map(scene.scalar, values)))
     put = tangent_of(form, values[0], values[1], both)
     short = tree_of(sp.factor(scene.scalar(put)))

@@ -41,7 +41,7 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
     low, high = fact.relation.only
     place = low.right
     value = sp.sympify(scene.put(scene.scalar(place))[0], strict=True)
-    ends = [scene.scalar(each) for each in (low.left, high.right)]
+    ends = [scene.scalar(side) for side in (low.left, high.right)]
     if not _bounds(_open(worths, value, ends)):
         return None
     worths.solver.determine(journeys.goals(scene, place))
@@ -60,7 +60,7 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
     if line is None:
         return None
     solved = [solve_linear(scene, *each, wanted) for each in open_ if each is not None]
-    relation = _joined([each for each in solved if each is not None])
+    relation = _joined([link for link in solved if link is not None])
     if relation is None or len(relation.only) < len(kept):
         return line
     if len(kept) > 1:
@@ -125,9 +125,9 @@ def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> in
         or certain(scene, one_fraction(value - bound)) != (1 if sign[0] == "<" else -1)
     ]
     solved = [solve_linear(scene, *gap, wanted) for n in near if (gap := gaps[n]) is not None]
-    ends = [each for each in solved if each is not None]
+    ends = [link for link in solved if link is not None]
     if len(ends) == len(near):
-        last = Relation(tuple((each,) for each in ends)) if beyond else _joined(ends)
+        last = Relation(tuple((end,) for end in ends)) if beyond else _joined(ends)
         relations += [] if last is None else [last]
     line: int | None = None
     moves = (Move("put"), Move("rearrange"), Move("compare"))
@@ -192,7 +192,7 @@ def _without_denominator(
     above, below = sp.fraction(factored(one_fraction(value)))
     if not below.free_symbols or certain(worths.scene, below) != 1:
         return None
-    sides = [factored(each) for each in (low * below, above, high * below)]
+    sides = [factored(value) for value in (low * below, above, high * below)]
     common = sp.gcd_terms(sp.gcd_list([sp.expand(side) for side in sides]))
     if certain(worths.scene, common) != 1:
         return None
@@ -206,7 +206,7 @@ def _joined(links: list[Link]) -> Relation | None:
         return Relation((tuple(links),))
     if len(links) != 2 or links[0].left != links[1].left:
         return None
-    low, high = sorted(links, key=lambda each: each.sign[0] == "<")
+    low, high = sorted(links, key=lambda link: link.sign[0] == "<")
     if low.sign[0] == high.sign[0]:
         return None
     sign = "<" if low.sign == ">" else "<="

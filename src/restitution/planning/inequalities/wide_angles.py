@@ -48,13 +48,13 @@ def write_by_cosine(
 
     The cosine only grows, or only falls, with a letter. None for another angle.
     """
-    if len(quantities) != 1 or not any(_is_obtuse(claims, each) for each in relation.only):
+    if len(quantities) != 1 or not any(_is_obtuse(claims, link) for link in relation.only):
         return None
     (angle,) = quantities
     mark = claims.worths.mark()
     own = cosine_of(claims, angle)
     if own is not None:
-        links = [each if each.left == angle else turned(each) for each in relation.only]
+        links = [link if link.left == angle else turned(link) for link in relation.only]
         ends = [Link(own.tree, FLIPPED[e.sign], _cosine(claims, e.right)) for e in links]
         # The least angle has the greatest cosine: of two ends the second comes first.
         ends = [turned(ends[1]), ends[0]] if len(ends) == 2 else ends

@@ -83,12 +83,12 @@ class Worths:
     def opened(self, tree: Expression) -> Expression:
         """A tree with each letter for a quantity replaced by the quantity."""
 
-        def change(each: Expression) -> Expression:
-            if isinstance(each, Letter):
-                fact = self.scene.facts.get(f"let {each.name}")
+        def change(tree: Expression) -> Expression:
+            if isinstance(tree, Letter):
+                fact = self.scene.facts.get(f"let {tree.name}")
                 if fact is not None and has_quantity(fact.relation.only[0].left):
                     return self.opened(fact.relation.only[0].left)
-            return each
+            return tree
 
         return rebuilt(tree, change)
 
@@ -151,7 +151,7 @@ class Worths:
                     return line.relation.letter, line.number
                 taken.add(line.relation.letter)
         names = (*_ANGLES[angle.kind], *_FURTHER_ANGLES)
-        name = next((each for each in names if each not in taken), None)
+        name = next((name for name in names if name not in taken), None)
         if name is None:
             raise NotPlannedError("no letter is left for an angle")
         return name, desk.write(Move("let"), (), Meaning(name, angle))
@@ -238,14 +238,14 @@ class Worths:
 
     def _of_letter(self, angle: Quantity) -> int | None:
         """The tangent of an angle, where a line tells that of the letter for it."""
-        for each in self.scene.desk.lines:
-            own = each.relation
+        for other in self.scene.desk.lines:
+            own = other.relation
             if isinstance(own, Meaning) and own.quantity == angle:
                 line = self._tangent(Apply("tan", Letter(own.letter)))
                 if line is not None:
                     value = self.scene.desk.last_link(line).right
                     relation = Relation(((Link(Apply("tan", angle), "=", value),),))
-                    return self.judge.write(NAMED, [line, each.number], relation)
+                    return self.judge.write(NAMED, [line, other.number], relation)
         return None
 
     def turned(self, angle: Quantity, by_letter: bool) -> int | None:
@@ -360,7 +360,7 @@ class Worths:
         None where there are no such letters.
         """
         parts = known if isinstance(known, Vector) else (known,)
-        open_ = {s for each in parts for s in sp.sympify(each, strict=True).free_symbols}
+        open_ = {s for part in parts for s in sp.sympify(part, strict=True).free_symbols}
         self.solver.determine(sorted(open_ & self.scene.model.final.keys(), key=str))
         value, more = self.scene.put(known)
         if value == known:

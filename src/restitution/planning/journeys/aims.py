@@ -25,7 +25,7 @@ from restitution.vector import Vector
 def _next_event(scene: Scene, body: str, number: int) -> int | None:
     """The next event of a body."""
     later = range(number + 1, scene.events + 1)
-    return next((each for each in later if body in scene.bodies(each)), None)
+    return next((number for number in later if body in scene.bodies(number)), None)
 
 
 def struck(scene: Scene, number: int) -> str | None:
@@ -38,11 +38,11 @@ def struck(scene: Scene, number: int) -> str | None:
         or not is_circle
     ):
         return None
-    if any(scene.unknown(each) for each in scene.model.frames[number].n):
+    if any(scene.unknown(component) for component in scene.model.frames[number].n):
         return None
     for body in (step.second, step.first):
         resting = scene.model.story.latest(body, number - 1) is None and scene.velocity(body, 0)
-        if not resting or any(each != 0 for each in resting):
+        if not resting or any(value != 0 for value in resting):
             continue
         if f"position {body}" not in scene.facts or f"velocity {body}" not in scene.facts:
             continue
@@ -99,7 +99,7 @@ def place_at(scene: Scene, number: int) -> Vector:
     apart = scene.model.frames[number].n * scene.scalar(circle[1])
     first = scene.spheres(number)[0]
     place = there + apart if hit == first else there - apart
-    return Vector(*(tidy(each) for each in place))
+    return Vector(*(tidy(component) for component in place))
 
 
 def write_centres(scene: Scene, number: int) -> int:

@@ -53,7 +53,7 @@ def time_of_closing(
     relation = chain(flight, (right, None), (tree_of(value), "rearrange"))
     pool = together(
         refs,
-        *(each.refs for each in paces.values()),
+        *(source.refs for source in paces.values()),
         *(velocity(scene, body, begin, beside).refs for body in pair),
         (f"contact {number}",),
         start(scene)[1],

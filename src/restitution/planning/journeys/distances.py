@@ -51,8 +51,10 @@ def distance(scene: Scene, asked: Quantity) -> Source:
     flight = flown(scene, asked)
     if flight is not None:
         nowhere = [sp.Integer(0), sp.Integer(0)]
-        refs = together(*(each.refs for each in flight))
-        return _write_distance(scene, asked, None, refs, [each.value for each in flight], nowhere)
+        refs = together(*(source.refs for source in flight))
+        return _write_distance(
+            scene, asked, None, refs, [source.value for source in flight], nowhere
+        )
     ends = [_end(scene, argument, asked.stage) for argument in asked.arguments]
     refs = together(*(end.refs for end in ends))
     (a, b) = (end.value for end in ends)
@@ -82,7 +84,7 @@ def _write_distance(
         ((tree, gap),) = gaps
         value = gap if scene.model.sign(gap) >= 0 else -gap
     else:
-        tree = Apply("sqrt", total(square(each) for each, _ in gaps))
+        tree = Apply("sqrt", total(square(tree) for tree, _ in gaps))
         value = sp.sqrt(tidy(expanded(sum(gap**2 for _, gap in gaps))))
     kept = _square_kept([gap for _, gap in gaps]) if times is None else None
     if times is not None:
@@ -107,13 +109,11 @@ def _square_kept(gaps: Sequence[sp.Expr]) -> Expression | None:
 
     Such a square shows at once what is least. None of other squares.
     """
-    sums = [each for each in gaps if any(x.is_Add for x in sp.Mul.make_args(factored(each)))]
-    others = set[sp.Basic]().union(*(each.free_symbols for each in gaps if each not in sums))
+    sums = [gap for gap in gaps if any(x.is_Add for x in sp.Mul.make_args(factored(gap)))]
+    others = set[sp.Basic]().union(*(gap.free_symbols for gap in gaps if gap not in sums))
     if len(gaps) == 1 or len(sums) != 1 or not sums[0].free_symbols - others:
         return None
-    trees = (
-        tree_of(expanded(each), as_it_is=True) if each in sums else tree_of(each) for each in gaps
-    )
+    trees = (tree_of(expanded(gap), as_it_is=True) if gap in sums else tree_of(gap) for gap in gaps)
     return Apply("sqrt", total(map(square, trees)))
 
 
@@ -153,7 +153,7 @@ def _signs(scene: Scene, gap: sp.Expr) -> tuple[Ref, ...]:
                 *(duration_tree(number, n) for n in range(1, number)),
             )
             known = (scene.desk.known(tree) for tree in trees)
-            time = next((each for each in known if each is not None), None)
+            time = next((source for source in known if source is not None), None)
             if time is not None and not time.value.is_Add and time.value.has(letter):
                 refs += time.refs
                 break
@@ -175,7 +175,7 @@ def _orders(scene: Scene, gap: sp.Expr) -> Iterator[Ref]:
 def ranges(scene: Scene, value: sp.Expr) -> tuple[Ref, ...]:
     """What may be known of the letters of a value that are not plainly positive."""
     refs: list[Ref] = []
-    for letter in sorted(value.free_symbols, key=lambda each: each.name):
+    for letter in sorted(value.free_symbols, key=lambda symbol: symbol.name):
         role = scene.model.unknowns.roles.get(letter.name)
         if role is not None and role.kind == "restitution":
             refs += [f"{letter.name} >= 0", f"{letter.name} <= 1"]
@@ -251,7 +251,7 @@ def _write_path(
         open_,
         (f"contact {late}",),
         spot(scene, body, early).refs,
-        *(each.refs for each in beside),
+        *(source.refs for source in beside),
         ranges(scene, value),
     )
     move = Move("define", "distance")
@@ -297,12 +297,12 @@ def _distance_since_contact(scene: Scene, asked: Quantity) -> Source | None:
     else:
         along = [Source(sp.Integer(0)), apart]
     a, b = ([x, y] for x, y in zip(along, across, strict=True))
-    named = [frame.component(each, names[0], met).arguments[-1] for each in ("across", "along")]
+    named = [frame.component(axis, names[0], met).arguments[-1] for axis in ("across", "along")]
     used = together(
         more,
         (f"contact {met}",),
-        () if all(isinstance(each, Unit) for each in named) else frame.refs,
-        *(each.whole for each in (*a, *b)),
+        () if all(isinstance(tree, Unit) for tree in named) else frame.refs,
+        *(source.whole for source in (*a, *b)),
     )
-    values = [[each.value for each in own] for own in (a, b)]
+    values = [[source.value for source in own] for own in (a, b)]
     return _write_distance(scene, asked, met, used, values[0], values[1], (flight, length))

@@ -102,7 +102,7 @@ def by_degrees(scene: Scene, body: str, since: int, axis: Axis) -> Expression | 
 def collected(scene: Scene, met: int, closing: sp.Expr, flight: Expression, apart: sp.Expr) -> int:
     """When two meet, with the terms of the time on one side, where its factor is a sum."""
     above = sp.fraction(sp.factor(closing))[0]
-    if not any(each.is_Add and each.free_symbols for each in sp.Mul.make_args(above)):
+    if not any(factor.is_Add and factor.free_symbols for factor in sp.Mul.make_args(above)):
         return met
     if scene.model.sign(closing) < 0:
         closing, apart = tidy(-closing), tidy(-apart)

@@ -34,7 +34,7 @@ def flown(scene: Scene, asked: Quantity) -> tuple[Source, Source] | None:
     if flight is None:
         return None
     body, early, late = flight
-    if any(place_tree(body, each) in scene.asked_alone for each in (early, late)):
+    if any(place_tree(body, number) in scene.asked_alone for number in (early, late)):
         return None
     given = {axis: _between_given(scene, body, early, late, axis) for axis in AXES}
     open_ = [axis for axis in AXES if given[axis] is None]
@@ -43,16 +43,16 @@ def flown(scene: Scene, asked: Quantity) -> tuple[Source, Source] | None:
     (axis,) = open_
     mark = scene.desk.mark()
     paces = [velocity(scene, body, stage, axis) for stage in _stages(scene, body, early, late)]
-    values = [each.value for each in paces]
-    if values[0] == 0 or scene.unknown(values[0]) or any(each != values[0] for each in values):
+    values = [pace.value for pace in paces]
+    if values[0] == 0 or scene.unknown(values[0]) or any(value != values[0] for value in values):
         scene.desk.back(mark)
         return None
-    pace = Source(values[0], together(*(each.refs for each in paces)))
+    pace = Source(values[0], together(*(pace.refs for pace in paces)))
     length = _write_length(scene, body, (early, late), axis, pace)
     if length is None:
         scene.desk.back(mark)
         return None
-    x, y = (given[each] or length for each in AXES)
+    x, y = (given[axis] or length for axis in AXES)
     return x, y
 
 
@@ -68,7 +68,7 @@ def _flight_of(scene: Scene, asked: Quantity) -> tuple[str, int, int] | None:
             if not is_flight or "start" not in scene.facts or early < start(scene)[0]:
                 return None
             met = {early, late} <= scene.model.frames.keys() and body in scene.bodies(late)
-            round_ = any(circle_of(scene, each) is not None for each in (early, late))
+            round_ = any(circle_of(scene, number) is not None for number in (early, late))
             return (body, early, late) if met and not round_ else None
     return None
 
@@ -83,7 +83,7 @@ def _stages(scene: Scene, body: str, early: int, late: int) -> list[int]:
 
 def _between_given(scene: Scene, body: str, early: int, late: int, axis: Axis) -> Source | None:
     """How far two places are apart of which one coordinate needs no working; None without."""
-    first, last = (coordinate_given(scene, body, each, axis) for each in (early, late))
+    first, last = (coordinate_given(scene, body, number, axis) for number in (early, late))
     if first is None or last is None:
         return None
     return Source(tidy(last.value - first.value), together(first.refs, last.refs))
@@ -96,7 +96,7 @@ def _write_length(
     early, late = events
     time, length, refs = _time_between(scene, early, late)
     value = tidy(sp.sympify(pace.value * length, strict=True))
-    ends = (coordinate_tree(body, each, axis) for each in (late, early))
+    ends = (coordinate_tree(body, number, axis) for number in (late, early))
     right = swept(product(tree_of(pace.value), time))
     relation = chain(Binary("-", *ends), (right, None), (tree_of(value), "rearrange"))
     move = Move("define", "straight-line", late, (body,))

@@ -13,11 +13,11 @@ from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
 
 
-def write_given_place(scene: Scene, each: GivenEquation) -> int:
+def write_given_place(scene: Scene, equation: GivenEquation) -> int:
     """A place that is given at an event, by the coordinate in which something is unknown."""
-    match each.link:
+    match equation.link:
         case Link(Quantity("position", (Name(body),), AtTime()) as there, "=", right):
-            return _place_then(scene, each, there, body, scene.vector(right))
+            return _place_then(scene, equation, there, body, scene.vector(right))
         case Link(Quantity("position", (Name(body),), int(stage)), "=", right):
             place = scene.vector(right)
         case _:
@@ -29,14 +29,14 @@ def write_given_place(scene: Scene, each: GivenEquation) -> int:
         if not scene.unknown(own.value):
             continue
         relation = chain(tree_of(own.value), (tree_of(given), None))
-        premises = scene.judge.enough(Move("put"), (*own.refs, *each.refs), relation)
+        premises = scene.judge.enough(Move("put"), (*own.refs, *equation.refs), relation)
         if premises is not None:
             return scene.desk.write(Move("put"), premises, relation)
     raise NotPlannedError("a place that is given at an event")
 
 
 def _place_then(
-    scene: Scene, each: GivenEquation, there: Quantity, body: str, place: Vector
+    scene: Scene, equation: GivenEquation, there: Quantity, body: str, place: Vector
 ) -> int:
     """A place given at a time between events, by the coordinate with the fewest unknowns."""
     own = place_then(scene, there, body)
@@ -47,7 +47,7 @@ def _place_then(
         coordinate_then = chain(Quantity("along", (there, Unit(axis))), (tree_of(value), None))
         line = scene.desk.write(Move("rearrange"), own.refs, coordinate_then, "silent")
         relation = chain(tree_of(value), (tree_of(given), None))
-        premises = scene.judge.enough(Move("put"), (line, *each.refs), relation)
+        premises = scene.judge.enough(Move("put"), (line, *equation.refs), relation)
         if premises is not None:
             return scene.desk.write(Move("put"), premises, relation)
     raise NotPlannedError("a place that is given at a time")

@@ -40,7 +40,7 @@ def goals(scene: Scene, asked: Expression) -> list[sp.Expr]:
             and met
             and are_apart(scene, met)
         ):
-            both = [scene.velocity(each, met) for each in (a, b)]
+            both = [scene.velocity(body, met) for body in (a, b)]
             return [without_walls(scene, sp.sympify(x, strict=True)) for v in both for x in v]
     value = scene.value(asked)
     parts = list(value) if isinstance(value, Vector) else [value]

@@ -78,7 +78,7 @@ def residuals(scene: Scene, own: Link) -> tuple[sp.Expr, ...]:
     read = type(story.evaluator(scene.events))(
         story.field, scene.model.unknowns.letter, value, story.named, story.wall_direction
     )
-    gap = [read.scalar(each) for each in (own.left, own.right)]
+    gap = [read.scalar(side) for side in (own.left, own.right)]
     return (tidy(without_walls(scene, gap[0] - gap[1])),)
 
 
@@ -157,10 +157,10 @@ def _steady(scene: Scene, body: str, number: int) -> Steady | None:
     None on a way without an impact: there both directions are alike.
     """
     times = [
-        each
-        for each in scene.given
-        if each.link == Link(time_tree(number), "=", each.link.right)
-        and not has_quantity(_without_times(each.link.right, number))
+        equation
+        for equation in scene.given
+        if equation.link == Link(time_tree(number), "=", equation.link.right)
+        and not has_quantity(_without_times(equation.link.right, number))
     ]
     if not times or _by_a_circle(scene, body, number):
         return None
@@ -170,7 +170,7 @@ def _steady(scene: Scene, body: str, number: int) -> Steady | None:
 
 def _without_times(tree: Expression, number: int) -> Expression:
     """An expression without the times of the events before one."""
-    return exchanged(tree, {time_tree(each): ZERO for each in range(1, number)})
+    return exchanged(tree, {time_tree(index): ZERO for index in range(1, number)})
 
 
 def _over_the_whole_time(scene: Scene, body: str, number: int, steady: Steady) -> sp.Expr:
@@ -194,12 +194,12 @@ def _write_steady(scene: Scene, path: Path, steady: Steady) -> int:
     time = steady.time.link.right
     parts = set(walk(time))
     times = {
-        time_tree(each): time_of(scene, each)
-        for each in range(1, number)
-        if time_tree(each) in parts
+        time_tree(index): time_of(scene, index)
+        for index in range(1, number)
+        if time_tree(index) in parts
     }
-    refs += [ref for each in times.values() for ref in each.refs]
-    time = exchanged(time, {each: tree_of(own.value) for each, own in times.items()})
+    refs += [ref for source in times.values() for ref in source.refs]
+    time = exchanged(time, {quantity: tree_of(own.value) for quantity, own in times.items()})
     flight = swept(product(tree_of(pace.value), time))
     whole = together(steady.time.refs, start(scene)[1], first.refs, last.refs, refs)
     if not times:
@@ -245,9 +245,9 @@ def _end_of(scene: Scene, body: str, number: int) -> Vector:
 def _by_a_circle(scene: Scene, body: str, number: int) -> bool:
     """Whether a body comes from a circular wall, where its place gives no equation for a line."""
     return any(
-        body in scene.bodies(each) and circle_of(scene, each) is not None
-        for each in range(1, number)
-        if len(scene.spheres(each)) == 1
+        body in scene.bodies(index) and circle_of(scene, index) is not None
+        for index in range(1, number)
+        if len(scene.spheres(index)) == 1
     )
 
 
@@ -289,7 +289,7 @@ def write_path(scene: Scene, path: Path) -> int:
         first = value_of_coordinate(scene, body, since, axis)
         last = value_of_coordinate(scene, body, number, axis)
         when = scene.model.happening(since).time if since else sp.Integer(0)
-        values = [without_walls(scene, each) for each in (pace, first, last, when)]
+        values = [without_walls(scene, value) for value in (pace, first, last, when)]
         if pace == 0 or any(scene.unknown(value) for value in values):
             continue
         ends = [coordinate(scene, body, each, other) for each in (since, number)]
@@ -319,7 +319,7 @@ def write_path(scene: Scene, path: Path) -> int:
         return by_tangent
     for axis, pace in zip(AXES, reversed(paces), strict=True):
         ends = [coordinate(scene, body, each, axis) for each in (since, number)]
-        refs += [ref for each in (*ends, pace) for ref in each.refs]
+        refs += [ref for end in (*ends, pace) for ref in end.refs]
         sides.append(swept_product(scene, ends[1].value, ends[0].value, pace.value))
     match sides:
         case [Negate(left), Negate(right)]:
@@ -348,7 +348,7 @@ def _by_slope(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None:
     None where they have no factor in common that may vanish, by which both sides would be
     multiplied.
     """
-    across, over = (each.value for each in paces)
+    across, over = (pace.value for pace in paces)
     if across == 0 or over == 0:
         return None
     ratio = tidy(over / across)
@@ -374,7 +374,7 @@ def _slope_line(
         case Negate(), Negate():
             left, right, value = left.operand, right.operand, -value
     relation = chain(left, (right, None), (tree_of(value), "rearrange"))
-    refs = together(*(each.refs for each in (begin, end, first, last, *paces)))
+    refs = together(*(pace.refs for pace in (begin, end, first, last, *paces)))
     return scene.judge.write((move_of(path),), refs, relation)
 
 
@@ -383,11 +383,12 @@ def _by_tangent(scene: Scene, path: Path, paces: Sequence[Source]) -> int | None
 
     None where the ratio of the components is not a multiple of such a tangent.
     """
-    if any(each.value == 0 for each in paces):
+    if any(pace.value == 0 for pace in paces):
         return None
     since = last_move(scene, path.body, path.number)
     ends = [
-        [coordinate(scene, path.body, each, axis) for each in (since, path.number)] for axis in AXES
+        [coordinate(scene, path.body, number, axis) for number in (since, path.number)]
+        for axis in AXES
     ]
     open_ = [bool(scene.unknown(last.value - first.value)) for first, last in ends]
     for order in ((1, 0), (0, 1)):
@@ -418,7 +419,7 @@ def _gradient_line(
         (quotient, None),
         (tree_of(-value if minus else value), "rearrange"),
     )
-    refs = together(*(each.refs for pair in ends for each in pair), *(e.refs for e in paces))
+    refs = together(*(source.refs for pair in ends for source in pair), *(e.refs for e in paces))
     known = background(scene, symbol_names(ratio))
     premises = scene.judge.enough(move_of(path), refs, relation, known)
     return None if premises is None else scene.desk.write(move_of(path), premises, relation)

@@ -231,13 +231,13 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
         return None
     if since and circle_of(scene, since) is not None:
         return None
-    stands: list[Expression] = [duration_tree(stage, each) for each in range(stage)]
-    if any(scene.desk.known(each) is not None for each in (*stands, time_tree(stage))):
+    stands: list[Expression] = [duration_tree(stage, index) for index in range(stage)]
+    if any(scene.desk.known(tree) is not None for tree in (*stands, time_tree(stage))):
         return None
     beside = value_of_velocity(scene, body, since, other)
     if scene.speaks_of_times and not scene.unknown(beside):
         return None
-    start_, end = (coordinate(scene, body, each, other) for each in (since, stage))
+    start_, end = (coordinate(scene, body, number, other) for number in (since, stage))
     first = coordinate(scene, body, since, axis)
     pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
     distance = tidy(end.value - start_.value)
@@ -249,7 +249,7 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
     number = scene.desk.write(
         Move("define", "straight-line", stage, (body,)),
         together(
-            *(each.refs for each in (start_, end, first, pace, over)),
+            *(source.refs for source in (start_, end, first, pace, over)),
             divisor_refs(scene, distance, over.value),
         ),
         chain(
@@ -391,7 +391,7 @@ def _with_its_time(scene: Scene, body: str, stage: int, axis: Axis) -> bool:
     begin, time = leg(scene, stage)
     flight, length = time_since(scene, stage, begin), tree_of(time.value)
     right = scene.desk.relation(open_[0]).only[0].right
-    put = swept(rebuilt(right, lambda each: length if each == flight else each))
+    put = swept(rebuilt(right, lambda tree: length if tree == flight else tree))
     value = part_of(tidied(scene, scene.value(place_tree(body, stage))), axis)
     relation = added_up(scene, quantity, put, value)
     number = scene.judge.write((Move("put"),), (open_[0], *time.refs), relation)
@@ -420,11 +420,11 @@ def time_of(scene: Scene, number: int) -> Source:
         if early is not None:
             legs = {each: early} | {end: own for end, own in legs.items() if end > each}
             break
-    value = tidy(sum(each.value for each in legs.values()))
+    value = tidy(sum(source.value for source in legs.values()))
     terms = [tree_of(legs[each].value) for each in sorted(legs)]
     line = scene.desk.write(
         Move("put"),
-        (*leg_line(scene, number), *(ref for each in legs.values() for ref in each.refs)),
+        (*leg_line(scene, number), *(ref for source in legs.values() for ref in source.refs)),
         added_up(scene, time_tree(number), swept(total(terms)), value),
     )
     return scene.desk.know(time_tree(number), value, (line,))
@@ -443,14 +443,15 @@ def flight_time(
     if known is not None:
         return tree_of(known.value), known.value, together(begin, known.refs)
     late, early = _legs(scene, stage), _legs(scene, since)
-    more = [late[each] for each in sorted(late.keys() - early.keys())]
-    less = [early[each] for each in sorted(early.keys() - late.keys())]
+    more = [late[key] for key in sorted(late.keys() - early.keys())]
+    less = [early[key] for key in sorted(early.keys() - late.keys())]
     tree = difference(
-        total(tree_of(each.value) for each in more), total(tree_of(each.value) for each in less)
+        total(tree_of(source.value) for source in more),
+        total(tree_of(source.value) for source in less),
     )
-    value = tidy(sum(each.value for each in more) - sum(each.value for each in less))
+    value = tidy(sum(source.value for source in more) - sum(source.value for source in less))
     refs = begin if since == first else ()
-    return tree, value, together(refs, *(each.refs for each in (*more, *less)))
+    return tree, value, together(refs, *(source.refs for source in (*more, *less)))
 
 
 def _legs(scene: Scene, number: int) -> dict[int, Source]:
@@ -585,7 +586,7 @@ def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Sourc
         pace = scene.velocity(aimed, last_move(scene, aimed, number))
         return leg_along(scene, aimed, number, "i" if pace.x != 0 else "j")
     if circle_of(scene, number) is not None:
-        approaches = [_approach(scene, each, number) for each in scene.bodies(number)]
+        approaches = [_approach(scene, body, number) for body in scene.bodies(number)]
         return start(scene)[0], time_of_touching(scene, number, approaches)
     for body, other in ((step.first, step.second), (step.second, step.first)):
         if rests(scene, other, number):

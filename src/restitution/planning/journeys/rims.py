@@ -85,8 +85,8 @@ def _as_before(
     pool = together(
         ("start", f"position {body}", f"contact {since}", f"contact {number}"),
         (f"contact {before}",) if before else (),
-        *(together(each.whole, scene.put(each.value)[1]) for each in sources),
-        background(scene, symbol_names(*(each.value for each in sources))),
+        *(together(source.whole, scene.put(source.value)[1]) for source in sources),
+        background(scene, symbol_names(*(source.value for source in sources))),
         known.refs,
     )
     move = Move("define", "chord", number, (body,))
@@ -126,10 +126,10 @@ def place_on_a_level(
     left = own if across == 0 else total(sides)
     fact = Relation(((Link(swept(left), "=", square(tree_of(radius))),),))
     line = scene.judge.write((Move("fact"),), (f"contact {number}", let, *level.refs, *more), fact)
-    values = [tidy(scene.put(each)[0]) for each in (x, 2 * middle - x)]
+    values = [tidy(scene.put(value)[0]) for value in (x, 2 * middle - x)]
     known = background(scene, symbol_names(*values, y))
     for move, right in ((Move("roots"), values), (Move("reject"), values[:1])):
-        relation = Relation(tuple((Link(letter, "=", tree_of(each)),) for each in right))
+        relation = Relation(tuple((Link(letter, "=", tree_of(value)),) for value in right))
         why = (*pace.refs, f"towards {number}", *level.refs, let) if len(right) == 1 else ()
         refs = line and scene.judge.enough(move, (line,), relation, (*why, *known))
         if not refs:
@@ -251,8 +251,8 @@ def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:
         refs += [*part.whole, *used]
     if values[1] == 0:
         return Source(-values[0], together(refs))
-    squares = total(square(tree_of(each)) for each in values)
-    size = tidy(sp.sqrt(tidy(expanded(sum(each**2 for each in values)))))
+    squares = total(square(tree_of(value)) for value in values)
+    size = tidy(sp.sqrt(tidy(expanded(sum(value**2 for value in values)))))
     line = scene.desk.write(
         Move("define", "speed", since, (body,)),
         together(refs),
@@ -348,7 +348,7 @@ def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) 
     both = tidy(-2 * at.dot(pace) / speed)
     when, _ = scene.put(scene.value(t))
     other = tidy(2 * begin.value + both - when)
-    roots = Relation(tuple((Link(t, "=", tree_of(each)),) for each in (when, other)))
+    roots = Relation(tuple((Link(t, "=", tree_of(value)),) for value in (when, other)))
     letters = symbol_names(when - other)
     premises = scene.judge.enough(Move("roots"), (fact,), roots, background(scene, letters))
     if premises is None:

@@ -110,7 +110,7 @@ def write_round(scene: Scene, own: Round) -> int:
         _hide_components(scene, closing)
     if len({*angles}) == 1:
         return closing
-    x, y, z = (Apply("tan", each) for each in angles)
+    x, y, z = (Apply("tan", angle) for angle in angles)
     quotient = Binary("/", Binary("+", x, y), Binary("-", ONE, product(x, y)))
     relation = chain(quotient, (Binary("/", ONE, z), None))
     move = Move("identity", "sum-of-angles")
@@ -123,7 +123,7 @@ def write_round(scene: Scene, own: Round) -> int:
     }
     right = tree_of(in_tangents(tidy(1 / tangents[z][0]))) if z in tangents else Binary("/", ONE, z)
     put = chain(swept(exchanged(quotient, values)), (right, None))
-    names = {each.name for each in scene.unknown(own.candidate.residuals[0])}
+    names = {value.name for value in scene.unknown(own.candidate.residuals[0])}
     known = [*(number for _, number in tangents.values()), *background(scene, names)]
     kept = scene.judge.enough(Move("put"), (line,), put, known)
     if kept is None:
@@ -174,12 +174,12 @@ def _tangent(
 ) -> tuple[sp.Expr, int]:
     """The tangent of the angle with a radius: its value, and its line."""
     values, refs = [], [meaning]
-    for each in (across, along):
-        value, more = scene.put(each.value)
+    for source in (across, along):
+        value, more = scene.put(source.value)
         if scene.model.sign(scene.model.in_data(value)) < 0:
             value = -value
         values.append(value)
-        refs += [*each.whole, *more]
+        refs += [*source.whole, *more]
     worth = in_tangents(tidy(sp.sympify(values[0] / values[1], strict=True)))
     right = swept(Binary("/", *map(tree_of, values)))
     number = scene.desk.write(

@@ -68,9 +68,9 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
     ends = [coordinate_given(scene, body, each, axis) for each in (since, number)]
     if None in ends:
         return None
-    early = [known.value for each in between if (known := scene.desk.known(time_tree(each)))]
+    early = [known.value for number in between if (known := scene.desk.known(time_tree(number)))]
     in_lines = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
-    if early and (in_lines or all(each.is_number for each in early)):
+    if early and (in_lines or all(value.is_number for value in early)):
         return None  # the sum is as short
     if _are_added(scene, (since, *between, number)):
         return None
@@ -86,7 +86,7 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
         () if since else start(scene)[1],
         first.refs,
         last.refs,
-        *(each.refs for each in paces),
+        *(pace.refs for pace in paces),
         divisor_refs(scene, distance, pace.value),
     )
     relation = time_relation(own, tree, value, pace.value)
@@ -107,7 +107,7 @@ def _are_added(scene: Scene, stages: Sequence[int]) -> bool:
         if known is None:
             return False
         values.append(sp.sympify(known.value, strict=True))
-    return all(tidy(each / values[0]).is_number for each in values)
+    return all(tidy(value / values[0]).is_number for value in values)
 
 
 def write_steady_ways(scene: Scene, number: int) -> None:
@@ -140,7 +140,7 @@ def _is_open_way(scene: Scene, body: str, stages: Sequence[int]) -> bool:
         return False
     axis = steady_axis(scene, body, last, first)
     return axis is not None and None not in [
-        coordinate_given(scene, body, each, axis) for each in (first, last)
+        coordinate_given(scene, body, number, axis) for number in (first, last)
     ]
 
 
@@ -161,7 +161,9 @@ def _times_wanted(scene: Scene) -> set[int]:
         for item, now in asked
         if isinstance(item, Value)
     ]
-    trees += [side for each in scene.given for side in (each.link.left, each.link.right)]
+    trees += [
+        side for equation in scene.given for side in (equation.link.left, equation.link.right)
+    ]
     return {
         node.stage
         for tree in trees

@@ -29,8 +29,8 @@ class Closing(ByLaws):
         self, left: Sequence[Candidate], goals: Sequence[sp.Expr]
     ) -> tuple[Candidate, ...] | None:
         """All equations that are left, solved in one line."""
-        asked = frozenset(symbol for each in goals for symbol in self.scene.unknown(each))
-        lines = [self._line(each) for each in left]
+        asked = frozenset(symbol for goal in goals for symbol in self.scene.unknown(goal))
+        lines = [self._line(candidate) for candidate in left]
         try:
             solve_together(self.scene, [line for line in lines if line is not None], asked)
         except NotPlannedError as error:
@@ -55,7 +55,7 @@ class Closing(ByLaws):
         above = sp.fraction(one_fraction(put))[0]
         factors = [base for base, _ in factor_powers(above)]
         zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]
-        return frozenset(s for each in zero or [put] for s in self.scene.unknown(each))
+        return frozenset(s for value in zero or [put] for s in self.scene.unknown(value))
 
     def _is_of_direction(self, own: Candidate) -> bool:
         """Whether a fact tells the direction of a body that moves along the line of centres."""
@@ -73,7 +73,7 @@ class Closing(ByLaws):
         if own.id not in self.equations.givens:
             return frozenset()
         factors = sp.Mul.make_args(factored(sp.fraction(one_fraction(put))[0]))
-        return frozenset(each for each in factors if each.is_Symbol and each.is_positive)
+        return frozenset(factor for factor in factors if factor.is_Symbol and factor.is_positive)
 
     def _closing(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """An equation with one unknown letter."""
@@ -121,13 +121,13 @@ class Closing(ByLaws):
                 continue
             if self._turned(first, second) or self._turned(second, first):
                 return first, second
-            lines = [self._line(each) for each in (first, second)]
+            lines = [self._line(candidate) for candidate in (first, second)]
             if None in lines:
                 continue
             pair: tuple[int, int] = (lines[0], lines[1])  # type: ignore[assignment]
             # A component may stand in the lines as a law expresses it.
             own = set[sp.Symbol]().union(
-                *(self.scene.unknown(residual(self.scene, each)) for each in pair)
+                *(self.scene.unknown(residual(self.scene, number)) for number in pair)
             )
             x, y = sorted(own if len(own) == len(pair) else unknowns, key=self._wanted_later)
             try:
@@ -160,13 +160,13 @@ class Closing(ByLaws):
 def _of_equal_roots(equation: sp.Expr) -> sp.Expr | None:
     """The difference of what stands below two roots that are equal; None of another equation."""
     terms = sp.Add.make_args(equation)
-    if len(terms) != 2 or not all(each.atoms(sp.Pow) and _is_root(each) for each in terms):
+    if len(terms) != 2 or not all(term.atoms(sp.Pow) and _is_root(term) for term in terms):
         return None
-    one, other = (tidy(each**2) for each in terms)
+    one, other = (tidy(term**2) for term in terms)
     return sp.expand(one - other)
 
 
 def _is_root(term: sp.Expr) -> bool:
     """Whether a term is a root of letters, times what has none."""
-    roots = [each for each in sp.Mul.make_args(term) if not each.is_rational_function()]
-    return any(each.is_Pow and each.exp == sp.S.Half and each.free_symbols for each in roots)
+    roots = [factor for factor in sp.Mul.make_args(term) if not factor.is_rational_function()]
+    return any(root.is_Pow and root.exp == sp.S.Half and root.free_symbols for root in roots)

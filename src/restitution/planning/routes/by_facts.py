@@ -38,10 +38,10 @@ class ByFacts(Course):
         model = self.scene.model
         put = [self.scene.with_values(each)[0] for each in own.residuals]
         return frozenset(
-            each
-            for each in symbols
-            if model.sign(model.in_data(each)) == 0
-            and all(model.identically_zero(x.subs(each, 0)) for x in put)
+            symbol
+            for symbol in symbols
+            if model.sign(model.in_data(symbol)) == 0
+            and all(model.identically_zero(x.subs(symbol, 0)) for x in put)
         )
 
     def _velocity_given(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
@@ -129,7 +129,7 @@ class ByFacts(Course):
     def _are_coefficients(self, symbols: frozenset[sp.Symbol]) -> bool:
         """Whether letters are coefficients of restitution."""
         known = self.scene.model.unknowns.roles
-        kinds = (known[each.name].kind for each in symbols if each.name in known)
+        kinds = (known[symbol.name].kind for symbol in symbols if symbol.name in known)
         return [*kinds] == ["restitution"] * len(symbols)
 
     def _take_equal(self, given: GivenEquation, open_: frozenset[sp.Symbol]) -> bool:
@@ -221,7 +221,7 @@ class ByFacts(Course):
             if not laws <= ids and not self._closes_a_law(laws, open_, left):
                 continue
             gap = self.scene.with_values(own.residuals[0])[0]
-            slopes = [sp.diff(gap, each).expand() for each in open_]
+            slopes = [sp.diff(gap, value).expand() for value in open_]
             if any(slope == 0 or slope.free_symbols & open_ for slope in slopes):
                 continue
             if gap.subs(dict.fromkeys(open_, 0)).expand() == 0 and self._tie(given, open_, gap):
@@ -278,10 +278,10 @@ class ByFacts(Course):
         """
         link = self.equations.givens[own.id].link
         kinds = {
-            each.kind
+            node.kind
             for side in (link.left, link.right)
-            for each in walk(side)
-            if isinstance(each, Quantity)
+            for node in walk(side)
+            if isinstance(node, Quantity)
         }
         if symbol not in self._letters or not kinds & {"speed", "energy", "angle"}:
             return False
@@ -294,21 +294,21 @@ class ByFacts(Course):
         laws = {f"momentum {number}", f"restitution {number}"}
         ids = {each.id for each in left}
         # One that an earlier part has used is there too.
-        standing = {each for each in laws - ids if written_law(self.scene, each.split()[0], number)}
+        standing = {law for law in laws - ids if written_law(self.scene, law.split()[0], number)}
         if not laws & ids or not laws <= ids | standing:
             return False
         if self._comes_by_the_coefficient(number, left):
             return True
         put = [sp.expand(self.scene.with_values(each)[0]) for each in own.residuals]
-        squared = [each for each in put if sp.diff(each, symbol, 2) != 0]
+        squared = [value for value in put if sp.diff(value, symbol, 2) != 0]
         if not squared:
             return False
         # Of several solutions each would need the laws anew: that is worth it where they part in
         # the sense, and the laws would leave two letters in one equation.
-        signs = {each.sign(each.in_data(symbol)) for each in self.scene.others}
+        signs = {model.sign(model.in_data(symbol)) for model in self.scene.others}
         unknowns = {x for each in left for x in self._open(each)} - self._letters.keys()
         parted = signs >= {-1, 1} and len(unknowns) > 1
-        plain = all(_is_plain_square(each, symbol) for each in squared)
+        plain = all(_is_plain_square(value, symbol) for value in squared)
         return not plain or (bool(signs) and not parted)
 
     def _is_off_from_rest(self, given: GivenEquation) -> bool:
@@ -327,9 +327,9 @@ class ByFacts(Course):
             return False
         unknown = self.scene.unknown(self.scene.coefficient(number).value)
         if any(
-            unknown & self.scene.unknown(self.scene.coefficient(each).value)
-            for each in self.scene.model.frames
-            if each < number
+            unknown & self.scene.unknown(self.scene.coefficient(other).value)
+            for other in self.scene.model.frames
+            if other < number
         ):
             return False  # by the laws it is a power of that
         return write_speed_from_rest(self.scene, given, component.symbol) is not None
@@ -341,11 +341,11 @@ class ByFacts(Course):
         """
         unknown = self.scene.unknown(self.scene.coefficient(number).value)
         laws = (each for each in left if each.id == f"momentum {number}")
-        put = (self.scene.with_values(x)[0] for each in laws for x in each.residuals)
-        symbols = {symbol for each in put for symbol in each.free_symbols}
+        put = (self.scene.with_values(x)[0] for law in laws for x in law.residuals)
+        symbols = {symbol for value in put for symbol in value.free_symbols}
         # A component after an earlier impact has the coefficient of that in it.
-        early = {self._letters[each][0] for each in symbols if each in self._letters}
-        behind = (self.scene.coefficient(each).value for each in early if each < number)
+        early = {self._letters[symbol][0] for symbol in symbols if symbol in self._letters}
+        behind = (self.scene.coefficient(other).value for other in early if other < number)
         return bool(unknown & symbols) or any(unknown & self.scene.unknown(x) for x in behind)
 
     def _is_value(self, given: GivenEquation) -> bool:
@@ -371,8 +371,8 @@ class ByFacts(Course):
         if (number, first) not in scene.model.components:
             return False
         frame = scene.frame(number)
-        one, other = (after(scene, "along", each, frame) for each in (first, second))
-        letters = [scene.model.components[number, each].symbol for each in (first, second)]
+        one, other = (after(scene, "along", body, frame) for body in (first, second))
+        letters = [scene.model.components[number, body].symbol for body in (first, second)]
         if [one.value, other.value] != letters or not scene.unknown(one.value):
             return False
         line = scene.desk.write(
@@ -443,8 +443,8 @@ class ByFacts(Course):
 
 def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether an equation says that the square of a letter is that of a number or a product."""
-    own = [each for each in equation.atoms(sp.Pow) if each.exp == sp.S.Half]
-    own = [each for each in own if symbol in each.free_symbols]
+    own = [power for power in equation.atoms(sp.Pow) if power.exp == sp.S.Half]
+    own = [value for value in own if symbol in value.free_symbols]
     if own:
         # A speed is the root of such a sum.
         part = equation.coeff(own[0])
@@ -456,7 +456,7 @@ def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:
         return False
     root = tidy(sp.sqrt(factored(-rest / slope)))
     roots = (power for power in root.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q != 1)
-    return not root.has(sp.Add, sp.sin, sp.cos) and not any(each.free_symbols for each in roots)
+    return not root.has(sp.Add, sp.sin, sp.cos) and not any(root.free_symbols for root in roots)
 
 
 def _solved(residual_: sp.Expr, symbol: sp.Symbol) -> sp.Expr:

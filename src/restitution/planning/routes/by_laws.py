@@ -29,7 +29,7 @@ class ByLaws(ByFacts):
 
     def _law_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """The law of restitution alone, where it says that both spheres go on together along it."""
-        ids = {each.id for each in left}
+        ids = {candidate.id for candidate in left}
         for own in left:
             law = self.equations.law(own)
             if law is None or law.kind != "restitution" or f"momentum {law.number}" in ids:
@@ -69,7 +69,10 @@ class ByLaws(ByFacts):
             law = self.equations.law(own)
             if law is None or law.kind != "momentum" or self._earlier(law):
                 continue
-            other = next((each for each in left if each.id == f"restitution {law.number}"), None)
+            other = next(
+                (candidate for candidate in left if candidate.id == f"restitution {law.number}"),
+                None,
+            )
             if other is None:
                 continue
             after_ = self._after(law.number)
@@ -87,7 +90,7 @@ class ByLaws(ByFacts):
     def _is_linear(self, laws: Sequence[Candidate], symbols: Iterable[sp.Symbol]) -> bool:
         """Whether laws are linear in some letters, with what is known put in."""
         rows = [self.scene.put(each)[0] for own in laws for each in own.residuals]
-        slopes = [sp.diff(row, each) for row in rows for each in symbols]
+        slopes = [sp.diff(row, symbol) for row in rows for symbol in symbols]
         # A cosine that is divided by would have to be cited as not zero.
         return not any(
             slope.has(sp.sin, sp.cos) or slope.free_symbols & set(symbols) for slope in slopes
@@ -120,7 +123,7 @@ class ByLaws(ByFacts):
             return None
         one, other = pair
         apart = own.subs(dict.fromkeys(pair, 0)), sp.diff(own, one) - sp.diff(own, other)
-        if any(sp.expand(each) != 0 for each in apart):
+        if any(sp.expand(value) != 0 for value in apart):
             return None
         relation = chain(Letter(other.name), (tree_of(-one), None))
         line = scene.judge.write((Move("rearrange"),), (momentum,), relation)
@@ -131,7 +134,7 @@ class ByLaws(ByFacts):
 
     def _single(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A law of two spheres with one component open after it: that is expressed."""
-        for own in sorted(left, key=lambda each: len(self._open(each))):
+        for own in sorted(left, key=lambda candidate: len(self._open(candidate))):
             law = self.equations.law(own)
             if law is None or law.kind not in LAWS or self._earlier(law):
                 continue
@@ -166,13 +169,13 @@ class ByLaws(ByFacts):
 
     def _separation(self, left: list[Candidate], goals: Sequence[sp.Expr]) -> bool:
         """Writes the law of restitution alone, where only the speed of separation is wanted."""
-        ids = {each.id for each in left}
+        ids = {candidate.id for candidate in left}
         for own in left:
             law = self.equations.law(own)
             if law is None or law.kind != "restitution" or f"momentum {law.number}" in ids:
                 continue
             pair = self._after(law.number).keys()
-            rest = [x for each in left if each != own for x in each.residuals]
+            rest = [x for candidate in left if candidate != own for x in candidate.residuals]
             if self._earlier(law) or not pair <= {
                 s for x in own.residuals for s in self.scene.unknown(x)
             }:

@@ -37,7 +37,11 @@ def points(model: Model) -> tuple[Point, ...]:
     }
     # A mass that nothing tells is any number.
     symbols |= {role.symbol(name) for name, role in model.unknowns.hidden_roles.items()}
-    sample = {each: float(model.sample[each.name]) for each in symbols if each.name in model.sample}
+    sample = {
+        symbol: float(model.sample[symbol.name])
+        for symbol in symbols
+        if symbol.name in model.sample
+    }
     there = dict(model.sample)
     for n, name in enumerate(sorted(model.unknowns.roles)):
         symbol = model.unknowns.letter(name)
@@ -125,7 +129,7 @@ class Routes:
     unknowns: frozenset[sp.Symbol]
 
     def __post_init__(self) -> None:
-        self.symbols = sorted(self.unknowns, key=lambda each: each.name)
+        self.symbols = sorted(self.unknowns, key=lambda value: value.name)
         self.rows = [
             [[self.row(residual, point) for residual in own.residuals] for point in self.points]
             for own in self.candidates
@@ -220,8 +224,8 @@ class Routes:
     ) -> tuple[int, ...]:
         """A set from which nothing can be left out, the dear ones having gone first."""
         kept = list(near)
-        for n in sorted(near, key=lambda each: -self.candidates[each].cost):
-            without = [each for each in kept if each != n]
+        for n in sorted(near, key=lambda number: -self.candidates[number].cost):
+            without = [number for number in kept if number != n]
             if self._spans(without, wanted):
                 kept = without
         return tuple(kept)

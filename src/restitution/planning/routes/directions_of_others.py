@@ -37,10 +37,10 @@ def write_velocities_of_others(scene: Scene, solver: Solver) -> None:
 
 def _velocities(scene: Scene, number: int) -> Iterator[tuple[str, int]]:
     """The velocities before an impact by which the directions after it are given."""
-    for each in scene.given:
-        if each.link.sign not in ("parallel to", "perpendicular to"):
+    for equation in scene.given:
+        if equation.link.sign not in ("parallel to", "perpendicular to"):
             continue
-        sides: tuple[Expression, ...] = (each.link.left, each.link.right)
+        sides: tuple[Expression, ...] = (equation.link.left, equation.link.right)
         for late, other in (sides, sides[::-1]):
             match late, other:
                 case (

@@ -41,7 +41,7 @@ class Equations:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.laws = [*self._laws(), *self._across()]
-        self.givens = {each.fact.id: each for each in scene.given}
+        self.givens = {equation.fact.id: equation for equation in scene.given}
         self.paths = {path.candidate.id: path for path in paths.paths(scene)}
         self.rounds = {each.candidate.id: each for each in rounds.rounds(scene)}
         self.used: set[str] = set()
@@ -73,9 +73,9 @@ class Equations:
 
     def _given_velocity(self, body: str, number: int) -> GivenEquation | None:
         velocity = Quantity("velocity", (Name(body),), number)
-        for each in self.scene.given:
-            if each.link.sign == "=" and each.link.left == velocity:
-                return each
+        for equation in self.scene.given:
+            if equation.link.sign == "=" and equation.link.left == velocity:
+                return equation
         return None
 
     def routes(
@@ -92,7 +92,7 @@ class Equations:
             Candidate(own.id, own.cost, tuple(scene.with_values(each)[0] for each in own.residuals))
             for own in (
                 *(law.candidate for law in self.laws),
-                *(self._of_given(each) for each in scene.given),
+                *(self._of_given(equation) for equation in scene.given),
                 *(path.candidate for path in self.paths.values()),
                 *(each.candidate for each in self.rounds.values()),
                 *self._shown(),
@@ -146,14 +146,14 @@ class Equations:
         """Whether an equation tells nothing new: with what is known it holds of itself."""
         put = [self.scene.with_values(each)[0] for each in own.residuals]
         changed = all(a is not b for a, b in zip(put, own.residuals, strict=True))
-        return changed and all(expanded(each) == 0 or _is_nothing(each) for each in put)
+        return changed and all(expanded(value) == 0 or _is_nothing(value) for value in put)
 
-    def _of_given(self, each: GivenEquation) -> Candidate:
+    def _of_given(self, equation: GivenEquation) -> Candidate:
         """A given fact; of a velocity only the component along the line of centres."""
-        own = candidate(each)
-        if each.link.sign == "=" and place_trees.is_about_times(each.link):
-            return replace(own, residuals=paths.residuals(self.scene, each.link))
-        match each.link:
+        own = candidate(equation)
+        if equation.link.sign == "=" and place_trees.is_about_times(equation.link):
+            return replace(own, residuals=paths.residuals(self.scene, equation.link))
+        match equation.link:
             case Link(Quantity("velocity", (Name(body),), int(stage)), "=", right):
                 if stage in self.scene.model.frames:
                     frame = self.scene.model.frames[stage]

@@ -67,11 +67,11 @@ def _written(scene: Scene, number: int, symbol: sp.Symbol | None) -> bool:
     if ray.role is not REAL and 0 not in ray.direction:
         return False  # told by an angle: there would be roots in both components
     early = [before(scene, kind, body, frame).value for kind in ("along", "across")]
-    if any(each.has(sp.Add) for each in early):
+    if any(value.has(sp.Add) for value in early):
         return False  # both laws would be long
     size, line = write_ray(scene, number, without_root(ray), _LETTERS, "silent")
     velocity = Quantity("velocity", (Name(body),), number)
-    late = Vector(*(sp.expand(each * size) for each in without_root(ray).direction))
+    late = Vector(*(sp.expand(component * size) for component in without_root(ray).direction))
     scene.desk.know(velocity, late, (line,))
     across = _law(scene, body, frame, "across")
     if set(scene.unknown(residual(scene, across))) == {size}:

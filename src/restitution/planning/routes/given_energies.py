@@ -13,35 +13,35 @@ from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
 
-def write_share_of_energy(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+def write_share_of_energy(scene: Scene, equation: GivenEquation, left: Quantity) -> int | None:
     """The line of an energy, or of a loss, that is a multiple of an energy before it.
 
     None of anything else, and where the mass does not cancel.
     """
     match left.kind:
         case "energy":
-            return _of_two_energies(scene, each, left)
+            return _of_two_energies(scene, equation, left)
         case "energy_lost" | "total_energy_lost":
-            return _of_a_loss(scene, each, left)
+            return _of_a_loss(scene, equation, left)
     return None
 
 
-def _other_energy(each: GivenEquation) -> tuple[Quantity, Expression] | None:
+def _other_energy(equation: GivenEquation) -> tuple[Quantity, Expression] | None:
     """The one energy on the right of a given equation, and its factor; None without one."""
     others = [
         node
-        for node in walk(each.link.right)
+        for node in walk(equation.link.right)
         if isinstance(node, Quantity) and node.kind == "energy"
     ]
     if len(others) != 1:
         return None
-    factor = product_without(each.link.right, others[0])
+    factor = product_without(equation.link.right, others[0])
     return None if factor is None else (others[0], factor)
 
 
-def _of_a_loss(scene: Scene, each: GivenEquation, lost: Quantity) -> int | None:
+def _of_a_loss(scene: Scene, equation: GivenEquation, lost: Quantity) -> int | None:
     """The loss of the only sphere as a multiple of its energy before: that of the squares."""
-    pair = _other_energy(each)
+    pair = _other_energy(equation)
     own = None if pair is None else fraction_lost(scene, Binary("/", lost, pair[0]))
     if pair is None or own is None or not isinstance(own.right, Binary):
         return None
@@ -49,13 +49,13 @@ def _of_a_loss(scene: Scene, each: GivenEquation, lost: Quantity) -> int | None:
     right = whole if pair[1] == ONE else swept(product(pair[1], whole))
     relation = chain(own.right.left, (right, None))
     refs = scene.judge.enough(
-        own.move, together(each.refs, own.refs), relation, background(scene, letters(right))
+        own.move, together(equation.refs, own.refs), relation, background(scene, letters(right))
     )
     if refs is None:
         return None
     line = scene.desk.write(own.move, refs, relation)
     fraction = factored(own.value)
-    sums = {frozenset(each.free_symbols) for each in fraction.args if each.is_Add}
+    sums = {frozenset(argument.free_symbols) for argument in fraction.args if argument.is_Add}
     if not fraction.is_Mul or len(sums) != 1:
         return line
     # What is common to the squares is taken out before anything is divided by it.
@@ -66,15 +66,15 @@ def _of_a_loss(scene: Scene, each: GivenEquation, lost: Quantity) -> int | None:
     )
 
 
-def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+def _of_two_energies(scene: Scene, equation: GivenEquation, left: Quantity) -> int | None:
     """The energy of a body as a multiple of what it was: the ratio is that of speeds squared."""
-    pair = _other_energy(each)
+    pair = _other_energy(equation)
     if pair is None or len(left.arguments) != 1 or pair[0].arguments != left.arguments:
         return None
     (other, factor), (name,) = pair, left.arguments
     if not isinstance(name, Name):
         return None
-    stages = [each.stage for each in (left, other) if isinstance(each.stage, int)]
+    stages = [quantity.stage for quantity in (left, other) if isinstance(quantity.stage, int)]
     if len(stages) != 2:
         return None
     (a, _, a_refs), (b, _, b_refs) = (
@@ -84,7 +84,7 @@ def _of_two_energies(scene: Scene, each: GivenEquation, left: Quantity) -> int |
     relation = chain(swept(a), (right, None))
     move = Move("define", "energy-ratio", max(stages), (name.name,))
     refs = scene.judge.enough(
-        move, together(each.refs, a_refs, b_refs), relation, background(scene, letters(a))
+        move, together(equation.refs, a_refs, b_refs), relation, background(scene, letters(a))
     )
     return None if refs is None else scene.desk.write(move, refs, relation)
 

@@ -26,13 +26,13 @@ def write_given_share(scene: Scene, asked: Quantity, *, early: bool = False) -> 
     if asked.kind not in _KINDS:
         return None
     used = {ref for line in scene.desk.lines for ref in line.premises}
-    for each in scene.given:
-        other = _other_side(each, asked)
-        waits = each.fact.id not in used and len(scene.solution.items) > 1
+    for equation in scene.given:
+        other = _other_side(equation, asked)
+        waits = equation.fact.id not in used and len(scene.solution.items) > 1
         if other is None or (waits and not early):
             continue
         mark = scene.desk.mark()
-        line = _write(scene, each, asked, other)
+        line = _write(scene, equation, asked, other)
         if line is not None:
             return line
         scene.desk.back(mark)

@@ -190,7 +190,7 @@ def _by_a_line_above(scene: Scene, solver: Solver, asked: Expression) -> bool:
         if not isinstance(relation, Relation) or len(relation.options) != 1:
             continue
         links = relation.only
-        if links[0].left != asked or any(each.sign != "=" for each in links):
+        if links[0].left != asked or any(link.sign != "=" for link in links):
             continue
         value = scene.scalar(links[-1].right)
         if value.has(sp.sin, sp.cos, sp.tan) or not value.free_symbols & scene.model.final.keys():
@@ -388,9 +388,9 @@ def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
     doubled = _of_double_angle(asked)
     if doubled is not None:
         values: dict[Expression, Expression] = {
-            each: tree_of(scene.put(scene.scalar(each))[0]) for each in _ratios_in(doubled)
+            ratio: tree_of(scene.put(scene.scalar(ratio))[0]) for ratio in _ratios_in(doubled)
         }
-        doubled_values = rebuilt(doubled, lambda each: values.get(each, each))
+        doubled_values = rebuilt(doubled, lambda tree: values.get(tree, tree))
         steps = ((doubled, None), (doubled_values, "put"), (tree_of(value), "rearrange"))
         relation = chain(asked, *steps)  # type: ignore[arg-type]
         move = Move("identity", "double-angle")
@@ -405,8 +405,10 @@ def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
     several = len(scene.desk.relation(first).options) > 1
     move = Move("put") if rest or several else Move("rearrange")
     if rest or len(lines) != len(refs):
-        values = {each: tree_of(scene.put(scene.scalar(each))[0]) for each in _letters_in(asked)}
-        whole = rebuilt(asked, lambda each: values.get(each, each))
+        values = {
+            letter: tree_of(scene.put(scene.scalar(letter))[0]) for letter in _letters_in(asked)
+        }
+        whole = rebuilt(asked, lambda tree: values.get(tree, tree))
         relation = chain(asked, (whole, None), (tree_of(value), "rearrange"))
         premises = scene.judge.enough(Move("put"), refs, relation)
         if premises is None:
@@ -425,8 +427,8 @@ def _letters_in(tree: Expression) -> Iterator[Expression]:
         case Letter() | Apply("sin" | "cos" | "tan", Letter()):
             yield tree
         case _:
-            for each in children(tree):
-                yield from _letters_in(each)
+            for node in children(tree):
+                yield from _letters_in(node)
 
 
 def _from_its_equation(
@@ -472,7 +474,7 @@ def _of_double_angle(asked: Expression) -> Expression | None:
     """The sine, the cosine or the tangent of 2θ by those of θ; None of anything else."""
     match asked:
         case Apply(kind, Binary("*", Number() as two, Letter() as angle)) if two.value == 2:
-            sine, cosine, tangent = (Apply(each, angle) for each in ("sin", "cos", "tan"))
+            sine, cosine, tangent = (Apply(ratio, angle) for ratio in ("sin", "cos", "tan"))
         case _:
             return None
     doubled: dict[str, Expression] = {
@@ -619,9 +621,9 @@ def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
         case _:
             wanted = [
                 goal
-                for each in outermost(asked)
-                if isinstance(each, Quantity)
-                for goal in goals(scene, each)
+                for tree in outermost(asked)
+                if isinstance(tree, Quantity)
+                for goal in goals(scene, tree)
             ]
     if wanted:
         try:
@@ -678,7 +680,7 @@ def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> No
     for angle in walk(asked):
         if isinstance(angle, Letter | Quantity) and is_angle(scene, angle):
             velocities = _velocities_of(scene, quantity_of(scene, angle))
-            open_ = {s for each in velocities for s in scene.unknown(each)} & components
+            open_ = {s for velocity in velocities for s in scene.unknown(velocity)} & components
             if open_:
                 solver.determine(sorted(open_, key=str))
 
@@ -697,9 +699,9 @@ def goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
     """What has to be known for an expression to be: its value, or the components of it."""
     value = scene.value(tree)
     if isinstance(value, Vector):
-        return [sp.sympify(each, strict=True) for each in value]
+        return [sp.sympify(other, strict=True) for other in value]
     if hasattr(value, "measure"):
         # Of a right angle there is no tangent.
-        x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
+        x, y = (sp.sympify(component, strict=True) for component in (value.x, value.y))
         return [x / y if scene.model.sign(x) == 0 else y / x]
     return [sp.sympify(value, strict=True)]

@@ -32,7 +32,7 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
     link = replace(links[-1], left=links[0].left)
     value = scene.value(link.right)
     if (
-        any(each.sign != "=" for each in links)
+        any(link.sign != "=" for link in links)
         or isinstance(value, Vector)
         or hasattr(value, "measure")
     ):
@@ -53,7 +53,7 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
         return False
     relation = chain(link.left, (tree_of(put), None))
     # A tangent is put in as it is given, or stands, without the sine and the cosine.
-    given = [ref for each in sorted(letters(link.right)) for ref in _tangent_of(scene, each)]
+    given = [ref for letter in sorted(letters(link.right)) for ref in _tangent_of(scene, letter)]
     pools = (given, refs) if given else (refs,)
     tried = (scene.judge.enough(Move("put"), (end.line, *pool), relation) for pool in pools)
     premises = next((each for each in tried if each is not None), None)
@@ -70,12 +70,12 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
 
 def _is_said_by_a_fact(scene: Scene, relation: Relation) -> bool:
     """Whether a given fact says an answer by itself: then no line says it once more."""
-    asked = {each for each in walk(relation.only[0].left) if isinstance(each, Quantity)}
-    for each in scene.given if asked else ():
-        fact = each.fact.relation.only[0]
+    asked = {node for node in walk(relation.only[0].left) if isinstance(node, Quantity)}
+    for equation in scene.given if asked else ():
+        fact = equation.fact.relation.only[0]
         if asked <= {*walk(fact.left), *walk(fact.right)}:
             moves = (Move("fact"), Move("rearrange"))
-            if any(scene.judge.follows(move, (each.fact.id,), relation) for move in moves):
+            if any(scene.judge.follows(move, (equation.fact.id,), relation) for move in moves):
                 return True
     return False
 

@@ -25,13 +25,16 @@ def tidied_law(scene: Scene, number: int, symbols: Sequence[sp.Symbol]) -> int:
     Without what all its terms have in common; the line itself where there is nothing to do.
     """
     link = scene.desk.last_link(number)
-    names = {each.name for each in symbols}
-    sides = [each for each in (link.left, link.right) if letters(each).isdisjoint(names)]
+    names = {symbol.name for symbol in symbols}
+    sides = [side for side in (link.left, link.right) if letters(side).isdisjoint(names)]
     if len(sides) != 1 or not _has_sums_in_a_sum(sides[0]):
         return number
     own = residual(scene, number)
-    coefficients = [sp.diff(own, each) for each in symbols]
-    if any(each.free_symbols & set(symbols) or each.has(sp.Add) for each in coefficients):
+    coefficients = [sp.diff(own, symbol) for symbol in symbols]
+    if any(
+        coefficient.free_symbols & set(symbols) or coefficient.has(sp.Add)
+        for coefficient in coefficients
+    ):
         return number
     rest = own.subs(dict.fromkeys(symbols, 0))
     shared = sp.gcd_list(coefficients)
@@ -40,8 +43,8 @@ def tidied_law(scene: Scene, number: int, symbols: Sequence[sp.Symbol]) -> int:
     sign = -1 if sides[0] == link.left else 1
     worth = tidy(one_fraction(sp.expand(-sign * rest / shared)))
     terms = [
-        product(tree_of(tidy(sign * each / shared)), Letter(symbol.name))
-        for each, symbol in zip(coefficients, symbols, strict=True)
+        product(tree_of(tidy(sign * coefficient / shared)), Letter(symbol.name))
+        for coefficient, symbol in zip(coefficients, symbols, strict=True)
     ]
     if isinstance(terms[0], Negate):
         terms.reverse()
@@ -57,7 +60,7 @@ def _has_sums_in_a_sum(tree: Expression) -> bool:
     return any(
         isinstance(node, Binary)
         and node.op in ("+", "-")
-        and any(_is_sum(each) for side in (node.left, node.right) for each in walk(side))
+        and any(_is_sum(tree) for side in (node.left, node.right) for tree in walk(side))
         for node in walk(tree)
     )
 
@@ -66,7 +69,7 @@ def _is_sum(tree: Expression) -> bool:
     return (
         isinstance(tree, Binary)
         and tree.op in ("+", "-")
-        and (bool(letters(tree)) or any(isinstance(each, Apply) for each in walk(tree)))
+        and (bool(letters(tree)) or any(isinstance(node, Apply) for node in walk(tree)))
     )
 
 
@@ -82,7 +85,7 @@ def put_into_restitution(
     if slope not in (1, -1) or sp.diff(own, other) != -slope or not _is_plain(known.value):
         return False
     apart = tidy(one_fraction(-own.subs({symbol: 0, other: 0}) * slope))
-    components = {each.symbol for each in scene.model.components.values()}
+    components = {component.symbol for component in scene.model.components.values()}
     if apart == 0 or apart.free_symbols & components:
         return False
     lead = apart.as_coeff_Mul()[0].is_negative

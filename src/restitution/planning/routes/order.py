@@ -28,7 +28,7 @@ class Solver(Closing):
 
     def reopen(self) -> None:
         """Equations that were used may be used again, where something in them is open by now."""
-        own = [*(each.candidate for each in self.equations.laws), *map(candidate, self.scene.given)]
+        own = [*(law.candidate for law in self.equations.laws), *map(candidate, self.scene.given)]
         self.equations.used -= {each.id for each in own if self._open(each)}
 
     def determine(self, goals: Sequence[sp.Expr]) -> None:
@@ -72,8 +72,8 @@ class Solver(Closing):
             else:
                 item = scene.desk.item or ""
                 scene.desk.others += [
-                    Route(item, tuple(self.equations.move(own) for own in each))
-                    for each in routes[n + 1 :]
+                    Route(item, tuple(self.equations.move(own) for own in route))
+                    for route in routes[n + 1 :]
                 ]
                 return
         assert first is not None
@@ -103,7 +103,7 @@ class Solver(Closing):
             left = [each for each in left if each not in done]
             self._express_waiting([*goals, *(x for each in left for x in each.residuals)])
             write_blows(scene)
-        rest = {symbol for each in goals for symbol in scene.unknown(each)}
+        rest = {symbol for goal in goals for symbol in scene.unknown(goal)}
         rest -= self._separating()
         if rest & self._letters.keys() and list(rest) != list(goals):
             # Where a goal is greatest or least in what is open, no gradient tells of that.
@@ -166,7 +166,7 @@ class Solver(Closing):
             and own.kind in (*LAWS, "wall")
             and own.candidate.id not in self.equations.used
         )
-        more = [each for each in laws if each.id not in taken]
+        more = [law for law in laws if law.id not in taken]
         rest = tuple(each for each in route if each.id not in {own.id for own in laws})
         return (*laws, *rest) if more else ()
 

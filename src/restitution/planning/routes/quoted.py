@@ -28,21 +28,21 @@ QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
 """The quantities that are quoted from the line that has them in letters."""
 
 
-def quoted(scene: Scene, each: GivenEquation, quantity: Quantity) -> int | None:
+def quoted(scene: Scene, equation: GivenEquation, quantity: Quantity) -> int | None:
     """What is given of a quantity that stands in letters already: the two are equal."""
     turned = quantity.kind in ("angle", "deflection")
     if quantity.kind not in QUOTED and not turned:
         return None
-    return quoted_as(scene, each, Apply("tan", quantity) if turned else quantity)
+    return quoted_as(scene, equation, Apply("tan", quantity) if turned else quantity)
 
 
-def quoted_ratio(scene: Scene, each: GivenEquation) -> int | None:
+def quoted_ratio(scene: Scene, equation: GivenEquation) -> int | None:
     """What is given of the ratio of two quantities that an item above has in letters.
 
     From ``loss/energy before = ½ cos²α`` and a loss of a quarter of that energy it is
     ``½ cos²α = ¼``: neither of the two is worked out again.
     """
-    left, right = each.link.left, each.link.right
+    left, right = equation.link.left, equation.link.right
     match left:
         case Quantity() as one:
             others = {node for node in walk(right) if isinstance(node, Quantity)}
@@ -64,7 +64,7 @@ def quoted_ratio(scene: Scene, each: GivenEquation) -> int | None:
         if not scene.unknown(value) or has_root(value):
             continue
         relation = chain(own.right if not refs else tree_of(value), (share, None))
-        pool = (each.fact.id, end.line, *each.lets, *refs)
+        pool = (equation.fact.id, end.line, *equation.lets, *refs)
         written = scene.judge.write((Move("put"),), pool, relation)
         if written is not None:
             return written
@@ -77,43 +77,43 @@ def has_root(value: sp.Expr) -> bool:
     return any(root.exp.is_Rational and root.exp.q == 2 and root.free_symbols for root in roots)
 
 
-def quoted_as(scene: Scene, each: GivenEquation, subject: Expression) -> int | None:
+def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int | None:
     """The same of what stands as a quantity, as its tangent, or as a letter for it."""
     turned = isinstance(subject, Apply)
-    if has_quantity(each.link.right):
+    if has_quantity(equation.link.right):
         return None
     known = scene.desk.known(subject)
     if known is None and isinstance(subject, Apply):
-        return _by_its_tangent(scene, each, subject.argument)
+        return _by_its_tangent(scene, equation, subject.argument)
     if known is None or not scene.unknown(known.value):
         return None
     if has_root(known.value):
-        plain = _without_its_root(scene, each, known)
-        return _squared_as(scene, each, subject, known) if plain is None else plain
+        plain = _without_its_root(scene, equation, known)
+        return _squared_as(scene, equation, subject, known) if plain is None else plain
     value, refs = scene.put(known.value)
-    right, more = scene.put(scene.scalar(each.link.right))
+    right, more = scene.put(scene.scalar(equation.link.right))
     if turned and (more or right == sp.pi / 2):
         return None
-    tree = each.link.right if not more else tree_of(right)
+    tree = equation.link.right if not more else tree_of(right)
     tree = tree_of(tidy(sp.tan(right))) if turned else tree
     relation = chain(tree, (tree_of(value), None))
     lines = [ref for ref in known.refs if isinstance(ref, int)]
-    names = {name for each in lines for name in letters(scene.desk.last_link(each).right)}
+    names = {name for number in lines for name in letters(scene.desk.last_link(number).right)}
     lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
     premises = scene.judge.enough(
         Move("put"),
-        (*known.refs, each.fact.id),
+        (*known.refs, equation.fact.id),
         relation,
-        together(each.lets, lets, refs, more),
+        together(equation.lets, lets, refs, more),
     )
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
-def _by_its_tangent(scene: Scene, each: GivenEquation, angle: Expression) -> int | None:
+def _by_its_tangent(scene: Scene, equation: GivenEquation, angle: Expression) -> int | None:
     """The value of an angle that is given, put into a line that has its tangent in letters."""
-    value, more = scene.put(scene.scalar(each.link.right))
+    value, more = scene.put(scene.scalar(equation.link.right))
     tangent = tidy(sp.tan(value))
-    if more or has_quantity(each.link.right) or not tangent.is_number or not tangent.is_finite:
+    if more or has_quantity(equation.link.right) or not tangent.is_number or not tangent.is_finite:
         return None
     for meaning in scene.desk.lines:
         if not isinstance(meaning.relation, Meaning) or meaning.relation.quantity != angle:
@@ -126,12 +126,12 @@ def _by_its_tangent(scene: Scene, each: GivenEquation, angle: Expression) -> int
         if not scene.unknown(scene.scalar(left)):
             continue
         mark = scene.desk.mark()
-        equal = chain(letter, (each.link.right, None))
-        pool = each.fact.id, meaning.number
+        equal = chain(letter, (equation.link.right, None))
+        pool = equation.fact.id, meaning.number
         fact = scene.judge.write((Move("fact"),), pool, equal)
         relation = chain(left, (tree_of(tangent), None))
-        if isinstance(each.link.right, Degrees):
-            own = Apply("tan", each.link.right)
+        if isinstance(equation.link.right, Degrees):
+            own = Apply("tan", equation.link.right)
             relation = chain(left, (own, None), (tree_of(tangent), "rearrange"))
         put = fact and scene.judge.write((Move("put"),), (line, fact), relation)
         if put:
@@ -146,26 +146,26 @@ def _standing_tangent(scene: Scene, tangent: Apply) -> int | None:
         own = line.relation
         if not isinstance(own, Relation) or len(own.options) > 1 or own.only[0].left != tangent:
             continue
-        plain = all(each.sign == "=" for each in own.only)
+        plain = all(link.sign == "=" for link in own.only)
         if plain and not has_quantity(own.only[-1].right) and scene.desk.holds(line.number):
             ratios = [node for node in walk(own.only[-1].right) if isinstance(node, Apply)]
             meant = scene.desk.meanings([line.number])
-            named = {scene.desk.line(each).relation.letter for each in meant}  # type: ignore[union-attr]
+            named = {scene.desk.line(number).relation.letter for number in meant}  # type: ignore[union-attr]
             return None if any(named & letters(node) for node in ratios) else line.number
     return None
 
 
-def _without_its_root(scene: Scene, each: GivenEquation, known: Source) -> int | None:
+def _without_its_root(scene: Scene, equation: GivenEquation, known: Source) -> int | None:
     """What is given of a quantity that stands as a root, where equal letters leave none in it."""
     ties = {symbol: scene.put(symbol)[0] for symbol in known.value.free_symbols}
     equal = {one: other for one, other in ties.items() if other.is_Symbol and one != other}
     lines = [ref for ref in known.refs if isinstance(ref, int)]
     if not equal or len(lines) != 1:
         return None
-    value, (right, more) = known.value.subs(equal), scene.put(scene.scalar(each.link.right))
+    value, (right, more) = known.value.subs(equal), scene.put(scene.scalar(equation.link.right))
     angles = {ratio.args[0]: sp.Dummy("c", positive=True) for ratio in value.atoms(sp.sin, sp.cos)}
-    put = {sp.cos(each): c for each, c in angles.items()}
-    put |= {sp.sin(each): sp.sqrt(1 - c**2) for each, c in angles.items()}
+    put = {sp.cos(value): c for value, c in angles.items()}
+    put |= {sp.sin(value): sp.sqrt(1 - c**2) for value, c in angles.items()}
     plain = tidy(sp.sqrt(sp.expand(value.xreplace(put) ** 2)))
     if more or has_root(plain) or plain.atoms(sp.Dummy):
         return None
@@ -176,18 +176,18 @@ def _without_its_root(scene: Scene, each: GivenEquation, known: Source) -> int |
     }
     tree = exchanged(scene.desk.last_link(lines[0]).right, letters_)
     relation = chain(tree_of(right), (tree, None), (tree_of(plain), "identity"))
-    pool = together(known.refs, (each.fact.id,), refs)
+    pool = together(known.refs, (equation.fact.id,), refs)
     premises = scene.judge.enough(Move("put"), pool, relation, background(scene, names))
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
 def _squared_as(
-    scene: Scene, each: GivenEquation, subject: Expression, known: Source
+    scene: Scene, equation: GivenEquation, subject: Expression, known: Source
 ) -> int | None:
     """What is given of a speed that stands as one root: the squares are equal; None of another."""
     value, refs = scene.put(known.value)
     squared = tidy(value**2)
-    _, more = scene.put(scene.scalar(each.link.right))
+    _, more = scene.put(scene.scalar(equation.link.right))
     lines = [ref for ref in known.refs if isinstance(ref, int)]
     if refs or more or has_root(squared) or len(lines) != 1:
         return None
@@ -199,5 +199,5 @@ def _squared_as(
     line = scene.judge.write((Move("rearrange"),), pool, relation)
     if line is None:
         return None
-    relation = chain(square(each.link.right), (tree_of(squared), None))
-    return scene.judge.write((Move("put"),), (line, each.fact.id, *each.lets), relation)
+    relation = chain(square(equation.link.right), (tree_of(squared), None))
+    return scene.judge.write((Move("put"),), (line, equation.fact.id, *equation.lets), relation)

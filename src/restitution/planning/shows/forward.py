@@ -127,7 +127,7 @@ def _written(scene: Scene, solver: Solver, item: Show, now: int) -> tuple[int, R
                 scene.free |= printed
                 facts = _facts_about(scene, item, now) - solver.equations.used
             if attempt == "named":
-                unnamed = {each for each in scene.free if each.name not in _names(item)}
+                unnamed = {value for value in scene.free if value.name not in _names(item)}
                 if not unnamed:
                     break
                 scene.free -= unnamed
@@ -172,7 +172,7 @@ def _printed_letters(scene: Scene, item: Show, now: int) -> frozenset[sp.Symbol]
     if not has_quantity(left) or has_quantity(right):
         return frozenset()
     names = letters(right)
-    return frozenset(each for each in scene.model.final if each.name in names)
+    return frozenset(value for value in scene.model.final if value.name in names)
 
 
 def _facts_about(scene: Scene, item: Show, now: int) -> frozenset[str]:
@@ -181,9 +181,10 @@ def _facts_about(scene: Scene, item: Show, now: int) -> frozenset[str]:
     (link,) = links_of(scene.problem, item.relation, now)
     shown = set(quantities_in(scene.opened(link).left))
     return frozenset(
-        each.fact.id
-        for each in scene.given
-        if shown & {q for side in (each.link.left, each.link.right) for q in quantities_in(side)}
+        equation.fact.id
+        for equation in scene.given
+        if shown
+        & {q for side in (equation.link.left, equation.link.right) for q in quantities_in(side)}
     )
 
 
@@ -448,14 +449,14 @@ def _to_figures(claims: Claims, link: Link) -> tuple[int, Relation]:
 def _first_meeting(claims: Claims, relation: Meets, now: int) -> tuple[int, Relation]:
     """That a sphere will hit a wall, or will not: the sense of its component towards it."""
     scene = claims.scene
-    names = [each.name for each in (relation.first, relation.second)]
+    names = [name.name for name in (relation.first, relation.second)]
     walls = [name for name in names if name in scene.model.story.walls]
     spheres = [name for name in names if name not in walls]
     if len(walls) != 1 or len(spheres) != 1 or relation.again:
         raise NotPlannedError("a first meeting of two spheres")
     (body,) = spheres
     stage = scene.last_event(body, now)
-    wall = next(each for each in scene.problem.walls if each.name == walls[0])
+    wall = next(wall for wall in scene.problem.walls if wall.name == walls[0])
     story = scene.model.story
     frame = frame_after(scene, body, stage)
     normal = story.evaluator(scene.events).direction(wall.along).turned_left()

@@ -116,16 +116,20 @@ class _Refutation:
                 if worth is not None:
                     lines.append(worth)
                     rest.remove(tree)
-            for each in dict.fromkeys(q for tree in rest for q in claims.worths.quantities(tree)):
-                if not claims.worths.is_data(each) or self._has_an_angle(each):
-                    lines.append(self._worth(claims, each))
+            for quantity in dict.fromkeys(
+                q for tree in rest for q in claims.worths.quantities(tree)
+            ):
+                if not claims.worths.is_data(quantity) or self._has_an_angle(quantity):
+                    lines.append(self._worth(claims, quantity))
         self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
 
     def _worth(self, claims: Claims, quantity: Quantity) -> int:
         """The line that says what a quantity is; of a right angle, which has no tangent, itself."""
         value = self.scene.value(quantity)
         if isinstance(value, Angle) and self._square(value) is not None:
-            velocities = [each for each in quantity.arguments if isinstance(each, Quantity)]
+            velocities = [
+                argument for argument in quantity.arguments if isinstance(argument, Quantity)
+            ]
             for velocity in velocities:
                 claims.worths.determine(velocity)
             if not velocities:
@@ -165,7 +169,7 @@ class _Refutation:
                 continue
             self.solver.determine([symbol])
             known = scene.desk.known(Letter(name))
-            yield from (each for each in (known.refs if known else ()) if isinstance(each, int))
+            yield from (ref for ref in (known.refs if known else ()) if isinstance(ref, int))
 
     def _trees(self) -> Iterator[Expression]:
         """What the claim compares, with its letters for quantities opened."""
@@ -179,9 +183,9 @@ class _Refutation:
             case Aligned(left, _, right):
                 yield from (self._staged(e) for e in (left, right) if has_quantity(e))
             case Meets(first, second):
-                for each in (first, second):
-                    if each.name in self.scene.model.story.spheres:
-                        yield self._staged(Quantity("velocity", (each,)))
+                for name in (first, second):
+                    if name.name in self.scene.model.story.spheres:
+                        yield self._staged(Quantity("velocity", (name,)))
 
     def _staged(self, tree: Expression) -> Expression:
         return staged(self.scene.problem, tree, self.now)
@@ -189,7 +193,7 @@ class _Refutation:
     def _failing(self) -> Link:
         """The link of a chain that fails; the only one of most."""
         for link in self.links[:-1]:
-            left, right = (self._number(each) for each in (link.left, link.right))
+            left, right = (self._number(side) for side in (link.left, link.right))
             if left is not None and right is not None and not _SIGNS[link.sign](left, right):
                 return link
         return self.links[-1]
@@ -205,7 +209,7 @@ class _Refutation:
         """The note, with the premises that it needs and no more letters than these."""
         claim = Relation((self.links,)) if self.links else None
         trees = list(trees)
-        used = {each for tree in trees for each in self._letters(tree)}
+        used = {letter for tree in trees for letter in self._letters(tree)}
         numbers = {each: value for each, value in self.numbers.items() if each in used}
         if not trees:
             numbers = dict(self.numbers)
@@ -233,7 +237,7 @@ class _Refutation:
         for symbol, value in self.scene.model.final.items():
             own = sp.sympify(value, strict=True)
             if symbol.name in known and symbol_names(own) <= set(numbers):
-                put = {each: numbers[each.name] for each in own.free_symbols}
+                put = {symbol: numbers[symbol.name] for symbol in own.free_symbols}
                 angle = known[symbol.name].kind == "angle"
                 there = tree_of(_plain(own.xreplace(put)), angle=angle)
                 yield Link(Letter(symbol.name), "=", there)
@@ -245,7 +249,7 @@ class _Refutation:
             for one, other in zip(*values, strict=True):
                 if one != 0 != other:
                     free = tidy(one / other).free_symbols
-                    yield from sorted(each.name for each in free)
+                    yield from sorted(value.name for value in free)
 
     def _premises(
         self, note: Note, lines: Sequence[int], numbers: Mapping[str, sp.Expr]
@@ -348,7 +352,7 @@ class _Refutation:
         parts: Iterable[Any] = value if isinstance(value, Vector) else (value,)
         if isinstance(value, Angle):
             parts = () if self._square(value) is not None else (value.x, value.y)
-        return symbol_names(*(self._in_data(each) for each in parts))
+        return symbol_names(*(self._in_data(part) for part in parts))
 
     def _in_data(self, value: Any) -> sp.Expr:
         return sp.sympify(self.scene.model.in_data(sp.sympify(value, strict=True)), strict=True)
@@ -356,13 +360,13 @@ class _Refutation:
     def _value(self, tree: Expression, numbers: Mapping[str, sp.Expr]) -> Any:
         value = self.scene.value(tree)
         if isinstance(value, Vector):
-            return Vector(*(self._there(each, numbers) for each in value))
+            return Vector(*(self._there(component, numbers) for component in value))
         if isinstance(value, Angle) and (square := self._square(value)) is not None:
             return square
         if isinstance(value, Angle):
-            x, y = (self._there(each, numbers) for each in (value.x, value.y))
+            x, y = (self._there(component, numbers) for component in (value.x, value.y))
             scale = {s: sp.Integer(1) for s in x.free_symbols | y.free_symbols if s.is_positive}
-            x, y = (_plain(each.xreplace(scale)) for each in (x, y))
+            x, y = (_plain(value.xreplace(scale)) for value in (x, y))
             if x.free_symbols | y.free_symbols or (x, y) == (0, 0):
                 raise NotPlannedError("an angle that numbers do not fix")
             return tidy_angle(sp.atan2(y, x))

@@ -114,9 +114,9 @@ def _tied(
     """That two directions are parallel, or at right angles, by the components of velocities."""
     scene = claims.scene
     moving = [
-        body_and_stage(scene, each)
-        for each in pair
-        if isinstance(each, Quantity) and each.kind == "velocity"
+        body_and_stage(scene, tree)
+        for tree in pair
+        if isinstance(tree, Quantity) and tree.kind == "velocity"
     ]
     if not moving:
         raise NotPlannedError("directions of no velocity")
@@ -171,11 +171,11 @@ def _by_a_product_with_a_line(
     these.
     """
     scene = claims.scene
-    velocity, line = sorted(pair, key=lambda each: not isinstance(each, Quantity))
+    velocity, line = sorted(pair, key=lambda tree: not isinstance(tree, Quantity))
     if not isinstance(velocity, Quantity) or isinstance(line, Quantity) or frame.is_slanted:
         return None
     along = plain_direction(scene.model.story.direction(line, scene.events))
-    if 0 in along or not all(each.is_number for each in along):
+    if 0 in along or not all(value.is_number for value in along):
         return None
     body, stage = body_and_stage(scene, velocity)
     (x, x_refs), (y, y_refs) = map(scene.put, scene.velocity(body, stage))
@@ -204,11 +204,11 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     scene = claims.scene
     left = link.left
     right = link.right.operand if isinstance(link.right, Negate) else link.right
-    a, b = (scene.model.story.direction(each, scene.events) for each in (left, right))
+    a, b = (scene.model.story.direction(tree, scene.events) for tree in (left, right))
     for own in (a, b):
         claims.solver.determine(list(own))
     (ax, ay), (bx, by) = (
-        tuple(sp.sympify(scene.put(each)[0], strict=True) for each in (own.x, own.y))
+        tuple(sp.sympify(scene.put(component)[0], strict=True) for component in (own.x, own.y))
         for own in (a, b)
     )
     factor = tidy(ax / bx) if bx != 0 else tidy(ay / by)
@@ -226,5 +226,5 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     parallel = Link(left, "=", product(tree_of(factor), right))
     line = ShownEquation(claims, parallel).write()
     if left.kind == "impulse":  # a velocity is known by its components
-        scene.desk.know(left, Vector(*(factor * each for each in (bx, by))), (line,))
+        scene.desk.know(left, Vector(*(factor * component for component in (bx, by))), (line,))
     return line, Relation(((parallel,),))

@@ -80,8 +80,8 @@ def says(scene: Scene, line: int, link: Link) -> bool:
 
 def is_form_of(scene: Scene, pair: tuple[Expression, Expression]) -> bool:
     """Whether two expressions are one, but for the order of factors or a decimal point."""
-    if all(is_rational(each.operand if isinstance(each, Negate) else each) for each in pair):
-        one, other = (sp.sympify(scene.scalar(each), strict=True) for each in pair)
+    if all(is_rational(tree.operand if isinstance(tree, Negate) else tree) for tree in pair):
+        one, other = (sp.sympify(scene.scalar(tree), strict=True) for tree in pair)
         return bool(one == other)
     return alike(*pair)
 
@@ -99,7 +99,7 @@ class ShownEquation:
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
         left, right = (
-            self.claims.worths.opened(each) for each in (self.link.left, self.link.right)
+            self.claims.worths.opened(side) for side in (self.link.left, self.link.right)
         )
         if not has_quantity(left) and not has_quantity(right):
             return self._of_letters()
@@ -134,20 +134,20 @@ class ShownEquation:
     def _of_durations(self, quantities: Sequence[Quantity]) -> int | None:
         """An equation of times between events, by these alone."""
         trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
-        between = [each for each in trees if place_trees.is_duration(each)]
-        inside = [node for each in between for node in walk(each) if isinstance(node, Quantity)]
+        between = [tree for tree in trees if place_trees.is_duration(tree)]
+        inside = [node for tree in between for node in walk(tree) if isinstance(node, Quantity)]
         if not between or sorted(map(str, inside)) != sorted(
             str(node) for node in trees if isinstance(node, Quantity)
         ):
             return None
-        if any(each.kind != "time" for each in quantities):
+        if any(quantity.kind != "time" for quantity in quantities):
             return None
         mark = self.claims.worths.mark()
         lines: list[int] = []
         try:
-            for each in dict.fromkeys(between):
-                self.claims.worths.solver.determine(journeys.goals(self.scene, each))
-                lines.append(journeys.write(self.scene, each)[0])
+            for tree in dict.fromkeys(between):
+                self.claims.worths.solver.determine(journeys.goals(self.scene, tree))
+                lines.append(journeys.write(self.scene, tree)[0])
         except NotPlannedError:
             self.claims.worths.back(mark)
             return None
@@ -160,17 +160,17 @@ class ShownEquation:
     def _of_equal_angles(self, *sides: Expression) -> int | None:
         """Two angles that are the same: each as an angle, in letters."""
         angles = [
-            each for each in sides if isinstance(each, Quantity) and is_angle(self.scene, each)
+            side for side in sides if isinstance(side, Quantity) and is_angle(self.scene, side)
         ]
         if len(angles) != len(sides):
             return None
         lines: list[int] = []
         names: list[Ref] = []
         try:
-            for each in angles:
-                self.claims.worths.determine(each)
-                lines.append(angle_line(self.scene, each))
-                names += self.claims.worths.name_of(each)
+            for angle in angles:
+                self.claims.worths.determine(angle)
+                lines.append(angle_line(self.scene, angle))
+                names += self.claims.worths.name_of(angle)
         except NotPlannedError:
             return None
         refs = [*(write_by_equal_letters(self.scene, lines) or lines), *names]
@@ -299,7 +299,7 @@ class ShownEquation:
 
     def _on_the_way(self, above: int) -> int | None:
         """What is to be shown, by a line on the way to a letter of it, before that is solved."""
-        for number in reversed([each for each in self._equations() if each > above]):
+        for number in reversed([equation for equation in self._equations() if equation > above]):
             relation = self.scene.desk.relation(number)
             if len(relation.options) > 1 or isinstance(relation.only[0].left, Letter):
                 continue
@@ -337,8 +337,8 @@ class ShownEquation:
         standing = self._standing() or self._on_the_way(above)
         if standing is not None:
             return standing
-        for each in lines:
-            cleared = self._cleared(each, known)
+        for number in lines:
+            cleared = self._cleared(number, known)
             if cleared is not None:
                 return cleared
         for each in lines:
@@ -389,7 +389,7 @@ class ShownEquation:
                 return None
         desk = self.scene.desk
         own = desk.line(line)
-        base, *_ = (each for each in (*own.premises, 0) if isinstance(each, int))
+        base, *_ = (ref for ref in (*own.premises, 0) if isinstance(ref, int))
         if own.relation != self.relation or own.move.id != "rearrange" or line != len(desk.lines):
             return None
         if not base or desk.line(base).move.id != "put":
@@ -427,8 +427,8 @@ class ShownEquation:
         for fact in (self.scene.facts[ref] for ref in pool if ref in self.scene.facts):
             names |= {name for tree in trees_of(fact.relation) for name in letters(tree)}
         trees: list[Expression] = [Letter(name) for name in sorted(names)]
-        ratios = [Apply(each, own) for own in trees for each in ("sin", "cos", "tan")]
-        known = (self.scene.desk.known(each) for each in (*trees, *ratios))
+        ratios = [Apply(ratio, own) for own in trees for ratio in ("sin", "cos", "tan")]
+        known = (self.scene.desk.known(tree) for tree in (*trees, *ratios))
         refs = [ref for own in known if own is not None for ref in own.refs]
         refs += self._between_letters()
         return self.judge.write((Move("put"),), [*pool, *refs], self.relation) if refs else None
@@ -494,16 +494,16 @@ class ShownEquation:
         facts = self.scene.facts
         lets = {name: facts[f"let {name}"] for name in sorted(names) if f"let {name}" in facts}
         inside = {
-            name for each in lets.values() for name in letters(each.relation.only[0].left)
-        } | {name for each in lets.values() for name in letters(each.relation.only[0].right)}
+            name for fact in lets.values() for name in letters(fact.relation.only[0].left)
+        } | {name for fact in lets.values() for name in letters(fact.relation.only[0].right)}
         return (*(let.id for let in lets.values()), *self.judge.known(names | inside))
 
     def _between_letters(self) -> list[Ref]:
         """The given equations between letters."""
         return [
-            each.fact.id
-            for each in self.scene.given
-            if each.link.sign == "=" and not has_quantity_in(each.fact.relation)
+            equation.fact.id
+            for equation in self.scene.given
+            if equation.link.sign == "=" and not has_quantity_in(equation.fact.relation)
         ]
 
     # --- one quantity ---------------------------------------------------------------------------
@@ -590,7 +590,7 @@ class ShownEquation:
             return None
         between = () if has_quantity(right) else terms_between(self.scene, start, right)
         for by in ("rearrange", "identity"):
-            steps: list[tuple[Expression, MoveId]] = [(each, "rearrange") for each in between]
+            steps: list[tuple[Expression, MoveId]] = [(tree, "rearrange") for tree in between]
             relation = chain(left, (start, None), *steps, (right, by))
             move = replace(own.move)
             if by == "identity" or self.judge.follows(move, pool, relation):
@@ -637,7 +637,7 @@ class ShownEquation:
             if line is not None:
                 return line
         for first in lines:
-            rest = [each for each in lines if each != first]
+            rest = [number for number in lines if number != first]
             line = self._last([first, *rest, *facts, *known])
             if line is not None:
                 return line
@@ -655,17 +655,17 @@ class ShownEquation:
     def _by_pair(self, move: Move, pair: Sequence[int], known: Sequence[Ref]) -> int | None:
         """The quotient, or the sum, of two quantities."""
         scene = self.scene
-        values = [scene.desk.last_link(each).right for each in pair]
+        values = [scene.desk.last_link(number).right for number in pair]
         # What is divided by must not vanish, whatever the letters in it are.
         known = together(known, self._known(letters(values[0]) | letters(values[1])))
         op: Any = "/" if move.id == "divide" else "+"
         first = Link(self.link.left, "=", Binary(op, values[0], values[1]))
         middle = Relation(((first,),))
         whole = chain(first.left, (first.right, None), (self.link.right, "rearrange"))
-        for each in (whole, self.relation):
-            refs = self.judge.enough(move, pair, each, known)
+        for relation in (whole, self.relation):
+            refs = self.judge.enough(move, pair, relation, known)
             if refs is not None:
-                return scene.desk.write(move, refs, each)
+                return scene.desk.write(move, refs, relation)
         refs = self.judge.enough(move, pair, middle, known)
         if refs is None:
             return None

@@ -22,14 +22,14 @@ def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int 
     ``lines`` are those of the two quantities and of the tangent. None of another ratio.
     """
     desk = worths.scene.desk
-    tangents = [each for each in lines if _is_tangent(desk.last_link(each).left)]
-    others = [each for each in lines if each not in tangents]
+    tangents = [number for number in lines if _is_tangent(desk.last_link(number).left)]
+    others = [number for number in lines if number not in tangents]
     if len(tangents) != 1 or not isinstance(link.left, Binary) or link.left.op != "/":
         return None
     (tangent,) = tangents
     own = desk.last_link(tangent)
     ratio = worths.value(own.right)
-    angles = {each.args[0] for each in ratio.atoms(sp.sin, sp.cos, sp.tan)}
+    angles = {sine.args[0] for sine in ratio.atoms(sp.sin, sp.cos, sp.tan)}
     if len(angles) != 1:
         return None
     (angle,) = angles
@@ -77,7 +77,7 @@ def shown_by_squares(worths: Worths, link: Link, quantities: Sequence[Quantity])
     open_ = {
         unknowns[symbol.name].kind for symbol in worths.scene.model.final if symbol.name in unknowns
     }
-    if "angle" not in open_ or any(each.kind not in KINDS for each in quantities):
+    if "angle" not in open_ or any(quantity.kind not in KINDS for quantity in quantities):
         return None
     mark = worths.mark()
     for quantity in quantities:

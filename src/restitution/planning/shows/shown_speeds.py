@@ -84,8 +84,8 @@ def _written(claims: Claims, link: Link, speed: Quantity, tie: int, letter: Lett
     radicand = radicand.argument
     symbol = roles(scene.problem)[letter.name].symbol(letter.name)
     worth = sp.sympify(scene.scalar(scene.desk.last_link(tie).right), strict=True)
-    terms = [sp.sympify(scene.scalar(each), strict=True) for each in outer_terms(radicand)]
-    put = total(tree_of(tidy(each.subs(symbol, in_sines(worth)))) for each in terms)
+    terms = [sp.sympify(scene.scalar(term), strict=True) for term in outer_terms(radicand)]
+    put = total(tree_of(tidy(term.subs(symbol, in_sines(worth)))) for term in terms)
     squared = square(speed)
     names = letters(link.right) | letters(radicand)
     known: Sequence[Ref] = judge.known(names)

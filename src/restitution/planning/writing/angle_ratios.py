@@ -35,7 +35,7 @@ def range_of(scene: Angles, name: str) -> str:
     signs = ["<=" if each else "<" for each in role.closed]
     if role.low is None or role.high is None:
         raise NotPlannedError(f"the range of {name} is open")
-    ends = [f"{int(sp.deg(each))}°" for each in (role.low, role.high)]
+    ends = [f"{int(sp.deg(value))}°" for value in (role.low, role.high)]
     return f"{ends[0]} {signs[0]} {name} {signs[1]} {ends[1]}"
 
 
@@ -48,7 +48,7 @@ def ratio_of(kind: str, angle: sp.Expr) -> sp.Expr:
     if any(map(_has_root, square.atoms(sp.Pow))):
         return ratio
     root = sp.sqrt(square) if ratio.is_positive else -sp.sqrt(square)
-    return min(ratio, root, key=lambda each: each.count_ops())
+    return min(ratio, root, key=lambda value: value.count_ops())
 
 
 def _has_root(power: sp.Pow) -> bool:
@@ -88,8 +88,8 @@ def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
     angle = scene.model.final[symbol]
     given = own.function
     scene.desk.know(own, scene.scalar(right), (ref,))
-    others = {each: ratio_of(each, angle) for each in ("sin", "cos", "tan") if each != given}
-    shown = [each for each in ("sin", "cos") if each != given]
+    others = {ratio: ratio_of(ratio, angle) for ratio in ("sin", "cos", "tan") if ratio != given}
+    shown = [ratio for ratio in ("sin", "cos") if ratio != given]
     links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
     number = scene.desk.write(
         Move("triangle"), (ref, range_of(scene, symbol.name)), Relation((links,))
@@ -110,16 +110,16 @@ def write_complement(scene: Angles, own: Apply, fact: Fact, other: str) -> None:
 def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
     """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
     letter = Letter(symbol.name)
-    for each in ("tan", "sin", "cos"):
-        known = scene.desk.known(Apply(each, letter))
+    for ratio in ("tan", "sin", "cos"):
+        known = scene.desk.known(Apply(ratio, letter))
         if known is None or len(known.refs) != 1:
             continue
-        kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != each]
+        kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != ratio]
         trees = {own: ratio_of(own, scene.model.final[symbol]) for own in kinds}
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         refs = known.refs
         nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
-        if each == "tan" and nested and known.value.is_number:
+        if ratio == "tan" and nested and known.value.is_number:
             refs = (_square_of_cosine(scene, letter, known),)
         premises = (*refs, range_of(scene, symbol.name))
         number = scene.desk.write(Move("triangle"), premises, Relation((links,)))

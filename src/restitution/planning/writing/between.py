@@ -61,11 +61,11 @@ def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[E
         return ()
     match right, final:
         case Apply("sqrt", inside), Apply("sqrt", value):
-            return tuple(Apply("sqrt", each) for each in terms_between(scene, inside, value))
+            return tuple(Apply("sqrt", term) for term in terms_between(scene, inside, value))
         case Apply("sqrt", inside), _ if _has_surds_squared(inside):
-            if len({each for each in walk(inside) if _is_square(each)}) == 1:
+            if len({node for node in walk(inside) if _is_square(node)}) == 1:
                 return ()  # x√2
-            inner = tuple(Apply("sqrt", each) for each in terms_between(scene, inside, final))
+            inner = tuple(Apply("sqrt", term) for term in terms_between(scene, inside, final))
             return (*inner, *root_of_a_square(scene, final))
     if has_quantity(right):
         return ()
@@ -85,14 +85,14 @@ def _keeps_squares(scene: Scene, right: Expression, final: Expression) -> bool:
     """Whether a root has the squares of sums of another, with a common factor taken out."""
     if not isinstance(right, Apply) or right.function != "sqrt":
         return False
-    own = [_primitive(scene, each.left) for each in walk(right) if _is_square_of_sum(each)]
-    kept = [_primitive(scene, each.left) for each in walk(final) if _is_square_of_sum(each)]
-    return bool(own) and all(each in kept or sp.expand(-each) in kept for each in own)
+    own = [_primitive(scene, node.left) for node in walk(right) if _is_square_of_sum(node)]
+    kept = [_primitive(scene, node.left) for node in walk(final) if _is_square_of_sum(node)]
+    return bool(own) and all(value in kept or sp.expand(-value) in kept for value in own)
 
 
 def root_of_a_square(scene: Scene, value: Expression) -> tuple[Expression, ...]:
     """The root of the square of a value that is a sum of roots, multiplied out and as a square."""
-    if not any(_is_surd(each) for each in _bases(value)):
+    if not any(_is_surd(base) for base in _bases(value)):
         return ()
     whole = sp.sympify(scene.scalar(value), strict=True)
     own = _primitive(scene, value)
@@ -110,11 +110,11 @@ def _between(scene: Scene, right: Expression, final: Expression) -> list[Express
         return _collected(scene, right, final) or [*over_one_line(scene, right, final)]
     if squares <= _AT_ONCE:
         return []
-    terms = [_Term.of(scene, each) for each in _terms(right)]
-    kept = {_primitive(scene, each.left) for each in walk(final) if _is_square_of_sum(each)} - {1}
-    if squares - sum(each.base in kept for each in terms) <= _AT_ONCE:
+    terms = [_Term.of(scene, term) for term in _terms(right)]
+    kept = {_primitive(scene, node.left) for node in walk(final) if _is_square_of_sum(node)} - {1}
+    if squares - sum(term.base in kept for term in terms) <= _AT_ONCE:
         return []
-    if not all(each.is_short for each in terms):
+    if not all(term.is_short for term in terms):
         return _in_products(scene, right)
     return _in_terms(terms, sp.sympify(scene.scalar(final), strict=True)) or [
         _with_squares(scene, right)
@@ -123,11 +123,11 @@ def _between(scene: Scene, right: Expression, final: Expression) -> list[Express
 
 def _collected(scene: Scene, right: Expression, final: Expression) -> list[Expression]:
     """Many terms over one denominator, where their value is a product of sums."""
-    sums = [each for each in _bases(final) if _is_sum(each) or _is_square_of_sum(each)]
+    sums = [base for base in _bases(final) if _is_sum(base) or _is_square_of_sum(base)]
     if len(sums) < _AT_ONCE + 1 or sum(1 for _ in _terms(right)) == 1:
         return []
     above, below = sp.fraction(sp.factor(sp.sympify(scene.scalar(right), strict=True)))
-    factor = sp.Mul(*(each for each in sp.Mul.make_args(above) if not _has_sum(each)))
+    factor = sp.Mul(*(factor for factor in sp.Mul.make_args(above) if not _has_sum(factor)))
     whole = sp.expand(sp.cancel(above / factor))
     if below.free_symbols or len(whole.args) <= _COLLECTED:
         return []
@@ -141,8 +141,8 @@ def _terms(tree: Expression, factor: tuple[Expression, ...] = ()) -> Iterator[Ex
     """The terms of a sum, with brackets of squares multiplied out: m(x² − y²) is mx² and −my²."""
     match tree:
         case Negate(operand):
-            for each in _terms(operand, factor):
-                yield negative(each)
+            for term in _terms(operand, factor):
+                yield negative(term)
         case Binary("+" | "-" as op, left, right):
             yield from _terms(left, factor)
             for each in _terms(right, factor):
@@ -163,7 +163,7 @@ class _Term:
     @classmethod
     def of(cls, scene: Scene, tree: Expression) -> _Term:
         """A term by its tree."""
-        sums = [each for each in factors(tree) if _is_square_of_sum(each)]
+        sums = [factor for factor in factors(tree) if _is_square_of_sum(factor)]
         whole = sp.sympify(scene.scalar(tree), strict=True)
         if len(sums) != 1:
             return cls(whole, sp.Integer(1))
@@ -204,7 +204,7 @@ def _is_sum(tree: Expression) -> bool:
 def _primitive(scene: Scene, tree: Expression) -> sp.Expr:
     """The sums that are factors of a tree above the line."""
     value = sp.factor_terms(sp.sympify(scene.scalar(tree), strict=True))
-    return sp.Mul(*(each for each in sp.Mul.make_args(value) if each.is_Add))
+    return sp.Mul(*(factor for factor in sp.Mul.make_args(value) if factor.is_Add))
 
 
 # --- numbers with roots -------------------------------------------------------------------------
@@ -226,18 +226,18 @@ def _is_surd(tree: Expression) -> bool:
         isinstance(tree, Binary)
         and tree.op in ("+", "-")
         and not letters(tree)
-        and any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+        and any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
     )
 
 
 def _with_squares(scene: Scene, tree: Expression) -> Expression:
     """A tree with each square worked out."""
 
-    def change(each: Expression) -> Expression:
-        if not _is_square(each):
-            return each
-        whole = sp.sympify(scene.scalar(each), strict=True)
-        own = _primitive(scene, each.left)
+    def change(tree: Expression) -> Expression:
+        if not _is_square(tree):
+            return tree
+        whole = sp.sympify(scene.scalar(tree), strict=True)
+        own = _primitive(scene, tree.left)
         value, others = own**2, sp.cancel(whole / own**2)
         if not own.free_symbols:
             value, others = sp.factor_terms(sp.expand(whole)).as_independent(
@@ -260,19 +260,19 @@ def _with_squares(scene: Scene, tree: Expression) -> Expression:
 
 def _in_terms(terms: list[_Term], final: sp.Expr) -> list[Expression]:
     """The common factor of all terms, and in brackets what is left of them, in their order."""
-    fractions = [sp.fraction(sp.together(each.factor)) for each in terms]
-    below = sp.factor(sp.lcm_list([sp.expand(each) for _, each in fractions]))
+    fractions = [sp.fraction(sp.together(term.factor)) for term in terms]
+    below = sp.factor(sp.lcm_list([sp.expand(value) for _, value in fractions]))
     above = [top * sp.factor(sp.cancel(below / bottom)) for top, bottom in fractions]
-    common = sp.factor(sp.gcd_list([sp.expand(each) for each in above]))
-    factor = sp.Mul(*(each for each in sp.Mul.make_args(common) if not _has_sum(each)))
-    rest = [sp.factor(sp.cancel(each / factor)) for each in above]
-    shared = sp.ilcm(1, *(sp.Rational(each.as_coeff_Mul()[0]).q for each in rest))
-    below, rest = below * shared, [each * shared for each in rest]
+    common = sp.factor(sp.gcd_list([sp.expand(value) for value in above]))
+    factor = sp.Mul(*(factor for factor in sp.Mul.make_args(common) if not _has_sum(factor)))
+    rest = [sp.factor(sp.cancel(value / factor)) for value in above]
+    shared = sp.ilcm(1, *(sp.Rational(value.as_coeff_Mul()[0]).q for value in rest))
+    below, rest = below * shared, [value * shared for value in rest]
     inside = total(
-        _multiplied(each, term.base, first=not n)
-        for n, (each, term) in enumerate(zip(rest, terms, strict=True))
+        _multiplied(value, term.base, first=not n)
+        for n, (value, term) in enumerate(zip(rest, terms, strict=True))
     )
-    whole = sp.Add(*(each * term.base**2 for each, term in zip(rest, terms, strict=True)))
+    whole = sp.Add(*(value * term.base**2 for value, term in zip(rest, terms, strict=True)))
     if not factor.free_symbols and not below.free_symbols:
         return []  # the squares are worked out where they stand
     # A number below has the place that it has in the value.
@@ -289,7 +289,7 @@ def _in_terms(terms: list[_Term], final: sp.Expr) -> list[Expression]:
 
 def _multiplied(factor: sp.Expr, base: sp.Expr, first: bool) -> Expression:
     """A term with its square multiplied out; in brackets, unless it is added and has no factor."""
-    square = total(_term(each) for each in _parts(base**2))
+    square = total(_term(part) for part in _parts(base**2))
     number_, rest = factor.as_coeff_Mul()
     if base == 1:
         return _term(factor)
@@ -301,8 +301,8 @@ def _multiplied(factor: sp.Expr, base: sp.Expr, first: bool) -> Expression:
 def _beside(front: Expression, bracket: Expression) -> Expression:
     """A factor and a bracket: ratios of angles stand behind it."""
     own = list(factors(front))
-    ratios = [each for each in own if any(isinstance(node, Apply) for node in walk(each))]
-    return product(*(each for each in own if each not in ratios), bracket, *ratios)
+    ratios = [tree for tree in own if any(isinstance(node, Apply) for node in walk(tree))]
+    return product(*(tree for tree in own if tree not in ratios), bracket, *ratios)
 
 
 def _put_together(
@@ -324,7 +324,7 @@ def _is_over_a_number(tree: Expression) -> bool:
 
 def _divisors(below: sp.Expr) -> set[sp.Expr]:
     """The sums that stand below a line, with their powers."""
-    return {each for each in sp.Mul.make_args(below) if _has_sum(each)}
+    return {factor for factor in sp.Mul.make_args(below) if _has_sum(factor)}
 
 
 def _has_sum(factor: sp.Expr) -> bool:
@@ -353,19 +353,19 @@ def _term(value: sp.Expr) -> Expression:
 def _in_products(scene: Scene, tree: Expression) -> list[Expression]:
     """Each difference of two squares as a product, and then what these have in common in front."""
     terms = list(outer_terms(tree))
-    values = [sp.sympify(scene.scalar(each), strict=True) for each in terms]
-    parts = [sp.fraction(sp.factor(each)) for each in values]
+    values = [sp.sympify(scene.scalar(term), strict=True) for term in terms]
+    parts = [sp.fraction(sp.factor(value)) for value in values]
     below = sp.factor(sp.lcm_list([bottom for _, bottom in parts]))
     above = [sp.cancel(top * below / bottom) for top, bottom in parts]
     common = sp.factor(sp.gcd_list(above))
-    sums = [each for each in sp.Mul.make_args(common) if _has_sum(each)]
+    sums = [factor for factor in sp.Mul.make_args(common) if _has_sum(factor)]
     if not sums:
         return []
-    rest = total(_signed(sp.cancel(each / common)) for each in above)
+    rest = total(_signed(sp.cancel(value / common)) for value in above)
     whole = product(*factors(tree_of(common)), rest)
     last = whole if below == 1 else Binary("/", whole, tree_of(below))
     sum_ = sp.Mul(*sums) / below
-    return [total(_as_product(scene, each, sum_) for each in terms), last]
+    return [total(_as_product(scene, term, sum_) for term in terms), last]
 
 
 def _signed(value: sp.Expr) -> Expression:
@@ -381,20 +381,20 @@ def _as_product(scene: Scene, tree: Expression, common: sp.Expr) -> Expression:
     *front, bracket = factors(tree)
     match bracket:
         case Binary("-", left, right) if _is_square(left) and _is_square(right):
-            x, y = (sp.sympify(scene.scalar(each.left), strict=True) for each in (left, right))
+            x, y = (sp.sympify(scene.scalar(node.left), strict=True) for node in (left, right))
             one, other = sp.factor(x - y), sp.factor(x + y)
             ratio = sp.cancel(one / common)
             if any(map(_has_sum, sp.Mul.make_args(sp.fraction(sp.factor(ratio))[1]))):
                 one, other = other, one
             if sp.factor_terms(sp.cancel(one / common)).as_coeff_Mul()[0].is_negative:
                 one, other = -one, -other
-            bottoms = [sp.fraction(sp.together(each))[1] for each in (one, other)]
-            if not any(each.free_symbols for each in bottoms):
+            bottoms = [sp.fraction(sp.together(value))[1] for value in (one, other)]
+            if not any(value.free_symbols for value in bottoms):
                 return product(*front, tree_of(one), tree_of(other))
             lead = sp.sympify(scene.scalar(product(*front)), strict=True) * one * bottoms[0]
             ratio, lead = sp.factor(sp.cancel(lead)).as_coeff_Mul()
             tops = (number(ratio.p), tree_of(lead), tree_of(sp.cancel(other * bottoms[1])))
-            whole = product(*(each for top in tops for each in factors(top)))
+            whole = product(*(factor for top in tops for factor in factors(top)))
             return Binary("/", whole, tree_of(ratio.q * sp.Mul(*bottoms)))
     return tree
 
@@ -409,9 +409,9 @@ def with_squares_out(value: sp.Expr) -> Expression:
     """
     factors = sp.Mul.make_args(value)
     squares = [
-        each
-        for each in factors
-        if each.is_Pow and each.exp == 2 and each.base.is_Add and each.has(sp.sin, sp.cos)
+        factor
+        for factor in factors
+        if factor.is_Pow and factor.exp == 2 and factor.base.is_Add and factor.has(sp.sin, sp.cos)
     ]
     if len(squares) != 1:
         return tree_of(value)

@@ -159,7 +159,7 @@ def evaluator(
 def _at_sample(value: Any, model: Model) -> Any:
     """A value in letters at the numbers of a solution."""
     if isinstance(value, Vector):
-        return Vector(*(float(model.number(each)) for each in value))
+        return Vector(*(float(model.number(component)) for component in value))
     return float(model.number(value))
 
 
@@ -187,13 +187,15 @@ def holds(relation: Relation, value: Callable[[Expression], Any]) -> bool:
 
 
 def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
-    left, right = (_measured(value(each)) for each in (link.left, link.right))
+    left, right = (_measured(value(side)) for side in (link.left, link.right))
     if link.sign in ("parallel to", "perpendicular to"):
-        a, b = (_direction(each) for each in (left, right))
+        a, b = (_direction(value) for value in (left, right))
         tie = a.cross(b) if link.sign == "parallel to" else a.dot(b)
         return bool(abs(tie) <= _ROUNDING * math.hypot(*a) * math.hypot(*b))
     if isinstance(left, Vector) or isinstance(right, Vector):
-        a, b = (each if isinstance(each, Vector) else Vector(each, each) for each in (left, right))
+        a, b = (
+            value if isinstance(value, Vector) else Vector(value, value) for value in (left, right)
+        )
         near = max(abs(a.x - b.x), abs(a.y - b.y)) <= _ROUNDING * max(_size(a), _size(b))
         return near if link.sign == "=" else not near
     gap: float = left - right
@@ -202,7 +204,7 @@ def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
         case "=":
             if abs(gap) <= _ROUNDING * size:
                 return True
-            whole = (_magnitude(each, value) for each in (link.left, link.right))
+            whole = (_magnitude(side, value) for side in (link.left, link.right))
             return abs(gap) <= _ROUNDING * max(size, *whole)
         case "≈":
             return abs(gap) <= _PRINTED * size

@@ -95,16 +95,16 @@ def _is_told_by_places(scene: Scene, body: str, radius_vector: Vector) -> bool:
     )
     if in_degrees and cosine in _COSINES:
         return False
-    nodes = [each for tree in trees(scene.problem) for each in walk(tree)]
+    nodes = [node for tree in trees(scene.problem) for node in walk(tree)]
     of_the_wall = {
         side
-        for each in nodes
-        if isinstance(each, Quantity) and each.kind == "angle" and _has_a_wall(each)
-        for side in each.arguments
+        for node in nodes
+        if isinstance(node, Quantity) and node.kind == "angle" and _has_a_wall(node)
+        for side in node.arguments
     }
     return any(
-        isinstance(each, Quantity) and each.kind in _DIRECTED and each not in of_the_wall
-        for each in nodes
+        isinstance(node, Quantity) and node.kind in _DIRECTED and node not in of_the_wall
+        for node in nodes
     )
 
 

@@ -70,7 +70,7 @@ def _is_over_roots(node: Expression) -> bool:
 
 
 def _has_root(tree: Expression) -> bool:
-    return any(isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+    return any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
 
 
 __all__ = ["with_conjugates"]

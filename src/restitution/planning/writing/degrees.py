@@ -66,7 +66,7 @@ def _names_an_angle(scene: Scene, frame: Frame) -> bool:
     lines = [scene.desk.line(ref) for ref in refs if isinstance(ref, int)]
     refs += [ref for line in lines for ref in line.premises]
     facts = [scene.facts[ref] for ref in refs if isinstance(ref, str) and ref in scene.facts]
-    relations = [each.relation for each in lines] + [each.relation for each in facts]
+    relations = [line.relation for line in lines] + [fact.relation for fact in facts]
     return any(
         isinstance(node, Degrees | Polar)
         for relation in relations

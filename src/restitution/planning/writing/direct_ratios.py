@@ -51,7 +51,7 @@ def _shortened(derivation: Derivation, ratio: Line, oracle: Oracle) -> Derivatio
         changed[own.number], (before, after) = short
         values[before] = after
     links = ratio.relation.only
-    quotient = rebuilt(links[0].right, lambda each: values.get(each, each))
+    quotient = rebuilt(links[0].right, lambda tree: values.get(tree, tree))
     final = links[-1].right
     if letters(final) or has_quantity(quotient) or quotient == links[0].right:
         return None
@@ -59,7 +59,7 @@ def _shortened(derivation: Derivation, ratio: Line, oracle: Oracle) -> Derivatio
         return None
     relation = chain(links[0].left, (quotient, None), (final, "rearrange"))
     changed[ratio.number] = replace(ratio, relation=relation)
-    lines = tuple(changed.get(each.number, each) for each in derivation.lines)
+    lines = tuple(changed.get(line.number, line) for line in derivation.lines)
     whole = replace(derivation, lines=lines)
     read = reader_of(whole, oracle)
     ranges = dict.fromkeys(r for own in pair if own for r in _ranges(derivation, own))
@@ -67,7 +67,7 @@ def _shortened(derivation: Derivation, ratio: Line, oracle: Oracle) -> Derivatio
         number: replace(own, premises=read.completed(number, ranges))
         for number, own in changed.items()
     }
-    whole = replace(whole, lines=tuple(mended.get(each.number, each) for each in lines))
+    whole = replace(whole, lines=tuple(mended.get(line.number, line) for line in lines))
     read = reader_of(whole, oracle)
     return whole if all(read.accepts(read.lines[number]) for number in changed) else None
 
@@ -75,8 +75,8 @@ def _shortened(derivation: Derivation, ratio: Line, oracle: Oracle) -> Derivatio
 def _ranges(derivation: Derivation, line: Line) -> list[Ref]:
     """What the ratios rest on that were put into a quantity, of the ranges of angles."""
     parts = components_put_in(derivation, line)
-    ratios = [each for part in parts for each in part.ratios]
-    return [ref for each in ratios for ref in each.premises if isinstance(ref, str)]
+    ratios = [ratio for part in parts for ratio in part.ratios]
+    return [ref for ratio in ratios for ref in ratio.premises if isinstance(ref, str)]
 
 
 def _in_letters(
@@ -86,7 +86,7 @@ def _in_letters(
 
     None where it is used for more than the ratio, or is asked.
     """
-    users = [each.number for each in derivation.lines if line.number in each.premises]
+    users = [other.number for other in derivation.lines if line.number in other.premises]
     parts = list(components_put_in(derivation, line))
     if (
         line.move.id != "define"
@@ -111,7 +111,7 @@ def _in_letters(
 
 
 def _replacing(part: PutIn) -> Callable[[Expression], Expression]:
-    return lambda each: without_value(each, part)
+    return lambda tree: without_value(tree, part)
 
 
 __all__ = ["with_direct_ratios"]

@@ -87,7 +87,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
     fact = _tangent_given(derivation, name, parts)
     known = None if fact is not None else _tangent_line(derivation, name, parts)
     numbers: dict[Ref, Ref] = {part.number: part.line.number for part in parts}
-    free = max(each.number for each in derivation.lines) + 1
+    free = max(line.number for line in derivation.lines) + 1
     stands = known is None or 0 < known.number < line.number
     if known is not None and not known.number:
         known = replace(known, number=free + 1)
@@ -106,40 +106,40 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         relation=chain(left, (value, None)),
         premises=(own.number, tangent),
     )
-    sources = [each for part in parts for each in part.ratios] if known is None else [known]
-    ranges = [ref for each in sources for ref in each.premises if ref != fact]
+    sources = [ratio for part in parts for ratio in part.ratios] if known is None else [known]
+    ranges = [ref for source in sources for ref in source.premises if ref != fact]
     ranges = [ref for ref in ranges if isinstance(ref, str)]
     lines: list[Line] = []
     here = derivation.asked.get(line.item or "")
-    for each in derivation.lines:
-        at_home = derivation.asked.get(each.item or "") == here
-        premises = citing(each.premises, numbers) if at_home else each.premises
-        if premises != each.premises and each.move.id == "inverse":
+    for other in derivation.lines:
+        at_home = derivation.asked.get(other.item or "") == here
+        premises = citing(other.premises, numbers) if at_home else other.premises
+        if premises != other.premises and other.move.id == "inverse":
             # The sign of a component in letters is that of a ratio of the angle.
             premises = tuple(dict.fromkeys((*premises, *ranges)))
-        if each.number == line.number:
+        if other.number == line.number:
             lines += [own, put] if known is None or stands else [own, known, put]
-        elif known is not None and each.number == known.number and not stands:
+        elif known is not None and other.number == known.number and not stands:
             continue
-        elif each.number in numbers:
-            shorter = next(part.line for part in parts if part.number == each.number)
-            lines += [shorter] if shorter.number == each.number else []
+        elif other.number in numbers:
+            shorter = next(part.line for part in parts if part.number == other.number)
+            lines += [shorter] if shorter.number == other.number else []
         else:
-            lines.append(replace(each, premises=premises))
+            lines.append(replace(other, premises=premises))
     for part in parts:
         once_needed(lines, derivation, part)
     whole = replace(derivation, lines=tuple(lines))
     read = reader_of(whole, oracle)
     touched: set[Ref] = {own.number, put.number, *numbers.values()}
     touched |= set() if known is None else {known.number}
-    touched |= {each.number for each in _users(derivation, {part.number for part in parts})}
+    touched |= {user.number for user in _users(derivation, {part.number for part in parts})}
     return whole if all(read.accepts(read.lines[n]) for n in touched) else None  # type: ignore[index]
 
 
 def once_needed(lines: list[Line], derivation: Derivation, part: PutIn) -> None:
     """Puts a component that another part needs, with its ratios, before the line that does."""
     own = derivation.line(part.number)
-    first = next((n for n, each in enumerate(lines) if part.number in each.premises), None)
+    first = next((n for n, line in enumerate(lines) if part.number in line.premises), None)
     if own is None or own.number == part.line.number or first is None:
         return
     lines.insert(first, replace(own, item=lines[first].item))
@@ -153,16 +153,16 @@ def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
         if own is None or not isinstance(own.relation, Relation) or len(own.relation.options) > 1:
             continue
         users = [
-            each
-            for each in _users(derivation, {own.number})
-            if each is not line and derivation.asked.get(each.item or "") == part
+            user
+            for user in _users(derivation, {own.number})
+            if user is not line and derivation.asked.get(user.item or "") == part
         ]
-        if any(each.move.id != "inverse" for each in users) or own.number in derivation.held:
+        if any(user.move.id != "inverse" for user in users) or own.number in derivation.held:
             continue
         links = own.relation.only
-        numbers = [each for each in own.premises if isinstance(each, int)]
+        numbers = [ref for ref in own.premises if isinstance(ref, int)]
         cited = [each for number in numbers if (each := derivation.line(number)) is not None]
-        ratios = tuple(each for each in cited if _is_ratio(each))
+        ratios = tuple(line for line in cited if _is_ratio(line))
         if not ratios:
             continue
         if own.move.id == "put" and len(links) == 1:
@@ -172,17 +172,17 @@ def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
                     assert base is not None
                     yield PutIn(links[0].right, last.right, own.number, base, ratios)
         elif own.move.id == "law" and len(links) == 2 and links[-1].by == "put":
-            rest = {each.number for each in ratios}
+            rest = {ratio.number for ratio in ratios}
             shorter = replace(
                 own,
                 relation=Relation((links[:1],)),
-                premises=tuple(each for each in own.premises if each not in rest),
+                premises=tuple(ref for ref in own.premises if ref not in rest),
             )
             yield PutIn(links[-1].right, links[0].right, own.number, shorter, ratios)
 
 
 def _users(derivation: Derivation, numbers: set[int]) -> list[Line]:
-    return [each for each in derivation.lines if numbers & set(each.premises)]
+    return [line for line in derivation.lines if numbers & set(line.premises)]
 
 
 def _is_ratio(line: Line) -> bool:
@@ -206,10 +206,12 @@ def without_value(tree: Expression, part: PutIn) -> Expression:
 def _has_root(part: PutIn) -> bool:
     """Whether a ratio that was put into a component is a root."""
     sides = (
-        each.relation.only[-1].right for each in part.ratios if isinstance(each.relation, Relation)
+        ratio.relation.only[-1].right
+        for ratio in part.ratios
+        if isinstance(ratio.relation, Relation)
     )
     return any(
-        isinstance(node, Apply) and node.function == "sqrt" for each in sides for node in walk(each)
+        isinstance(node, Apply) and node.function == "sqrt" for side in sides for node in walk(side)
     )
 
 
@@ -217,9 +219,9 @@ def _angles(tree: Expression) -> set[str]:
     """The letters of which sines and cosines stand in a tree."""
     return {
         name
-        for each in walk(tree)
-        if isinstance(each, Apply) and each.function in ("sin", "cos")
-        for name in letters(each.argument)
+        for node in walk(tree)
+        if isinstance(node, Apply) and node.function in ("sin", "cos")
+        for name in letters(node.argument)
     }
 
 
@@ -239,7 +241,7 @@ def _multiple_of_tangent(quotient: Expression, name: str) -> Expression | None:
 
 def _tangent_given(derivation: Derivation, name: str, parts: list[PutIn]) -> Ref | None:
     """The fact that gives the tangent of an angle, where ratios of it with roots come of that."""
-    cited = {ref for part in parts for each in part.ratios for ref in each.premises}
+    cited = {ref for part in parts for ratio in part.ratios for ref in ratio.premises}
     for fact in derivation.facts:
         match fact.relation:
             case Relation(((Link(Apply("tan", Letter(own)), "=", right),),)) if own == name:
@@ -250,15 +252,15 @@ def _tangent_given(derivation: Derivation, name: str, parts: list[PutIn]) -> Ref
 
 def _tangent_line(derivation: Derivation, name: str, parts: list[PutIn]) -> Line | None:
     """The line that gives the tangent of an angle: one that stands, or one by another ratio."""
-    ratios = {each.number: each for part in parts for each in part.ratios}
+    ratios = {ratio.number: ratio for part in parts for ratio in part.ratios}
     tangent = Apply("tan", Letter(name))
-    for each in derivation.lines:
-        match each.relation:
+    for line in derivation.lines:
+        match line.relation:
             case Relation(((Link(left, "="), *_),)) if left == tangent:
-                above = each.number <= max(ratios) and not letters(each.relation.only[-1].right)
-                if above or each.move.id == "triangle":
-                    return each
-    source = next((each for each in ratios.values() if each.move.id == "triangle"), None)
+                above = line.number <= max(ratios) and not letters(line.relation.only[-1].right)
+                if above or line.move.id == "triangle":
+                    return line
+    source = next((line for line in ratios.values() if line.move.id == "triangle"), None)
     if source is None or not isinstance(source.premises[0], int):
         return None  # the angle is one of the data
     first = derivation.line(source.premises[0])

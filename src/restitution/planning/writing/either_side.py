@@ -88,7 +88,7 @@ def _is_turned(facts: Sequence[Fact], body: str) -> bool:
         if fact.relation.only[0].sign == "="
     }
     kinds = {
-        each.kind for each in given if isinstance(each, Quantity) and Name(body) in each.arguments
+        tree.kind for tree in given if isinstance(tree, Quantity) and Name(body) in tree.arguments
     }
     return {"speed", "deflection"} <= kinds
 
@@ -222,7 +222,7 @@ def write_sides(scene: Scene, number: int) -> int | None:
     (n, refs) = scene.put(_line(own))
     whole = plain_direction(n)
     links = [
-        Link(line, "parallel to", tree_of(each)) for each in (whole, Vector(whole.x, -whole.y))
+        Link(line, "parallel to", tree_of(vector)) for vector in (whole, Vector(whole.x, -whole.y))
     ]
     relation = Relation(((links[0],), (links[1],)))
     move = Move("define", "either-side", number)

@@ -96,7 +96,7 @@ def divisor_refs(scene: Scene, distance: sp.Expr, pace: sp.Expr) -> tuple[Ref, .
     open_ = [x for x in sp.Mul.make_args(factored(distance)) if not _is_plainly_not_zero(scene, x)]
     if not open_:
         return ()
-    return together(nonzero(scene, pace), *(sign_known(scene, each) for each in open_))
+    return together(nonzero(scene, pace), *(sign_known(scene, value) for value in open_))
 
 
 def _is_plainly_not_zero(scene: Scene, factor: sp.Expr) -> bool:
@@ -133,7 +133,7 @@ def time_quotient(
 
 def added(first: Vector, flight: Expression, pace: Vector) -> Expression:
     """A place and a velocity for some time; a time that is open stands behind a size: ``4t i``."""
-    parts = [(each, axis) for each, axis in zip(pace, AXES, strict=True) if each != 0]
+    parts = [(value, axis) for value, axis in zip(pace, AXES, strict=True) if value != 0]
     distance = product(flight, tree_of(pace))
     if len(parts) == 1 and has_quantity(flight):
         ((size, axis),) = parts

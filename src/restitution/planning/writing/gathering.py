@@ -52,7 +52,7 @@ def _by_items(derivation: Derivation) -> Derivation:
     the end of one item rests on lines of a later one.
     """
     items = {each: n for n, each in enumerate(derivation.asked)}
-    order = sorted(derivation.lines, key=lambda each: items.get(each.item or "", len(items)))
+    order = sorted(derivation.lines, key=lambda line: items.get(line.item or "", len(items)))
     if derivation.cases or order == list(derivation.lines):
         return derivation
     written: set[int] = set()
@@ -92,7 +92,7 @@ def _where_needed(derivation: Derivation) -> Derivation:
     written for its sign; and whatever no item of its own part rests on.
     """
     parts = derivation.asked
-    items = {each: n for n, each in enumerate(parts)}
+    items = {part: n for n, part in enumerate(parts)}
     used = _first_ends(derivation)
     lines: list[Line] = []
     held, fixed = derivation.held, _fixed_lines(derivation)
@@ -122,7 +122,7 @@ def _where_needed(derivation: Derivation) -> Derivation:
     if lines == list(derivation.lines):
         return derivation
     last = len(items)
-    lines.sort(key=lambda each: items.get(each.item or "", last))
+    lines.sort(key=lambda line: items.get(line.item or "", last))
     return numbered_anew(derivation, lines)
 
 
@@ -192,12 +192,12 @@ def _in_pairs(derivation: Derivation) -> Derivation:
         )
         if pair is None:
             continue
-        above = {each.number for each in order[: pair + 1]}
+        above = {line.number for line in order[: pair + 1]}
         stands = all(
-            each in above if isinstance(each, int) else not each.startswith("given ")
-            for each in line.premises
+            ref in above if isinstance(ref, int) else not ref.startswith("given ")
+            for ref in line.premises
         )
-        later = any((each.move.event or 0) > event for each in order[pair + 1 : at])
+        later = any((line.move.event or 0) > event for line in order[pair + 1 : at])
         if stands and later:
             order.insert(pair + 1, replace(order.pop(at), item=order[pair].item))
     return numbered_anew(derivation, order)
@@ -208,7 +208,7 @@ def _letter_solved(line: Line) -> str | None:
     if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
         return None
     links = line.relation.options[0]
-    if any(each.sign != "=" for each in links) or not isinstance(links[0].left, Letter):
+    if any(link.sign != "=" for link in links) or not isinstance(links[0].left, Letter):
         return None
     return links[0].left.name
 
@@ -219,8 +219,8 @@ class _Gathering:
     def __init__(self, derivation: Derivation) -> None:
         self._derivation = derivation
         self._parts = derivation.asked
-        self._items = {each: n for n, each in enumerate(self._parts)}
-        self._cases = {n: each.number for each in derivation.cases for n in each.lines}
+        self._items = {part: n for n, part in enumerate(self._parts)}
+        self._cases = {n: case.number for case in derivation.cases for n in case.lines}
         self._bodies = {event.number: event.bodies for event in derivation.events}
         self._ended = {end.line for end in derivation.items}
         self._order: list[Line] = []
@@ -378,11 +378,11 @@ class _Gathering:
     def _raise_to_the_start(self, line: Line) -> None:
         """Puts a line that rests on data alone, and the letters in it, at the start of its item."""
         order = self._order
-        lets = [each for each in order if each.number in line.premises]
+        lets = [other for other in order if other.number in line.premises]
         start = next(n for n, each in enumerate(order) if each.item == line.item)
-        for each in reversed((*lets, line)):
-            order.remove(each)
-            order.insert(start, each)
+        for other in reversed((*lets, line)):
+            order.remove(other)
+            order.insert(start, other)
 
     def _lower_to_its_use(self, line: Line) -> None:
         """Puts the letter of an angle, or of a time, above the first line that has it.
@@ -393,7 +393,7 @@ class _Gathering:
             return
         order, at = self._order, self._order.index(line)
         first = next((n for n in range(at + 1, len(order)) if _has(order[n], line)), at)
-        between = [each for each in order[at + 1 : first] if isinstance(each.relation, Relation)]
+        between = [line for line in order[at + 1 : first] if isinstance(line.relation, Relation)]
         same = order[first].item == line.item and self._place(order[first]) == self._place(line)
         if len(between) >= _TOGETHER and same:
             order.insert(first - 1, order.pop(at))
@@ -423,7 +423,7 @@ class _Gathering:
         )
 
     def _may_stand(self, line: Line, target: int) -> bool:
-        written = {each.number for each in self._order[:target]}
+        written = {line.number for line in self._order[:target]}
         return all(ref in written for ref in line.premises if isinstance(ref, int))
 
     def _rank(self, line: Line) -> tuple[int, int]:
@@ -510,8 +510,8 @@ def without_idle_arctangents(derivation: Derivation) -> Derivation:
 
     Where the arctangent stands in every line that rests on such a line, nobody needs it.
     """
-    ends = {each.line for each in derivation.items}
-    ends |= {each.line for each in derivation.cases}
+    ends = {item.line for item in derivation.items}
+    ends |= {case.line for case in derivation.cases}
     ends |= {number for note in derivation.notes for number in note.lines}
 
     def mended(line: Line) -> Line:
@@ -520,8 +520,8 @@ def without_idle_arctangents(derivation: Derivation) -> Derivation:
                 pass
             case _:
                 return line
-        later = [each for each in derivation.lines if line.number in each.premises]
-        sums = all(_sums_up(each, angle) for each in later)
+        later = [other for other in derivation.lines if line.number in other.premises]
+        sums = all(_sums_up(line, angle) for line in later)
         if not later or not sums or line.number in ends:
             return line
         return replace(line, shown="silent")

@@ -12,14 +12,14 @@ def given_angle(scene: Scene, angle: Quantity) -> tuple[Expression, tuple[Ref, .
 
     None where it is not given, or as a letter alone: that is its name.
     """
-    for each in scene.given:
-        left, right = each.link.left, each.link.right
-        if left != angle or each.link.sign != "=" or isinstance(right, Letter):
+    for equation in scene.given:
+        left, right = equation.link.left, equation.link.right
+        if left != angle or equation.link.sign != "=" or isinstance(right, Letter):
             continue
         roles = scene.model.unknowns.roles
         of_angles = all(name in roles and roles[name].kind == "angle" for name in letters(right))
         if of_angles and not has_quantity(right):
-            return right, each.refs
+            return right, equation.refs
     return None
 
 
@@ -28,11 +28,11 @@ def given_by_its_ratio(scene: Scene, angle: Quantity) -> tuple[Expression, tuple
 
     None where no ratio of it is given.
     """
-    for each in scene.given:
-        match each.link:
+    for equation in scene.given:
+        match equation.link:
             case Link(Apply("sin" | "cos" | "tan" as ratio, own), "=", right) if own == angle:
                 if not (letters(right) or has_quantity(right)):
-                    return Apply(f"arc{ratio}", right), each.refs
+                    return Apply(f"arc{ratio}", right), equation.refs
     return None
 
 

@@ -23,15 +23,15 @@ def turn_round(model: Model, wanted: frozenset[str]) -> bool:
     Returns whether there is such a letter.
     """
     own_roles, turned = model.unknowns.roles, False
-    for symbol in [each for each in model.final if each.name in wanted & own_roles.keys()]:
+    for symbol in [value for value in model.final if value.name in wanted & own_roles.keys()]:
         value = model.final[symbol]
-        others = [each for each in value.free_symbols if each.name not in wanted]
-        if any(each.name not in own_roles for each in others):
+        others = [symbol for symbol in value.free_symbols if symbol.name not in wanted]
+        if any(value.name not in own_roles for value in others):
             continue
         if len(others) > 1:  # of several letters that may go it is one that is no angle
-            plain = [each for each in others if own_roles[each.name].kind != "angle"]
+            plain = [value for value in others if own_roles[value.name].kind != "angle"]
             others = sorted(plain, key=str, reverse=True)
-        inverses = ((each, _inverse(model, symbol, value, each)) for each in others)
+        inverses = ((other, _inverse(model, symbol, value, other)) for other in others)
         other, changes = next(((e, own) for e, own in inverses if own), (symbol, None))
         if changes is None:
             continue
@@ -55,7 +55,7 @@ def standing_ties(desk: Desk, model: Model) -> frozenset[str]:
         for other in value.free_symbols if symbol.name in model.unknowns.roles else ():
             own: Expression = Letter(str(other))
             ways: list[Expression] = [own, *(Apply(ratio, own) for ratio in ("sin", "cos", "tan"))]
-            standing = (desk.known(each) for each in ways)
+            standing = (desk.known(tree) for tree in ways)
             if any(e and symbol in sp.sympify(e.value, strict=True).free_symbols for e in standing):
                 names.add(symbol.name)
     return frozenset(names)

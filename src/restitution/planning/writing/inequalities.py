@@ -78,11 +78,11 @@ def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr
     kept: list[sp.Expr] = []
     sums: list[tuple[sp.Expr, bool]] = []
     turned = False
-    for each in sp.Mul.make_args(above):
-        base, power = each.as_base_exp()
-        own = certain(scene, each)
+    for factor in sp.Mul.make_args(above):
+        base, power = factor.as_base_exp()
+        own = certain(scene, factor)
         if own is None:
-            kept.append(base if power.is_Integer and power % 2 else each)
+            kept.append(base if power.is_Integer and power % 2 else factor)
         else:
             turned ^= own < 0
             if base.is_Add and power.is_odd:
@@ -102,7 +102,7 @@ def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr
             turned = not turned
     if not kept and turned == (sign[0] == ">"):
         # It never holds: what is left are the sums, which have the other sign.
-        kept = [each for each, _ in sums]
+        kept = [value for value, _ in sums]
         turned ^= sum(negative for _, negative in sums) % 2 == 1
     if not kept:
         return None

@@ -131,8 +131,8 @@ class Judge:
         Of the others, those that are named last are left out first. Lines that are ``sure`` are
         not tried one by one, and where they are enough nothing else is tried.
         """
-        refs = tuple(each for each in dict.fromkeys(pool) if self._says(each))
-        certain = {each for each in sure if not self._is_spare(each)}
+        refs = tuple(ref for ref in dict.fromkeys(pool) if self._says(ref))
+        certain = {ref for ref in sure if not self._is_spare(ref)}
         if not self._right(move, refs, relation):
             return None
         doubted = [ref for ref in reversed(refs) if ref not in certain]
@@ -191,7 +191,7 @@ class Judge:
             Move("compare"), [ref for ref in refs if not str(ref).startswith("axis ")]
         )
         relations = [*(e.relation for e in step.cited), *(e.relation for e in step.known)]
-        plain = [each for each in relations if isinstance(each, Relation)]
+        plain = [relation for relation in relations if isinstance(relation, Relation)]
         return number_compared(plain) if self._as_one else len(plain)
 
     def write(
@@ -236,8 +236,8 @@ class Judge:
             return ()
         ranges = self.ranges_given(name)
         # What is known anyway is cited before the condition of a form.
-        cases = [each for each in ranges if str(each).startswith("case")]
-        facts = [each for each in ranges if each not in cases]
+        cases = [ref for ref in ranges if str(ref).startswith("case")]
+        facts = [ref for ref in ranges if ref not in cases]
         if role.kind == "angle":
             return (*facts, *_of_angle(name, role.low, role.high, role.closed), *cases)
         refs: list[Ref] = []
@@ -261,7 +261,7 @@ def _of_angle(
     if low == 0 and high == sp.pi / 2 and not any(closed):
         return (f"acute: {name}",)
     signs = ["<=" if each else "<" for each in closed]
-    ends = [sp.deg(each) for each in (low, high)]
+    ends = [sp.deg(value) for value in (low, high)]
     if not all(end.is_Rational for end in ends):
         return ()
     return (f"{ends[0]}° {signs[0]} {name} {signs[1]} {ends[1]}°",)

@@ -25,33 +25,33 @@ def with_known_directions(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 def _without(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation | None:
     """The working in which what rests on a vector rests on its letter; None where it does not."""
-    users = [each for each in derivation.lines if line.number in each.premises]
+    users = [other for other in derivation.lines if line.number in other.premises]
     if line.number in derivation.held or not users or not _is_of_one_letter(derivation, line):
         return None
-    changed = {each.number: replace(each, premises=_instead(each.premises, line)) for each in users}
-    lines = tuple(changed.get(each.number, each) for each in derivation.lines)
+    changed = {user.number: replace(user, premises=_instead(user.premises, line)) for user in users}
+    lines = tuple(changed.get(line.number, line) for line in derivation.lines)
     whole = replace(derivation, lines=lines)
     read = reader_of(whole, oracle)
     if not all(map(read.accepts, changed.values())):
         return None
     for number, own in changed.items():
         for ref in line.premises:
-            less = replace(own, premises=tuple(each for each in own.premises if each != ref))
+            less = replace(own, premises=tuple(other for other in own.premises if other != ref))
             if read.accepts(less):
                 changed[number] = own = less
-    return replace(whole, lines=tuple(changed.get(each.number, each) for each in lines))
+    return replace(whole, lines=tuple(changed.get(line.number, line) for line in lines))
 
 
 def _instead(premises: tuple[Ref, ...], line: Line) -> tuple[Ref, ...]:
     """Premises with those of a line in its place."""
-    own = (line.premises if each == line.number else (each,) for each in premises)
+    own = (line.premises if ref == line.number else (ref,) for ref in premises)
     return tuple(dict.fromkeys(ref for refs in own for ref in refs))
 
 
 def _is_of_one_letter(derivation: Derivation, line: Line) -> bool:
     """Whether a vector is along an axis, and has its value from the letter of another line."""
     above = [derivation.line(ref) if isinstance(ref, int) else None for ref in line.premises]
-    relations = [None if each is None else each.relation for each in above]
+    relations = [None if line is None else line.relation for line in above]
     match relations, line.relation:
         case [Relation((open_,)), Relation((value,))], Relation(((own,),)):
             pass

@@ -34,7 +34,7 @@ def over_one_line(scene: Scene, right: Expression, final: Expression) -> tuple[E
     if len(terms) == 1 or has_quantity(right):
         return ()
     try:
-        lines = _lines([sp.sympify(scene.scalar(each), strict=True) for each in terms])
+        lines = _lines([sp.sympify(scene.scalar(term), strict=True) for term in terms])
     except (RestitutionError, TypeError, ValueError, sp.PolynomialError):
         return ()
     kept: list[Expression] = []
@@ -48,19 +48,19 @@ def added_up(scene: Scene, subject: Expression, right: Expression, value: sp.Exp
     """A sum and what it comes to, with the lines between."""
     final = tree_of(value)
     between = over_one_line(scene, right, final)
-    return chain(subject, (right, None), *((each, "rearrange") for each in (*between, final)))
+    return chain(subject, (right, None), *((tree, "rearrange") for tree in (*between, final)))
 
 
 def _lines(terms: list[sp.Expr]) -> list[Expression]:
-    values = [factored(cancelled(each)) for each in terms]
-    parts = [sp.fraction(each) for each in values]
+    values = [factored(cancelled(term)) for term in terms]
+    parts = [sp.fraction(value) for value in values]
     below = factored(sp.lcm_list([expanded(bottom) for _, bottom in parts]))
     sums = _sums(below)
     if len({frozenset(_sums(bottom)) for _, bottom in parts}) == 1 or not sums:
         return []  # terms with the same sums below are added in one step
     above = [factored(cancelled(top * below / bottom)) for top, bottom in parts]
-    common = factored(sp.gcd_list([expanded(each) for each in above]))
-    rest = expanded(sum(cancelled(each / common) for each in above))
+    common = factored(sp.gcd_list([expanded(value) for value in above]))
+    rest = expanded(sum(cancelled(value / common) for value in above))
     inner = factored(rest)
     if inner.as_coeff_Mul()[0].is_negative:
         common, rest, inner = -common, -rest, -inner
@@ -70,13 +70,13 @@ def _lines(terms: list[sp.Expr]) -> list[Expression]:
         return []
     trees = total(map(_signed, values))
     inside = tree_of(rest, as_it_is=True), tree_of(inner)
-    return [trees, *(_quotient(common, each, below) for each in inside)]
+    return [trees, *(_quotient(common, tree, below) for tree in inside)]
 
 
 def _sums(value: sp.Expr) -> set[sp.Expr]:
     """The sums that are factors, whatever their power."""
-    bases = (each.as_base_exp()[0] for each in sp.Mul.make_args(value))
-    return {each for each in bases if each.is_Add and each.free_symbols}
+    bases = (factor.as_base_exp()[0] for factor in sp.Mul.make_args(value))
+    return {base for base in bases if base.is_Add and base.free_symbols}
 
 
 def _signed(value: sp.Expr) -> Expression:
@@ -88,8 +88,8 @@ def _signed(value: sp.Expr) -> Expression:
 def _quotient(common: sp.Expr, inner: Expression, below: sp.Expr) -> Expression:
     """One fraction, of which the sums above stand beside each other in brackets."""
     own = [*factors(tree_of(common)), *factors(inner)]
-    sums = [each for each in own if isinstance(each, Binary) and each.op in ("+", "-")]
-    rest = [each for each in own if each not in sums]
+    sums = [tree for tree in own if isinstance(tree, Binary) and tree.op in ("+", "-")]
+    rest = [tree for tree in own if tree not in sums]
     return Binary("/", product(*sums, *rest), tree_of(below))
 
 

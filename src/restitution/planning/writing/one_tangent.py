@@ -40,15 +40,15 @@ def write_in_one_tangent(scene: Scene, line: int) -> int | None:
 def in_one_tangent(value: sp.Expr) -> sp.Expr | None:
     """A function of multiples of one angle in the tangent of the smallest; None of another."""
     ratios, arguments = value.atoms(sp.sin, sp.cos, sp.tan), _angles(value)
-    symbols = {symbol for each in arguments for symbol in each.free_symbols}
+    symbols = {symbol for argument in arguments for symbol in argument.free_symbols}
     if len(symbols) != 1:
         return None
     shares = {argument: argument / next(iter(symbols)) for argument in arguments}
     if not all(share.is_Rational and share.is_positive for share in shares.values()):
         return None
-    smallest = min(arguments, key=lambda each: shares[each])
-    times = {each: shares[each] / shares[smallest] for each in arguments}
-    if not all(each.is_Integer and each <= _MOST for each in times.values()):
+    smallest = min(arguments, key=lambda argument: shares[argument])
+    times = {argument: shares[argument] / shares[smallest] for argument in arguments}
+    if not all(value.is_Integer and value <= _MOST for value in times.values()):
         return None
     angle = sp.Symbol("angle")
     c, t = sp.symbols("c t", positive=True)
@@ -66,4 +66,4 @@ def in_one_tangent(value: sp.Expr) -> sp.Expr | None:
 
 def _angles(value: sp.Expr) -> set[sp.Expr]:
     """The angles of which an expression has ratios."""
-    return {each.args[0] for each in value.atoms(sp.sin, sp.cos, sp.tan)}
+    return {sine.args[0] for sine in value.atoms(sp.sin, sp.cos, sp.tan)}

@@ -52,6 +52,6 @@ def is_duration(tree: Expression) -> bool:
 
 def is_about_times(own: Link) -> bool:
     """Whether an equation is one between times, and perhaps letters."""
-    nodes = [each for side in (own.left, own.right) for each in walk(side)]
+    nodes = [node for side in (own.left, own.right) for node in walk(side)]
     kinds = {node.kind for node in nodes if isinstance(node, Quantity)}
     return kinds == {"time"}

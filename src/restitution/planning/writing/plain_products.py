@@ -69,7 +69,7 @@ def _by_products(derivation: Derivation, law: Line, oracle: Oracle) -> Derivatio
     if any(part.line.number in derivation.held for part in parts):
         return None
     numbers = {part.line.number for part in parts}
-    if any(numbers & set(each.premises) for each in derivation.lines if each is not law):
+    if any(numbers & set(line.premises) for line in derivation.lines if line is not law):
         return None
     along, relation = _along(derivation, parts[0].line), _law(derivation, law, parts)
     if along is None or relation is None:
@@ -78,7 +78,7 @@ def _by_products(derivation: Derivation, law: Line, oracle: Oracle) -> Derivatio
     changed = {part.line.number: _product(part, *along) for part in parts}
     premises = tuple(dict.fromkeys((*law.premises, axis)))
     changed[law.number] = replace(law, relation=relation, premises=premises)
-    lines = tuple(changed.get(each.number, each) for each in derivation.lines)
+    lines = tuple(changed.get(line.number, line) for line in derivation.lines)
     whole = replace(derivation, lines=lines)
     read = reader_of(whole, oracle)
     touched = {*changed, *(e.number for e in lines if law.number in e.premises)}

@@ -40,8 +40,8 @@ def not_negative(scene: Scene, size: sp.Expr) -> tuple[Ref, ...]:
 def nonzero(scene: Scene, factor: sp.Expr, *, alone: bool = False) -> tuple[Ref, ...]:
     """What has to be known for a factor not to vanish, beyond what is silent."""
     refs: list[Ref] = []
-    for each in sp.Mul.make_args(factored(factor)):
-        base = each.base if each.is_Pow else each
+    for other in sp.Mul.make_args(factored(factor)):
+        base = other.base if other.is_Pow else other
         for function in base.atoms(sp.sin, sp.cos):
             for angle in function.free_symbols:
                 refs.append(range_of(scene, angle.name))

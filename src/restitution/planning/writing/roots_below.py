@@ -23,11 +23,11 @@ def in_shorter_form(scene: Scene, quotient: Expression, final: Expression) -> Ex
         case _:
             return final
     (p, one), (q, other) = (
-        each.as_independent(*each.free_symbols, as_Add=False) for each in (first, second)
+        value.as_independent(*value.free_symbols, as_Add=False) for value in (first, second)
     )
     if one != other:
         return final
-    (p, first), (q, second) = (sp.expand(each).as_content_primitive() for each in (p, q))
+    (p, first), (q, second) = (sp.expand(value).as_content_primitive() for value in (p, q))
     share = sp.Rational(p / q)
     shorter = Binary(
         "/",
@@ -42,7 +42,7 @@ def _is_long(number: Expression) -> bool:
     nodes = list(walk(number))
     roots = any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes)
     values = (node.value for node in nodes if isinstance(node, Number))
-    return roots and not letters(number) and any(abs(each) >= _LONG for each in values)
+    return roots and not letters(number) and any(abs(value) >= _LONG for value in values)
 
 
 __all__ = ["in_shorter_form"]

@@ -25,7 +25,7 @@ def whole_direction(direction: Vector) -> tuple[Vector, sp.Expr]:
 
 def plain_direction(direction: Vector) -> Vector:
     """The shortest vector in a direction: of whole numbers, or with one root, if there is one."""
-    x, y = (tidy(sp.expand(each)) for each in direction)
+    x, y = (tidy(sp.expand(component)) for component in direction)
     if y != 0 and sp.sympify(x / y, strict=True).is_Rational:
         ratio = sp.Rational(x / y)
         sign = 1 if y > 0 else -1
@@ -43,13 +43,13 @@ def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:
     p, q = sp.Integer(part.p), sp.Integer(part.q)
     common = sp.gcd(p * root.base, q)
     forms = [(p * root, q), (p * root.base / common, q * root / common)]
-    x, y = min(forms, key=lambda each: float(abs(each[0]) + abs(each[1])))
+    x, y = min(forms, key=lambda form: float(abs(form[0]) + abs(form[1])))
     return Vector(sign * x, sign * y)
 
 
 def _content(parts: Iterable[sp.Expr]) -> sp.Expr:
     """The rational number that all terms of some numbers are multiples of."""
-    terms = [t for each in parts for t in sp.Add.make_args(sp.expand(each)) if t != 0]
+    terms = [t for part in parts for t in sp.Add.make_args(sp.expand(part)) if t != 0]
     factors = [abs(term.as_coeff_Mul()[0]) for term in terms]
     return sp.gcd_list(factors) if factors else sp.Integer(1)
 
@@ -64,7 +64,7 @@ def unit_tree(direction: Vector) -> Expression:
 def over_its_root(direction: Vector) -> tuple[Vector, sp.Expr] | None:
     """A vector and the root of letters that both its parts have below; None without such a one."""
     roots = [
-        {each for each in part.atoms(sp.Pow) if each.exp == -sp.S.Half and each.free_symbols}
+        {power for power in part.atoms(sp.Pow) if power.exp == -sp.S.Half and power.free_symbols}
         for part in direction
     ]
     if len(roots[0]) != 1 or roots[0] != roots[1]:

@@ -33,27 +33,27 @@ def velocity_given(
     """A velocity after an event that is given: as a vector, or by its size and direction."""
     velocity = Quantity("velocity", (Name(body),), number)
     parts: dict[str, GivenEquation] = {}
-    for each in scene.given:
-        if each.link.sign != "=":
+    for equation in scene.given:
+        if equation.link.sign != "=":
             continue
-        if each.link.left == velocity and common_velocity(each) is None:
-            value = scene.model.story.evaluator(scene.events).vector(each.link.right)
+        if equation.link.left == velocity and common_velocity(equation) is None:
+            value = scene.model.story.evaluator(scene.events).vector(equation.link.right)
             tree = tree_of(tuple(tidy(part) for part in value))
-            started = _started(scene, each.link.right)
-            if started and (line := _by_its_change(scene, each, tree, value)) is not None:
+            started = _started(scene, equation.link.right)
+            if started and (line := _by_its_change(scene, equation, tree, value)) is not None:
                 return tree, value, (line,)
-            return tree, value, together(each.refs, started)
-        match each.link.left:
+            return tree, value, together(equation.refs, started)
+        match equation.link.left:
             case Quantity("speed" | "direction" as kind, (Name(name),), event) if (
                 name == body and event == number
             ):
-                parts[kind] = each
+                parts[kind] = equation
     if len(parts) != 2:
         return turned_velocity(scene, body, number)
     angle = scene.scalar(parts["direction"].link.right)
     direction = Vector(tidy(sp.cos(angle)), tidy(sp.sin(angle)))
     size = scene.scalar(parts["speed"].link.right)
-    refs = tuple(each.fact.id for each in parts.values())
+    refs = tuple(equation.fact.id for equation in parts.values())
     value = direction * size
     return vector(*map(tree_of, direction)), value, together(refs)
 
@@ -66,7 +66,7 @@ def _by_its_change(
     known = scene.desk.known(velocity)
     if known is not None:
         return next((ref for ref in known.refs if isinstance(ref, int)), None)
-    if any(scene.unknown(each) or scene.put(each)[1] for each in value):
+    if any(scene.unknown(other) or scene.put(other)[1] for other in value):
         return None
     early: dict[Expression, Expression] = {}
     for node in walk(given.link.right):
@@ -100,9 +100,9 @@ def turned_velocity(
     early = scene.initial(body)
     if early.value.y != 0 or scene.model.sign(early.value.x) <= 0:
         return None
-    if any(has_quantity(each.link.right) for each in (fast, turned)):
+    if any(has_quantity(equation.link.right) for equation in (fast, turned)):
         return None
-    size, angle = (scene.scalar(each.link.right) for each in (fast, turned))
+    size, angle = (scene.scalar(equation.link.right) for equation in (fast, turned))
     late = scene.model.branch.story.velocity(body, number)
     side = _side(scene, body, number)
     if angle.free_symbols or scene.unknown(size) or side is None:
@@ -129,7 +129,7 @@ def _by_degrees(size: sp.Expr, angle: sp.Expr, sign: int) -> Expression | None:
     if not degrees.is_Integer or degrees % 90 == 0:
         return None
     turn = Degrees(Fraction(int(degrees)))
-    x, y = (product(tree_of(size), Apply(each, turn)) for each in ("cos", "sin"))
+    x, y = (product(tree_of(size), Apply(ratio, turn)) for ratio in ("cos", "sin"))
     return vector(x, y if sign > 0 else negative(y))
 
 
@@ -187,7 +187,7 @@ def initial_as_a_line(scene: Scene, body: str) -> Source:
     fact = f"velocity {body}"
     if fact not in scene.facts or not any(isinstance(ref, int) for ref in refs):
         return source
-    if not all(sp.sympify(each, strict=True).is_Rational and each for each in value):
+    if not all(sp.sympify(other, strict=True).is_Rational and other for other in value):
         return source
     quantity = Quantity("velocity", (Name(body),), 0)
     relation = chain(quantity, (tree_of(Vector(*value)), None))

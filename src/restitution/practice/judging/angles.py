@@ -33,13 +33,15 @@ def with_angles(
 ) -> Iterator[tuple[Expression, Claim]]:
     """Each angle that may be meant, of the statement or of the motion, and the claim with it."""
     angles: list[Expression] = [Letter(name) for name in sorted(world.angles)]
-    angles += [each.quantity for each in known if each.kind in ("angle", "deflection")]
+    angles += [
+        candidate.quantity for candidate in known if candidate.kind in ("angle", "deflection")
+    ]
     turned = UNNAMED_DIRECTION in unnamed_in(claim)
     for angle in angles:
         forms: list[Expression] = [angle, Binary("-", RIGHT_ANGLE, angle)]
         if turned:
             forms += [*map(Negate, forms), Binary("-", STRAIGHT_ANGLE, angle)]
-        for each in forms:
-            put: dict[Expression, Expression] = {Letter(name): each for name in _UNNAMED}
+        for form in forms:
+            put: dict[Expression, Expression] = {Letter(name): form for name in _UNNAMED}
             left, right = (exchanged(side, put) for side in (claim.left, claim.right))
-            yield each, replace(claim, left=left, right=right)
+            yield form, replace(claim, left=left, right=right)

@@ -77,7 +77,7 @@ class Bench:
             for step in self.solved.part.steps
             if isinstance(step, Find | Show)
         )
-        extreme = any(isinstance(each, Extremum | Range) for items in asked for each in items)
+        extreme = any(isinstance(item, Extremum | Range) for items in asked for item in items)
         reached = worlds_at_extremes(self.solution, self.solved, self.worlds) if extreme else ()
         return Question(self.wanted, frozenset(unknown), self.given, bounds, extreme, reached)
 

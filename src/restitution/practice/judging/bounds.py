@@ -82,7 +82,7 @@ class Bounds:
         low, high = self.ranges[usual.left.name]
         try:
             end = float(_worth(usual.right, {}))
-            room = sum(_moved(usual.right, end, each) for each in decimals)
+            room = sum(_moved(usual.right, end, decimal) for decimal in decimals)
         except _OpenError:
             return True
         if usual.sign in ("<", "<="):
@@ -107,9 +107,9 @@ class Bounds:
 def _moved(tree: Expression, end: float, decimal: Decimal) -> float:
     """By how much the end of an inequality moves where a decimal in it moves by half a unit."""
     put: dict[Expression, Expression] = {
-        each: replace(each, value=each.value + decimal.half_unit_of(each.value))
-        for each in walk(tree)
-        if isinstance(each, Number | Degrees) and column_of(each) == decimal.column
+        node: replace(node, value=node.value + decimal.half_unit_of(node.value))
+        for node in walk(tree)
+        if isinstance(node, Number | Degrees) and column_of(node) == decimal.column
     }
     return abs(float(_worth(exchanged(tree, put), {})) - end) if put else 0.0
 
@@ -181,7 +181,7 @@ def bounded_by(
     if own is None or own.all() or not own.any():
         return None
     there = _allowed(conditions, put)
-    stated = [_usual(each.claim) for each in entries if each.claim.sign in _COMPARISONS]
+    stated = [_usual(entry.claim) for entry in entries if entry.claim.sign in _COMPARISONS]
     usual = [Claim(Letter(name), "<=", Number(Fraction(1))) for name in sorted(coefficients)]
     for condition in (*stated, *conditions, *usual):
         if not isinstance(condition.left, Letter):
@@ -272,8 +272,8 @@ def _angles(claim: Claim, other: Entry) -> frozenset[str]:
 def _allowed(conditions: Iterable[Claim], put: Mapping[str, Array]) -> Array:
     """The points at which the conditions on letters of the statement hold."""
     there = np.ones(_POINTS, dtype=bool)
-    for each in conditions:
-        region = _region(each, put)
+    for condition in conditions:
+        region = _region(condition, put)
         if region is not None and region.sum() > _FEW:
             there = there & region
     return there

@@ -79,12 +79,12 @@ def _corrections(
 
 def _has_value(side: Expression, value: Array) -> bool:
     """Whether a number, or a fraction of two, in a side has a value."""
-    tops = [each for each in walk(side) if isinstance(each, Number)]
+    tops = [node for node in walk(side) if isinstance(node, Number)]
     tops += [
-        Number(each.left.value / each.right.value)
-        for each in walk(side)
-        if isinstance(each, Binary) and each.op == "/"
-        if isinstance(each.left, Number) and isinstance(each.right, Number) and each.right.value
+        Number(node.left.value / node.right.value)
+        for node in walk(side)
+        if isinstance(node, Binary) and node.op == "/"
+        if isinstance(node.left, Number) and isinstance(node.right, Number) and node.right.value
     ]
     return any(np.allclose(float(each.value), value) for each in tops)
 

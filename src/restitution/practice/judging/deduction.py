@@ -76,10 +76,12 @@ def deduced_from(
     if entry.claim.sign != "=" or entry.claim.others:
         return ()
     wrong = frozenset(
-        k for k, each in enumerate(entries) if not each.right and _is_arithmetic(each, world, data)
+        k
+        for k, entry in enumerate(entries)
+        if not entry.right and _is_arithmetic(entry, world, data)
     )
     bare = _is_arithmetic(entry, world, data)
-    usable = [k for k, each in enumerate(entries) if _is_equation(each.claim) and k not in wrong]
+    usable = [k for k, entry in enumerate(entries) if _is_equation(entry.claim) and k not in wrong]
     usable = usable[-_LATEST:]
     own = _symbols(entry)
     near = [k for k in reversed(usable) if not own.isdisjoint(_symbols(entries[k]))]
@@ -90,7 +92,7 @@ def deduced_from(
     tried = 0
     for places in chain(((k,) for k in near), others, threes):
         earlier = [entries[k] for k in places]
-        if not own <= frozenset().union(*(_symbols(each) for each in earlier)) | data:
+        if not own <= frozenset().union(*(_symbols(entry) for entry in earlier)) | data:
             continue
         tried += 1
         if tried > _TRIES:
@@ -103,9 +105,9 @@ def deduced_from(
 def is_identity(entry: Entry, world: World) -> bool:
     """Whether a sum is worked out that holds whatever the letters of the statement are in it."""
     sums = any(
-        isinstance(each, Binary) and each.op in ("+", "-")
+        isinstance(node, Binary) and node.op in ("+", "-")
         for side in (entry.claim.left, entry.claim.right)
-        for each in walk(side)
+        for node in walk(side)
     )
     if not sums or not _is_equation(entry.claim) or not _symbols(entry):
         return False
@@ -127,8 +129,8 @@ def _is_arithmetic(entry: Entry, world: World, data: frozenset[str]) -> bool:
     """Whether a claim speaks of free letters alone: untrue, it makes them zero, and all follows."""
     fixed = data | frozenset(world.determined)
     return all(
-        isinstance(each, Letter) and each.name in world.letters and each.name not in fixed
-        for each in _symbols(entry)
+        isinstance(symbol, Letter) and symbol.name in world.letters and symbol.name not in fixed
+        for symbol in _symbols(entry)
     )
 
 
@@ -172,7 +174,7 @@ def _follows(
     Moved, they might make what stands between the lines zero: ``u cos α (1 - ke) = 0``. A claim
     of free letters alone, which is ``bare``, has to follow while all others keep their values.
     """
-    inside = {each.name for each in _symbols(entry) if isinstance(each, Letter)}
+    inside = {symbol.name for symbol in _symbols(entry) if isinstance(symbol, Letter)}
     kept = frozenset(world.letters.keys() - world.determined - inside - data)
     free = frozenset[str]()
     for still in (kept,) if bare else (kept, free) if kept else (free,):
@@ -195,7 +197,7 @@ class _Plane:
         data: frozenset[str],
         kept: frozenset[str] = frozenset(),
     ) -> None:
-        symbols = sorted(set().union(*(_symbols(each) for each in entries)), key=repr)
+        symbols = sorted(set().union(*(_symbols(entry) for entry in entries)), key=repr)
         rng = np.random.default_rng(11)
         self.columns: dict[Expression, tuple[int, ...]] = {}
         self.fixed: dict[Expression, Any] = {}
@@ -233,8 +235,8 @@ class _Plane:
     def _met(self, earlier: Sequence[Entry], x: Array) -> Array:
         """At which points some claims hold."""
         there = np.ones(_POINTS, dtype=bool)
-        for each in earlier:
-            apart, size = self.sides(each, x)
+        for entry in earlier:
+            apart, size = self.sides(entry, x)
             there &= np.all(np.abs(apart) <= 1e-10 * (size + 1e-3), axis=0)
         return there
 
@@ -253,13 +255,13 @@ class _Plane:
                 ],
                 axis=1,
             )
-            slopes, r = (np.where(np.isfinite(each), each, 0) for each in (slopes, r))
+            slopes, r = (np.where(np.isfinite(array), array, 0) for array in (slopes, r))
             move = np.einsum("pij,pj->ip", np.linalg.pinv(slopes.transpose(2, 0, 1)), r.T)
             x = x - move
         return x
 
     def _residuals(self, entries: Sequence[Entry], x: Array) -> Array:
-        return np.concatenate([self.sides(each, x)[0] for each in entries])
+        return np.concatenate([self.sides(entry, x)[0] for entry in entries])
 
     def sides(self, entry: Entry, x: Array) -> tuple[Array, Array]:
         """Left less right, and the size of the sides, shape (1 or 2, points)."""

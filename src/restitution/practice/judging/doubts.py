@@ -112,7 +112,7 @@ class Doubts:
         most = 0 if are_of_one_mistake(lines) else sum(line.verdict == "false" for line in lines)
         for rival in self.meanings.rivals:
             doubtful = {line.line.number: self._doubtful(rival, line) for line in lines}
-            false = [each.line for each in lines if each.verdict == "false"]
+            false = [line.line for line in lines if line.verdict == "false"]
             if not any(set(doubtful[line.number]) & names_in(line) for line in false):
                 continue
             if next(tries, None) is None:
@@ -157,8 +157,8 @@ class Doubts:
             return False
         if not isinstance(other, Apply):
             return False
-        parts = (each.quantity for each in meanings.values() if not is_phrase(each.letter))
-        return any(_sphere_of(each) and self._agree(Apply("abs", each), other) for each in parts)
+        parts = (meaning.quantity for meaning in meanings.values() if not is_phrase(meaning.letter))
+        return any(_sphere_of(part) and self._agree(Apply("abs", part), other) for part in parts)
 
     def _is_asked_speed(self, name: str, number: int) -> bool:
         """Whether words name the very speed that the part asks for, and so no component of it."""
@@ -191,10 +191,10 @@ class Doubts:
         one, other = inferred
         turned = {**known, one: known[other], other: known[one]}
         return all(
-            self._is_so_meant(link, each, turned)
-            for each in lines
-            for link in each.line.links
-            if each.verdict in ("true", "false") and not names_of(link).isdisjoint(inferred)
+            self._is_so_meant(link, line, turned)
+            for line in lines
+            for link in line.line.links
+            if line.verdict in ("true", "false") and not names_of(link).isdisjoint(inferred)
         )
 
     def _doubted(
@@ -216,20 +216,20 @@ class Doubts:
         if line.verdict != "false":
             return line
         named = is_named(line)
-        true = [names_in(each.line) for each in lines if each.verdict == "true"]
+        true = [names_in(line.line) for line in lines if line.verdict == "true"]
         true += [names_of(link) for link in line.line.links[: line.link or 0]]
         # An angle that is worked out from components is known by them.
         worked = {
             name
-            for each in lines
-            if each.verdict == "true" and any(use.principle == "angle" for use in each.uses)
-            for name in names_in(each.line)
+            for line in lines
+            if line.verdict == "true" and any(use.principle == "angle" for use in line.uses)
+            for name in names_in(line.line)
         }
         # Momentum of two letters tells both, however odd they look, if the line is a law in them.
         momenta = [
-            names_in(each.line)
-            for each in lines
-            if each.verdict == "true" and each.uses and each.uses[0].principle == "momentum"
+            names_in(line.line)
+            for line in lines
+            if line.verdict == "true" and line.uses and line.uses[0].principle == "momentum"
         ]
         names = _names_in_doubt(line)
         by_momentum = named and any(names <= each for each in momenta)
@@ -262,14 +262,14 @@ class Doubts:
         beside = set(self._beside(line, name))
         defining = _gives(line.line, name)
         candidates = self.bench.names.candidates(self.bench.worlds[0])
-        false = [each for each in lines if each.verdict == "false" and name in names_in(each.line)]
-        true = [each for each in lines if each.verdict == "true" and name in names_in(each.line)]
-        for each in candidates:
-            if beside and (each.kind != "component" or each.body in beside):
+        false = [line for line in lines if line.verdict == "false" and name in names_in(line.line)]
+        true = [line for line in lines if line.verdict == "true" and name in names_in(line.line)]
+        for candidate in candidates:
+            if beside and (candidate.kind != "component" or candidate.body in beside):
                 continue
-            if each.start and not defining:
+            if candidate.start and not defining:
                 continue
-            for meant in (each.quantity, Negate(each.quantity)):
+            for meant in (candidate.quantity, Negate(candidate.quantity)):
                 tried = false if meant in own else [line]
                 if not all(self._is_true_with_meaning(one, name, meant) for one in tried):
                     continue
@@ -290,7 +290,7 @@ class Doubts:
         if not (isinstance(first, Angle) and isinstance(second, Angle)):
             return False
         gaps = (first.measure() - second.measure(), first.measure() + second.measure())
-        return any(bool(np.all(np.abs(np.sin(2 * each)) < _RIGHT)) for each in gaps)
+        return any(bool(np.all(np.abs(np.sin(2 * gap)) < _RIGHT)) for gap in gaps)
 
     def _beside(self, line: JudgedLine, name: str) -> Iterator[str]:
         """The spheres of the components beside which a letter for a component stands in a line."""
@@ -349,7 +349,7 @@ def is_named(line: JudgedLine) -> bool:
 def are_of_one_mistake(lines: Sequence[JudgedLine]) -> bool:
     """Whether several lines are false, and all of them instances of one altered law."""
     false = [line.mistake for line in lines if line.verdict == "false"]
-    variants = [set(each.variants) for each in false if each is not None]
+    variants = [set(mistake.variants) for mistake in false if mistake is not None]
     return len(variants) > 1 and bool(set.intersection(*variants))
 
 

@@ -44,10 +44,10 @@ def judge_part(
     if not any(_is_troubled(by_itself(label).lines) for label in (part, *labels)):
         return alone
     whole = judge(solution, _joined(script, [*labels, part], part), part, letters)
-    numbers = {each.line.number for each in alone.lines}
+    numbers = {line.line.number for line in alone.lines}
     roots = false_roots(whole.lines)
     own = tuple(
-        _with_roots(each, numbers, roots) for each in whole.lines if each.line.number in numbers
+        _with_roots(line, numbers, roots) for line in whole.lines if line.line.number in numbers
     )
     if _falses(own) > _falses(alone.lines):
         return alone
@@ -80,17 +80,17 @@ def _earlier(solution: Solution, part: str | None) -> list[str]:
 def _joined(script: Script, labels: Sequence[str | None], part: str | None) -> Script:
     """The lines of several parts as lines of one."""
     literal = None if script.literal is None else _joined(script.literal, labels, part)
-    lines = (replace(each, part=part) for each in _of(script.lines, labels))
+    lines = (replace(line, part=part) for line in _of(script.lines, labels))
     return Script(tuple(lines), literal)
 
 
 def _of(lines: Iterable[ScriptLine], labels: Sequence[str | None]) -> list[ScriptLine]:
-    return [each for label in labels for each in lines if each.part == label]
+    return [line for label in labels for line in lines if line.part == label]
 
 
 def _is_troubled(lines: Iterable[JudgedLine]) -> bool:
-    return any(each.verdict in _TROUBLED for each in lines)
+    return any(line.verdict in _TROUBLED for line in lines)
 
 
 def _falses(lines: Iterable[JudgedLine]) -> int:
-    return sum(each.verdict == "false" for each in lines)
+    return sum(line.verdict == "false" for line in lines)

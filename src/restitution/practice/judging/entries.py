@@ -42,14 +42,14 @@ class Entry:
 def is_numeric(tree: Expression) -> bool:
     """Whether a tree is of numbers alone; scalar products of vectors in numbers are too."""
     return not any(
-        isinstance(each, Letter | Name) or (isinstance(each, Quantity) and each.kind != "dot")
-        for each in walk(tree)
+        isinstance(node, Letter | Name) or (isinstance(node, Quantity) and node.kind != "dot")
+        for node in walk(tree)
     )
 
 
 def is_monomial(tree: Expression) -> bool:
     """Whether a tree adds and subtracts nothing."""
-    return not any(isinstance(each, Binary) and each.op in "+-" for each in walk(tree))
+    return not any(isinstance(node, Binary) and node.op in "+-" for node in walk(tree))
 
 
 def names_of(claim: Claim) -> frozenset[str]:

@@ -31,9 +31,9 @@ def worlds_at_extremes(
     if not worlds:
         return ()
     return tuple(
-        each
+        world
         for place in _places(solved, worlds[0])
-        for each in true_worlds(solution, solved, place)
+        for world in true_worlds(solution, solved, place)
     )
 
 

@@ -128,7 +128,7 @@ class Following(OwnValues):
             entry = self._entry_of(line, link, claim)
             if (number := self._own_root(entry)) is not None:
                 return JudgedLink("follows", claim, "exact", (number,), self._impossible(claim))
-            if sum(each.wrong for each in self.entries) > NAMED:
+            if sum(entry.wrong for entry in self.entries) > NAMED:
                 break
             places = deduced_from(entry, self.entries, self._base, self.question.given)
             if places:
@@ -179,7 +179,9 @@ class Following(OwnValues):
                 own[left], numbers[left] = entry.claim.right, entry.number
         for claim in link.readings if own else ():
             inside = [
-                each for each in own if each.name in letters(claim.left) | letters(claim.right)
+                letter
+                for letter in own
+                if letter.name in letters(claim.left) | letters(claim.right)
             ]
             if not inside or isinstance(claim.left, Letter):
                 continue
@@ -189,7 +191,7 @@ class Following(OwnValues):
             for world in chain(self.worlds, self.students()):
                 grade = self.accuracy(other, world, line, link)
                 if grade is not None:
-                    lines = tuple(dict.fromkeys(numbers[each] for each in inside))
+                    lines = tuple(dict.fromkeys(numbers[letter] for letter in inside))
                     return JudgedLink("follows", claim, grade, lines)
         return None
 
@@ -199,13 +201,13 @@ class Following(OwnValues):
         for claim in self._in_all_meanings(link, line):
             for form in by_energies(claim.left, meanings):
                 own: dict[Expression, Entry] = {
-                    each: entry
-                    for each in walk(form)
-                    if isinstance(each, Quantity) and (entry := self._own_value(each)) is not None
+                    node: entry
+                    for node in walk(form)
+                    if isinstance(node, Quantity) and (entry := self._own_value(node)) is not None
                 }
                 if all(entry.right for entry in own.values()):
                     continue
-                put = {each: entry.claim.right for each, entry in own.items()}
+                put = {tree: entry.claim.right for tree, entry in own.items()}
                 other = replace(claim, left=exchanged(form, put))
                 for world in self.worlds:
                     grade = self.accuracy(other, world, line, link)
@@ -232,11 +234,11 @@ class Following(OwnValues):
 
     def _under_own_condition(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A relation that holds with his own lines where a letter has the value of its case."""
-        supposed = [each for each in link.supposed or line.supposed if each.sign == "="]
+        supposed = [claim for claim in link.supposed or line.supposed if claim.sign == "="]
         if not supposed or not self.wrong:
             return None
-        case = [replace(self._entry_of(line, link, each), right=False) for each in supposed]
-        names = {name for each in supposed for name in letters(each.left) | letters(each.right)}
+        case = [replace(self._entry_of(line, link, claim), right=False) for claim in supposed]
+        names = {name for claim in supposed for name in letters(claim.left) | letters(claim.right)}
         unknown = {*self.question.unknown, *names & self._base.letters.keys()}
         world = student_world(
             self._base, [*self.entries, *case], unknown, broken=self._broken(self.entries)
@@ -257,7 +259,7 @@ class Following(OwnValues):
             for head in ("approach", "separation"):
                 if head in heads and entry.claim.sign == "=":
                     relative[head] = entry
-        if len(relative) < 2 or all(each.right for each in relative.values()):
+        if len(relative) < 2 or all(entry.right for entry in relative.values()):
             return None
         before, after = (relative[head].claim.right for head in ("approach", "separation"))
         for claim in link.readings:
@@ -266,7 +268,7 @@ class Following(OwnValues):
             quotient = replace(claim, left=Apply("abs", Binary("/", after, before)))
             grade = self.accuracy(quotient, self._base, line, link)
             if grade is not None:
-                numbers = tuple(each.number for each in relative.values())
+                numbers = tuple(entry.number for entry in relative.values())
                 return JudgedLink("follows", claim, grade, numbers, self._impossible(claim))
         return None
 
@@ -295,8 +297,8 @@ class Following(OwnValues):
     def _has_value(self, letter: Letter, line: ScriptLine) -> bool:
         """Whether a line above gives a letter its value."""
         return any(
-            each.is_value and each.claim.left == letter and each.number < line.number
-            for each in self.entries
+            entry.is_value and entry.claim.left == letter and entry.number < line.number
+            for entry in self.entries
         )
 
     def _adopted(self, line: ScriptLine, link: Link) -> JudgedLink | None:
@@ -333,21 +335,21 @@ class Following(OwnValues):
         usage = Usage(name, name in inside_angles(claim.left) | inside_angles(claim.right))
         usual = sorted(
             options(usage, self.naming.candidates(self._base), self._base.problem),
-            key=lambda each: each.cost,
+            key=lambda option: option.cost,
         )
-        for each in usual:
-            if each.nature == "vector":
+        for candidate in usual:
+            if candidate.nature == "vector":
                 continue
-            if each.kind != "tangent" and (each.start or each.cost > _USUAL):
+            if candidate.kind != "tangent" and (candidate.start or candidate.cost > _USUAL):
                 continue
-            self._meant[name] = each.quantity
+            self._meant[name] = candidate.quantity
             for reading in link.readings:
                 for world in worlds:
                     grade = self.accuracy(reading, world, line, link) or self._loosely(
                         reading, world, line, link
                     )
                     if grade is not None:
-                        return reading, grade, (name, each.quantity)
+                        return reading, grade, (name, candidate.quantity)
             del self._meant[name]
         return None
 
@@ -362,7 +364,7 @@ class Following(OwnValues):
         uses = [use for use in self.uses_of_entry(entry) if use.altered]
         again = {_family(use.altered) for use in uses if use.altered}
         for number, mistake in self._explained.items():
-            if again & {_family(each.id) for each in mistake.variants}:
+            if again & {_family(variant.id) for variant in mistake.variants}:
                 repeated = self._repeated(mistake, uses)
                 if repeated:
                     self._confirmed.setdefault(number, set()).update(repeated)
@@ -396,10 +398,10 @@ class Following(OwnValues):
         Whoever exchanges sine and cosine in one component does so in the other.
         """
         return frozenset(
-            each.id
-            for each in mistake.variants
+            variant.id
+            for variant in mistake.variants
             for use in uses
-            if each.id == use.altered and each.event.number == use.event
+            if variant.id == use.altered and variant.event.number == use.event
         )
 
     def _impossible(self, claim: Claim) -> str | None:
@@ -429,10 +431,12 @@ class Following(OwnValues):
             entry = self._entry_of(line, link, claim)
             conditions = list(conditions_of(bounds.given, self._letters_worth(line)))
             conditions += [
-                each for each in bounds.given if not any(map(has_quantity, (each.left, each.right)))
+                claim
+                for claim in bounds.given
+                if not any(map(has_quantity, (claim.left, claim.right)))
             ]
             known = {name: float(x.flat[0]) for name, x in self._base.letters.items()}
-            entries = [each for each in self.entries if each.number <= line.number]
+            entries = [entry for entry in self.entries if entry.number <= line.number]
             source = bounded_by(entry, entries, conditions, known, bounds.coefficients)
             if source is None:
                 source = rearranged_from(entry, entries, known, bounds.coefficients)
@@ -468,10 +472,10 @@ class Following(OwnValues):
             ]
             entries = [e for e in reversed(self.entries) if e.right]
             for entry in entries:
-                roots = [is_root_of(each, entry) for each in single]
+                roots = [is_root_of(claim, entry) for claim in single]
                 if all(r is not None and self._valid(r, entry) for r in roots):
                     right = any(
-                        self.accuracy(each, w, line, link) for each in single for w in self.worlds
+                        self.accuracy(claim, w, line, link) for claim in single for w in self.worlds
                     )
                     if right or any(
                         same_left(e.claim, claim) and e.right and e.is_value for e in entries
@@ -506,7 +510,7 @@ class Following(OwnValues):
         claim = entry.claim
         values = [replace(claim, right=right, others=()) for right in (claim.right, *claim.others)]
         for other in reversed(self.entries):
-            roots = [] if other.right else [is_root_of(each, other) for each in values]
+            roots = [] if other.right else [is_root_of(value, other) for value in values]
             own = replace(other, decimals=(*other.decimals, *entry.decimals))
             if roots and all(root is not None and self._valid(root, own) for root in roots):
                 return other.number
@@ -517,7 +521,7 @@ class Following(OwnValues):
         if any(map(_is_rounded_whole, link.readings)):
             return JudgedLink("true", link.readings[0], "rounded")
         above = any(entry.decimals for entry in self.entries)
-        beside = any(each.decimals for each in line.links if each is not link)
+        beside = any(other.decimals for other in line.links if other is not link)
         if self.wrong or not link.decimals or not (above or beside):
             return None
         for claim in link.readings:
@@ -546,9 +550,9 @@ def _is_rounded_whole(claim: Claim) -> bool:
     right = claim.right
     if claim.sign != "=" or not isinstance(right, Number | Degrees):
         return False
-    numbers = [each for each in walk(claim.left) if isinstance(each, Number | Degrees)]
-    plain = all(isinstance(each, Number | Degrees | Binary) for each in walk(claim.left))
-    broken = any(each.value.denominator > 1 for each in numbers)
+    numbers = [node for node in walk(claim.left) if isinstance(node, Number | Degrees)]
+    plain = all(isinstance(node, Number | Degrees | Binary) for node in walk(claim.left))
+    broken = any(number.value.denominator > 1 for number in numbers)
     if not (plain and broken and right.value.denominator == 1 and right.value >= _HUNDRED):
         return False
     value = worked_out(claim.left)

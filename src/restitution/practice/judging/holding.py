@@ -133,9 +133,9 @@ class Holding:
             *of_components(claim),
         )
         unlike = False
-        for place, each in enumerate(forms):
+        for place, form in enumerate(forms):
             try:
-                grade = agrees(each, world, meanings, link.decimals, line.scope)
+                grade = agrees(form, world, meanings, link.decimals, line.scope)
             except RestitutionError:
                 unlike = unlike or not place
                 continue
@@ -156,7 +156,7 @@ class Holding:
     ) -> Accuracy | None:
         """How exactly a claim holds in that of several worlds in which it holds best."""
         grades = [self.accuracy(claim, world, line, link) for world in worlds]
-        return next((each for each in reversed(GRADES) if each in grades), None)
+        return next((grade for grade in reversed(GRADES) if grade in grades), None)
 
     def _in_turned_axes(
         self, claim: Claim, world: World, line: ScriptLine, link: Link
@@ -178,7 +178,7 @@ class Holding:
                     for kind, value in (("along", along), ("across", across))
                 ]
                 if None not in grades:
-                    return next(each for each in GRADES if each in grades)
+                    return next(grade for grade in GRADES if grade in grades)
         return None
 
     def _of_component(
@@ -249,7 +249,7 @@ class Holding:
 
         if not any(map(names_axis, known)):
             return line
-        links = (replace(each, readings=tuple(map(put, each.readings))) for each in line.links)
+        links = (replace(link, readings=tuple(map(put, link.readings))) for link in line.links)
         return replace(line, links=tuple(links))
 
     def _with_sizes(self, line: ScriptLine) -> ScriptLine:
@@ -259,8 +259,8 @@ class Holding:
         """
         meanings = self.meanings(line.number)
         links = (
-            replace(each, readings=tuple(as_vectors(claim, meanings) for claim in each.readings))
-            for each in line.links
+            replace(link, readings=tuple(as_vectors(claim, meanings) for claim in link.readings))
+            for link in line.links
         )
         line = replace(line, links=tuple(links))
         if not any(has_bars(claim) for link in line.links for claim in link.readings):
@@ -326,17 +326,17 @@ class Holding:
             return False
         words = label.name.split()
         asked = {
-            each.arguments[0].name
-            for each, _ in self.question.wanted.asked
-            if isinstance(each, Quantity) and each.kind == "impulse" and each.arguments
-            if isinstance(each.arguments[0], Name)
+            tree.arguments[0].name
+            for tree, _ in self.question.wanted.asked
+            if isinstance(tree, Quantity) and tree.kind == "impulse" and tree.arguments
+            if isinstance(tree.arguments[0], Name)
         }
         return "on" in words and not asked.isdisjoint(words)
 
     def _claims_above(self, line: ScriptLine) -> Iterator[Claim]:
         """The claims of the lines above, and of a line itself as it is read first."""
-        yield from (each.claim for each in self.entries if each.claim.sign == "=")
-        yield from (each.readings[0] for each in line.links)
+        yield from (entry.claim for entry in self.entries if entry.claim.sign == "=")
+        yield from (link.readings[0] for link in line.links)
 
     def _in_units(
         self, line: ScriptLine, link: Link, worlds: Sequence[World], verdict: Verdict
@@ -350,8 +350,8 @@ class Holding:
                 continue
             if angular:
                 continue
-            for each in with_units(claim, self._base):
-                grade = self._best_accuracy(each, worlds, line, link)
+            for unit in with_units(claim, self._base):
+                grade = self._best_accuracy(unit, worlds, line, link)
                 if grade is not None:
                     sources = sources_of(claim, self.entries) if verdict == "follows" else ()
                     return JudgedLink(verdict, claim, grade, sources)

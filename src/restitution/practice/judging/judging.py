@@ -79,7 +79,7 @@ def judge(
     own = script.of(part)
     bench = bench.taking(all_fixed(own, letters_of(bench.problem, bench.solved.part)))
     if not bench.worlds:
-        return Judgement(tuple(JudgedLine(each, "remark") for each in own.lines), ())
+        return Judgement(tuple(JudgedLine(line, "remark") for line in own.lines), ())
     judgement = _judged(bench, own, part, letters)
     literal = own.literal
     if literal is None or not any(line.verdict == "false" for line in judgement.lines):
@@ -113,7 +113,7 @@ def _judged_first(
 ) -> Judgement:
     """The first lines of a script judged, as many of ``most`` as the effort suffices for."""
     own = Script(script.lines[:most])
-    later = [JudgedLine(each, "unread", remark=NOT_JUDGED) for each in script.lines[most:]]
+    later = [JudgedLine(line, "unread", remark=NOT_JUDGED) for line in script.lines[most:]]
     try:
         with effort(_EFFORT) if most else nullcontext():
             meanings = meanings_of(
@@ -178,9 +178,9 @@ class _Sitting(Doubts):
             for side in (link.readings[0].left, link.readings[0].right, *link.readings[0].others)
             for name in letters(side)
         }
-        for each in self.meanings.best.meanings:
-            if each.letter in first or not is_phrase(each.letter):
-                yield each
+        for meaning in self.meanings.best.meanings:
+            if meaning.letter in first or not is_phrase(meaning.letter):
+                yield meaning
 
     def _judged(
         self, script: Script, interpretation: Interpretation, *, names: bool = True
@@ -237,12 +237,12 @@ class _Sitting(Doubts):
             own = meanings_of(
                 self.script, bench.problem, bench.solution, bench.solved.part.label, known, (world,)
             ).best
-            newly_known = tuple(each for each in own.meanings if each.letter in unknown)
-            phrases = tuple(each for each in best.meanings if is_phrase(each.letter))
+            newly_known = tuple(meaning for meaning in own.meanings if meaning.letter in unknown)
+            phrases = tuple(meaning for meaning in best.meanings if is_phrase(meaning.letter))
             merged = replace(
                 best,
                 meanings=(*(m for m in best.meanings if m.letter in known), *phrases, *newly_known),
-                unknown=best.unknown - {each.letter for each in newly_known},
+                unknown=best.unknown - {meaning.letter for meaning in newly_known},
             )
             other, again = self._judged(self.script, merged)
             more = sum(line.verdict in ("true", "follows") for line in again)
@@ -254,11 +254,11 @@ class _Sitting(Doubts):
 
     def _angles_below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
         """The letters taken for an angle by their look alone, that stand in no line which holds."""
-        for each in self.meanings.best.meanings:
-            own = [line.verdict for line in lines if each.letter in names_in(line.line)]
-            by_look = each.by == "default" and kind_of(each.quantity) in ANGLES
-            if by_look and not is_phrase(each.letter) and "false" in own and "true" not in own:
-                yield each.letter
+        for meaning in self.meanings.best.meanings:
+            own = [line.verdict for line in lines if meaning.letter in names_in(line.line)]
+            by_look = meaning.by == "default" and kind_of(meaning.quantity) in ANGLES
+            if by_look and not is_phrase(meaning.letter) and "false" in own and "true" not in own:
+                yield meaning.letter
 
     # --- lines crossed out ----------------------------------------------------------------------
 
@@ -280,7 +280,7 @@ class _Sitting(Doubts):
             )
         )
         _, again = self._judged(script, self.meanings.best)
-        typed = [each.number for each in self.script.lines if each.kind == "relations"]
+        typed = [line.number for line in self.script.lines if line.kind == "relations"]
         return tuple(
             old if _is_withdrawn(old, new, typed) else replace(new, line=old.line)
             for old, new in zip(lines, again, strict=True)
@@ -294,7 +294,7 @@ class _Sitting(Doubts):
         typed = [value for line in self.script.lines for value in _factors_in(line)]
         pairs = misreadings(typed, self.bench.data)
         near = set(_factors_in(first))
-        for value, datum in islice((each for each in pairs if each[0] in near), _MISREADINGS):
+        for value, datum in islice((pair for pair in pairs if pair[0] in near), _MISREADINGS):
             script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
             if self._judge(self.meanings.best).is_true(script):
                 return tuple(_as_misread(lines, str(value)))
@@ -310,7 +310,7 @@ class _Sitting(Doubts):
 
         They stand in one place of two false lines each, or in several of one, or are quoted.
         """
-        untrue = [each.line for each in lines if each.verdict in ("false", "follows")]
+        untrue = [line.line for line in lines if line.verdict in ("false", "follows")]
         judge_ = self._judge(self.meanings.best, names=False)
         for value in dict.fromkeys(_numbers_in(untrue[0])):
             for datum in self.bench.data:
@@ -344,10 +344,10 @@ class _Sitting(Doubts):
 def _kept(meanings: Sequence[Meaning]) -> Iterator[Meaning]:
     """The first meaning of each letter, and those that are the student's own word."""
     first: dict[str, Expression] = {}
-    for each in sorted(meanings, key=lambda meaning: meaning.since):
-        known = first.setdefault(each.letter, each.quantity)
-        if known == each.quantity or each.by != "inferred":
-            yield each
+    for meaning in sorted(meanings, key=lambda meaning: meaning.since):
+        known = first.setdefault(meaning.letter, meaning.quantity)
+        if known == meaning.quantity or meaning.by != "inferred":
+            yield meaning
 
 
 def _numbers_in(line: ScriptLine) -> Iterator[Fraction]:
@@ -459,10 +459,10 @@ def _is_replaced(line: ScriptLine, below: Sequence[ScriptLine]) -> bool:
     """Whether a line below has the left side of one crossed out, or one of its letters."""
     own, names = {_left(link) for link in line.links}, names_in(line)
     return any(
-        _left(link) in own or not names.isdisjoint(names_in(each))
-        for each in below
-        if each.kind == "relations"
-        for link in each.links
+        _left(link) in own or not names.isdisjoint(names_in(line))
+        for line in below
+        if line.kind == "relations"
+        for link in line.links
     )
 
 

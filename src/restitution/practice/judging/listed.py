@@ -38,7 +38,7 @@ def as_components(line: ScriptLine, worlds: Sequence[World], meanings: Meanings)
         return line
     if len(line.values) != 2 or line.declarations or not _only_lists(line, worlds[0]):
         return line
-    if any(letters(each).isdisjoint(worlds[0].letters) for each in line.values):
+    if any(letters(value).isdisjoint(worlds[0].letters) for value in line.values):
         return line
     claims: tuple[Claim, ...] | None = None
     for world in worlds:
@@ -54,7 +54,7 @@ def _only_lists(line: ScriptLine, world: World) -> bool:
     """Whether a line has no words but those of a list."""
     bodies = {name.lower() for name in (*world.walls, *world.start)}
     words = (each.lower() for each in _WORD.findall(line.text) if not _FUNCTION.search(each))
-    return all(each in _LISTING or each in bodies for each in words)
+    return all(word in _LISTING or word in bodies for word in words)
 
 
 def _claims(
@@ -70,7 +70,7 @@ def _claims(
         before, across = (world.scalar(part(x, event - 1)) for x in ("along", "across"))
         after = world.scalar(part("along", event))
         e = world.scalar(Quantity("restitution", (), event))
-        first, second = (world.scalar(each, meanings) for each in values)
+        first, second = (world.scalar(value, meanings) for value in values)
     except RestitutionError:
         return ()
     for one, other, swapped in ((first, second, False), (second, first, True)):

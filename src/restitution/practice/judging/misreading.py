@@ -94,11 +94,11 @@ class _Exchange:
         if not is_dataclass(value) or isinstance(value, type | Find | Show):
             return value
         put: dict[str, Any] = {}
-        for each in fields(value):
-            old = getattr(value, each.name)
-            new = old if each.name == "place" else self.of(old)
+        for field in fields(value):
+            old = getattr(value, field.name)
+            new = old if field.name == "place" else self.of(old)
             if new is not old and new != old:
-                put[each.name] = new
+                put[field.name] = new
         return replace(value, **put) if put else value
 
     def _is_fraction(self, value: Any) -> bool:

@@ -168,14 +168,14 @@ class Names:
         self._altered: dict[tuple[str, int, int, frozenset[str]], World | None] = {}
         self.problem = problem
         events = events_of(problem)
-        self.variants = tuple(each for event in events for each in variants_at(event, events))
+        self.variants = tuple(variant for event in events for variant in variants_at(event, events))
         self._familiar: dict[int, tuple[float, ...]] = {}
         self._varying: dict[int, tuple[Array, ...]] = {}
 
     def explained(self, entry: Entry, judge: JudgedSoFar) -> Explained:
         """What explains a claim that is false."""
         mended = tuple(_mending(entry, judge))
-        parts = {text_of(each.part) for each in mended}
+        parts = {text_of(correction.part) for correction in mended}
         at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
         whole = is_whole_speed(entry, judge.base)
         law = is_law_of_speeds(entry, judge.base)
@@ -184,10 +184,12 @@ class Names:
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
         if is_halved(entry):
-            variants = tuple(each for each in variants if each.mistake != "energy-no-half")
+            variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:
             # Where the law with speeds explains it as well, it tells of the letters.
-            variants = tuple(each for each in variants if each.mistake == "speed-for-component")
+            variants = tuple(
+                variant for variant in variants if variant.mistake == "speed-for-component"
+            )
         plainer = whole or law or (unresolved and not variants)
         slip = _slip(entry, judge, mended)
         uses = judge.uses_of_entry(entry)
@@ -197,23 +199,23 @@ class Names:
         sure = nearest is not None and nearest.change != "figure"
         claim = (nearest.claim, near) if nearest is not None and sure else None
         plain = plainly(entry, judge.base, judge.entries, mended)
-        families = {each.mistake for each in variants}
+        families = {variant.mistake for variant in variants}
         if len(families) > 1 and plain in families:
             # What the line shows by itself decides between laws that give one value.
-            variants = tuple(each for each in variants if each.mistake == plain)
+            variants = tuple(variant for variant in variants if variant.mistake == plain)
         plain = None if variants else plain
         if of_deflection:
             plain = "deflection-is-after"
         if plainer:
             plain = "restitution-whole-speed" if law else "speed-for-component"
-        if variants and all(_is_of_a_whole_speed(each, judge.base) for each in variants):
+        if variants and all(_is_of_a_whole_speed(variant, judge.base) for variant in variants):
             variants, plain = (), "speed-for-component"
-        if variants and all(leaves_out_across(each, judge.base) for each in variants):
+        if variants and all(leaves_out_across(variant, judge.base) for variant in variants):
             variants, plain = (), "across-changed"
         if not variants and not plain and slip == "sign":
             plain = sign_of_a_component(entry, judge.base, mended, near)
             left, right = entry.claim.left, entry.claim.right
-            within = any(each.part not in (left, right) for each in mended)
+            within = any(correction.part not in (left, right) for correction in mended)
             if (
                 isinstance(left, Letter)
                 and is_phrase(left.name)
@@ -223,14 +225,14 @@ class Names:
                 plain = "restitution-sign"
             if is_sum_of_angles(entry) and _is_deflection(entry):
                 plain = "deflection-difference"
-        signs = any(each.change == "sign" for each in mended)
-        signs = signs or any(_replaces(each, "restitution") for each in variants)
+        signs = any(correction.change == "sign" for correction in mended)
+        signs = signs or any(_replaces(variant, "restitution") for variant in variants)
         if not (plain or plainer or signs) and not any(use.principle in _LAWS for use in uses):
             corrected = with_its_coefficient(entry, judge.base, judge.uses_of_entry)
             if corrected is not None:
                 # The number of a datum is another: of what happens nothing is taken wrongly.
                 return Explained(slip="misread", near=corrected[1], mended=corrected)
-        direct = all(is_direct(each.event.number, judge.base) for each in variants)
+        direct = all(is_direct(variant.event.number, judge.base) for variant in variants)
         blow = plain == "mass-omitted" and not is_of_energy(entry)
         impulse = blow or _is_impulse(entry.claim.left, entry)
         return Explained(variants, slip, at, near if idle else (), claim, plain, direct, impulse)
@@ -241,20 +243,20 @@ class Names:
         Of several altered laws those stay that a line below is an instance of too (``confirmed``
         are their ids), and those that contradict no law which is stated rightly.
         """
-        variants = [each for each in explained.variants if each.id in confirmed]
-        plainer = [each for each in explained.variants if _family_of(each) in _PLAINER]
-        speeds = variants and all(_family_of(each) in _OF_SPEEDS for each in variants)
+        variants = [variant for variant in explained.variants if variant.id in confirmed]
+        plainer = [variant for variant in explained.variants if _family_of(variant) in _PLAINER]
+        speeds = variants and all(_family_of(variant) in _OF_SPEEDS for variant in variants)
         if speeds:
             # What the speeds of a direct impact are taken for has a plainer name.
             variants += plainer
         open_ = bool(speeds and plainer) and not explained.direct
         variants = variants or [
-            each for each in explained.variants if not _contradicts(each, stated)
+            variant for variant in explained.variants if not _contradicts(variant, stated)
         ]
         if not variants and {*map(_family_of, explained.variants)} == {"restitution-whole-speed"}:
             variants = list(explained.variants)  # who has the component may take e × speed as well
-        variants.sort(key=lambda each: 0 if each.event.wall else len(each.laws))
-        ids = tuple(dict.fromkeys(each.id for each in variants))
+        variants.sort(key=lambda variant: 0 if variant.event.wall else len(variant.laws))
+        ids = tuple(dict.fromkeys(variant.id for variant in variants))
         families = tuple(dict.fromkeys(map(_family_of, variants)))
         if not families and explained.plain:
             return Mistake(explained.plain, "misconception", at=explained.at)
@@ -263,12 +265,13 @@ class Names:
         wall = variants[0].event.wall
         usual = {**_BEFORE, **(_BEFORE_AT_A_WALL if wall else _BEFORE_OF_SPHERES)}
         before = {
-            each: usual.get(each, set()) | _BEFORE_ACROSS.get(each, set()) for each in families
+            family: usual.get(family, set()) | _BEFORE_ACROSS.get(family, set())
+            for family in families
         }
-        likely = [each for each in families if not set(families) & before[each]]
+        likely = [family for family in families if not set(families) & before[family]]
         name = likely[0] if len(likely) == 1 and not open_ else None
         dull = _OF_SPEEDS if name in _PLAINER else frozenset()
-        also = tuple(each for each in families if each != name and each not in dull)
+        also = tuple(family for family in families if family != name and family not in dull)
         return Mistake(name, "misconception", ids, also, explained.at, sure=not also)
 
     def altered(
@@ -293,39 +296,47 @@ class Names:
         if entry.claim.sign != "=" or entry.claim.others:
             return ()
         altered = {use.altered for use in judge.uses_of_entry(entry)}
-        by_states = [each for each in self.variants if each.id in altered]
+        by_states = [variant for variant in self.variants if variant.id in altered]
         if self._is_of_impulse(entry):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
-            by_states = [each for each in by_states if "impulse" in _kinds(each)]
+            by_states = [state for state in by_states if "impulse" in _kinds(state)]
         if is_coefficient(entry):
-            by_states = [each for each in by_states if _replaces(each, "restitution")]
+            by_states = [state for state in by_states if _replaces(state, "restitution")]
         if is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
-            by_states = [each for each in by_states if _kinds(each) & _OF_ENERGY - {"speed"}]
+            by_states = [state for state in by_states if _kinds(state) & _OF_ENERGY - {"speed"}]
         by_states = list(self._of_masses(entry, by_states))
         quoted = "e" in letters(entry.claim.right)
         known = any(map(has_coefficient, self.problem.events)) or quoted
         if not known and is_speed_by_energies(entry, judge.base):
             # Of a coefficient that is still to be found nobody knows the number.
-            by_states = [each for each in by_states if not _replaces(each, "restitution")]
+            by_states = [state for state in by_states if not _replaces(state, "restitution")]
         if is_sum_of_angles(entry):
-            by_states = [each for each in by_states if _kinds(each) & ANGLES]
-        if by_states and _is_bare(entry) and any(each.change == "figure" for each in mended):
+            by_states = [state for state in by_states if _kinds(state) & ANGLES]
+        if (
+            by_states
+            and _is_bare(entry)
+            and any(correction.change == "figure" for correction in mended)
+        ):
             # A number alone may be another by its figure, but not twice for one reason.
-            return tuple(each for each in by_states if each.id in judge.suspected())
+            return tuple(state for state in by_states if state.id in judge.suspected())
         if by_states:
-            if _is_tangent(entry.claim.left) and any(each.change == "turned" for each in mended):
+            if _is_tangent(entry.claim.left) and any(
+                correction.change == "turned" for correction in mended
+            ):
                 return ()  # a quotient upside down
-            lawful = [each for each in mended if _is_law(each, entry, judge)]
-            return tuple(each for each in by_states if _stands(each, lawful))
+            lawful = [correction for correction in mended if _is_law(correction, entry, judge)]
+            return tuple(state for state in by_states if _stands(state, lawful))
         if is_numeric(entry.claim.left) and is_numeric(entry.claim.right):
             return ()
-        blocking = [each for each in mended if not self._is_familiar(each, entry, judge)]
+        blocking = [
+            correction for correction in mended if not self._is_familiar(correction, entry, judge)
+        ]
         variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
         variants = list(self._of_masses(entry, variants))
         if is_coefficient(entry):
-            variants = [each for each in variants if _replaces(each, "restitution")]
-        return tuple(dict.fromkeys(each for each in variants if _stands(each, blocking)))
+            variants = [variant for variant in variants if _replaces(variant, "restitution")]
+        return tuple(dict.fromkeys(variant for variant in variants if _stands(variant, blocking)))
 
     def _is_of_impulse(self, entry: Entry) -> bool:
         """Whether a side of a claim is an impulse, or one that the question gives."""
@@ -348,18 +359,18 @@ class Names:
         if self._masses.isdisjoint(names):
             return variants
         kept = [
-            each
-            for each in variants
-            if _replaces(each, "momentum") or not _replaces(each, "restitution")
+            variant
+            for variant in variants
+            if _replaces(variant, "momentum") or not _replaces(variant, "restitution")
         ]
         return kept or variants
 
     @cached_property
     def _masses(self) -> frozenset[str]:
         """The letters of masses in the statement."""
-        masses = (each.mass for each in self.problem.spheres)
+        masses = (sphere.mass for sphere in self.problem.spheres)
         return frozenset[str]().union(
-            *(letters(each) for each in masses if isinstance(each, Expression))
+            *(letters(mass) for mass in masses if isinstance(mass, Expression))
         )
 
     @cached_property
@@ -381,7 +392,7 @@ class Names:
         for variant in self.variants:
             for result in variant.results:
                 for world in (judge.base, *judge.students()):
-                    if any(_is_result(each, result, world) for each in forms):
+                    if any(_is_result(form, result, world) for form in forms):
                         yield variant
 
     def _with_given(self, entry: Entry) -> Iterator[Entry]:
@@ -431,7 +442,7 @@ class Names:
         value = float(part.value)
         if in_datum(part, entry, numbers_of(self.problem)):
             return True
-        return any(abs(value - each) <= 0.005 * abs(each) for each in self._values(judge))
+        return any(abs(value - other) <= 0.005 * abs(other) for other in self._values(judge))
 
     def _is_in_a_quantity(self, part: Expression, entry: Entry, judge: JudgedSoFar) -> bool:
         """Whether a number stands in a term, with letters, that a quantity of the story is worth.
@@ -439,19 +450,19 @@ class Names:
         What is right in a line is not where its slip is.
         """
         terms = [
-            each
+            node
             for side in (entry.claim.left, entry.claim.right)
-            for each in walk(side)
-            if each != side and isinstance(each, Binary) and part in walk(each)
+            for node in walk(side)
+            if node != side and isinstance(node, Binary) and part in walk(node)
         ]
         worth = self._sizes(judge.base) if terms else ()
-        return any(is_worth(each, entry, judge.base, worth) for each in terms)
+        return any(is_worth(term, entry, judge.base, worth) for term in terms)
 
     def _sizes(self, world: World) -> tuple[Array, ...]:
         """The sizes of the components and speeds of the story that differ between samples."""
         if world.solution not in self._varying:
             kinds = ("along", "across", "speed")
-            trees = (each.quantity for each in candidates(self.problem, world.part))
+            trees = (candidate.quantity for candidate in candidates(self.problem, world.part))
             spreads = [varying_size(x, world) for x in trees if getattr(x, "kind", "") in kinds]
             self._varying[world.solution] = tuple(x for x in spreads if x is not None)
         return self._varying[world.solution]
@@ -463,15 +474,17 @@ class Names:
             values = [float(value) for value in numbers_of(self.problem)]
             for candidate in candidates(self.problem, world.part):
                 values += numbers_in(world, candidate.quantity)
-            self._familiar[world.solution] = tuple(dict.fromkeys(each for each in values if each))
+            self._familiar[world.solution] = tuple(
+                dict.fromkeys(value for value in values if value)
+            )
         return self._familiar[world.solution]
 
 
 def _is_bare(entry: Entry) -> bool:
     """Whether a claim gives a letter one number: ``-v = -5``."""
     one, other = (
-        each.operand if isinstance(each, Negate) else each
-        for each in (entry.claim.left, entry.claim.right)
+        side.operand if isinstance(side, Negate) else side
+        for side in (entry.claim.left, entry.claim.right)
     )
     return isinstance(one, Letter | Quantity) and isinstance(other, Number)
 
@@ -571,16 +584,16 @@ def _is_of_a_whole_speed(variant: VariantAt, world: World) -> bool:
 
 def _replaces(variant: VariantAt, law: str) -> bool:
     """Whether a variant has another law in place of one."""
-    return any(each.law == law for each in variant.laws)
+    return any(other.law == law for other in variant.laws)
 
 
 def is_sum_of_angles(entry: Entry) -> bool:
     """Whether a claim gives an angle as a sum of angles: no law of an impact is in it."""
     left, right = entry.claim.left, entry.claim.right
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    angle = any(isinstance(each, Quantity) and each.kind in ANGLES for each in walk(meant))
+    angle = any(isinstance(node, Quantity) and node.kind in ANGLES for node in walk(meant))
     sums = isinstance(right, Binary) and right.op in ("+", "-")
-    return angle and sums and not any(isinstance(each, Apply | Letter) for each in walk(right))
+    return angle and sums and not any(isinstance(node, Apply | Letter) for node in walk(right))
 
 
 def _is_deflection(entry: Entry) -> bool:
@@ -671,13 +684,13 @@ def _is_near(entry: Entry, world: World) -> bool:
 
 def _slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
     """The slip that a false claim is, where only one kind of slip explains it."""
-    changes = {each.change for each in mended} - {"square"}
+    changes = {correction.change for correction in mended} - {"square"}
     claim = entry.claim
     if claim.sign != "=":
         return None
     if "radians" in changes:
         return "calculator"
-    if any(_stands_above(each, judge.entries) for each in mended):
+    if any(_stands_above(correction, judge.entries) for correction in mended):
         return "copied"
     if is_numeric(claim.left) and is_numeric(claim.right):
         return "sign" if changes == {"sign"} else "arithmetic"

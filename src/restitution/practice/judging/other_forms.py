@@ -58,8 +58,8 @@ def kind_of(tree: Expression) -> object:
 def are_alike(one: Expression, other: Expression) -> bool:
     """Whether two trees are quantities of one kind; so are energies lost, and sizes of vectors."""
     one, other = (
-        each.argument if isinstance(each, Apply) and each.function == "abs" else each
-        for each in (one, other)
+        tree.argument if isinstance(tree, Apply) and tree.function == "abs" else tree
+        for tree in (one, other)
     )
     kinds = {kind_of(one), kind_of(other)}
     if kinds == {"deflection", "angle"}:
@@ -71,8 +71,8 @@ def is_turn(tree: Expression) -> bool:
     """Whether a quantity is the angle between two directions of one body."""
     if not isinstance(tree, Quantity):
         return False
-    moving = [each for each in tree.arguments if isinstance(each, Quantity)]
-    velocities = len(moving) == 2 and all(each.kind == "velocity" for each in moving)
+    moving = [argument for argument in tree.arguments if isinstance(argument, Quantity)]
+    velocities = len(moving) == 2 and all(quantity.kind == "velocity" for quantity in moving)
     one = velocities and moving[0].arguments == moving[1].arguments
     return tree.kind == "deflection" or (tree.kind == "angle" and one)
 
@@ -84,11 +84,11 @@ def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
     """
     put: dict[Expression, Expression] = {}
     for side in (claim.left, claim.right):
-        for each in walk(side):
-            meant = meanings.get(each.name) if isinstance(each, Letter) else None
+        for node in walk(side):
+            meant = meanings.get(node.name) if isinstance(node, Letter) else None
             if meant is not None and (other := _of_other_nature(meant)) is not None:
-                put[each] = other
-    single: list[dict[Expression, Expression]] = [{each: put[each]} for each in put]
+                put[node] = other
+    single: list[dict[Expression, Expression]] = [{tree: put[tree]} for tree in put]
     for exchange in [put, *(single if len(put) > 1 else [])] if put else []:
         left, right = (exchanged(side, exchange) for side in (claim.left, claim.right))
         yield replace(claim, left=left, right=right)
@@ -119,9 +119,9 @@ def as_vectors(claim: Claim, meanings: Meanings) -> Claim:
 def has_bars(claim: Claim) -> bool:
     """Whether a letter stands between bars, as that of a vector does: ``|v_A| = 2``."""
     return any(
-        isinstance(each, Apply) and each.function == "abs" and isinstance(each.argument, Letter)
+        isinstance(node, Apply) and node.function == "abs" and isinstance(node.argument, Letter)
         for side in (claim.left, claim.right)
-        for each in walk(side)
+        for node in walk(side)
     )
 
 
@@ -152,8 +152,8 @@ def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expr
     for node in walk(side):
         if isinstance(node, Quantity) and node.kind == "dot":
             for vector in node.arguments:
-                for each in senses:
-                    yield Binary("*", Apply("abs", vector), each)
+                for sense in senses:
+                    yield Binary("*", Apply("abs", vector), sense)
 
 
 def times_directions(
@@ -163,13 +163,13 @@ def times_directions(
 
     ``approach = 7`` beside ``line of centres -i + 2j`` counts in √5.
     """
-    if not any(_is_along(each) for each in senses):
+    if not any(_is_along(sense) for sense in senses):
         return
     sizes = dict.fromkeys(vector for claim in claims for vector in _directions_in(claim, world))
     for vector in sizes:
-        for each in senses:
-            if _is_along(each):
-                yield Binary("*", Apply("abs", vector), each)
+        for sense in senses:
+            if _is_along(sense):
+                yield Binary("*", Apply("abs", vector), sense)
 
 
 def _is_along(tree: Expression) -> bool:
@@ -181,19 +181,19 @@ def _directions_in(claim: Claim, world: World) -> Iterator[Expression]:
     """The vectors of a claim, without letters, that are along or across a line of centres."""
     for side in (claim.left, claim.right):
         parts = (
-            each.arguments
-            for each in walk(side)
-            if isinstance(each, Quantity) and each.kind in ("dot", "along", "across")
+            node.arguments
+            for node in walk(side)
+            if isinstance(node, Quantity) and node.kind in ("dot", "along", "across")
         )
-        for each in (side, *chain.from_iterable(parts)):
-            if any(isinstance(node, Letter | Name) for node in walk(each)):
+        for tree in (side, *chain.from_iterable(parts)):
+            if any(isinstance(node, Letter | Name) for node in walk(tree)):
                 continue
             try:
-                value = world.value(each)
+                value = world.value(tree)
             except RestitutionError:
                 continue
             if isinstance(value, Vector) and any(_is_on(value, c) for c in world.lines.values()):
-                yield each
+                yield tree
 
 
 def _is_on(vector: Vector, axis: Vector) -> bool:
@@ -207,7 +207,7 @@ def _is_on(vector: Vector, axis: Vector) -> bool:
 
 def label_in(tree: Expression) -> Letter | None:
     """The phrase that a side is, or has inside as its only letter: ``tan(angle)``."""
-    names = {each for each in walk(tree) if isinstance(each, Letter)}
+    names = {node for node in walk(tree) if isinstance(node, Letter)}
     label = next(iter(names)) if len(names) == 1 else None
     return label if label is not None and is_phrase(label.name) else None
 
@@ -216,7 +216,7 @@ def shares_of_energy(tree: Expression, side: Expression) -> Iterator[Expression]
     """An energy, or a loss of it, as a share of that before: ``KE lost is 3/4``."""
     if not isinstance(tree, Quantity) or not isinstance(tree.stage, int) or tree.arguments:
         return
-    if any(isinstance(each, Letter | Quantity) for each in walk(side)):
+    if any(isinstance(node, Letter | Quantity) for node in walk(side)):
         return
     if tree.kind == "total_energy_lost" or (tree.kind == "energy" and tree.stage > 0):
         yield Binary("/", tree, Quantity("energy", (), 0))
@@ -228,12 +228,12 @@ def by_energies(tree: Expression, meanings: Meanings) -> Iterator[Expression]:
     """An energy lost, or a ratio with energies, by the energies of which it is made."""
     meant = meanings.get(tree.name, tree) if isinstance(tree, Letter) else tree
     losses: dict[Expression, Expression] = {}
-    for each in walk(meant):
-        if isinstance(each, Quantity) and not each.arguments and isinstance(each.stage, int):
-            starts = {"energy_lost": each.stage - 1, "total_energy_lost": 0}
-            if each.kind in starts:
-                before = Quantity("energy", (), starts[each.kind])
-                losses[each] = Binary("-", before, Quantity("energy", (), each.stage))
+    for node in walk(meant):
+        if isinstance(node, Quantity) and not node.arguments and isinstance(node.stage, int):
+            starts = {"energy_lost": node.stage - 1, "total_energy_lost": 0}
+            if node.kind in starts:
+                before = Quantity("energy", (), starts[node.kind])
+                losses[node] = Binary("-", before, Quantity("energy", (), node.stage))
     if isinstance(meant, Binary) and meant.op == "/":
         yield meant
     if losses:
@@ -294,13 +294,13 @@ def by_components(claim: Claim, meanings: Meanings, world: World) -> Iterator[Cl
 def of_components(claim: Claim) -> Iterator[Claim]:
     """A claim whose sides are a number and a multiple of i, or of j, without the vector."""
     sides = claim.left, claim.right
-    units = [{each for each in walk(side) if isinstance(each, Unit)} for side in sides]
+    units = [{node for node in walk(side) if isinstance(node, Unit)} for side in sides]
     if claim.others or sorted(map(len, units)) != [0, 1]:
         return
     (unit,) = units[0] | units[1]
     put: dict[Expression, Expression] = {unit: Number(Fraction(1))}
     left, right = (exchanged(side, put) for side in sides)
-    if not any(isinstance(each, Quantity | Pair) for side in (left, right) for each in walk(side)):
+    if not any(isinstance(node, Quantity | Pair) for side in (left, right) for node in walk(side)):
         yield replace(claim, left=left, right=right)
 
 
@@ -347,7 +347,7 @@ def with_units(claim: Claim, world: World) -> Iterator[Claim]:
     """
     named = isinstance(claim.left, Letter) and is_phrase(claim.left.name)
     squared = isinstance(claim.left, Binary) and claim.left.op == "^"
-    data = {each.name for each in walk(claim.left) if isinstance(each, Letter)}
+    data = {node.name for node in walk(claim.left) if isinstance(node, Letter)}
     worked = isinstance(claim.left, Binary) and data <= world.letters.keys()
     if claim.sign != "=" or claim.others or not (named or squared or worked):
         return
@@ -368,9 +368,9 @@ def with_units(claim: Claim, world: World) -> Iterator[Claim]:
 def after_later_events(tree: Expression, last: int) -> Iterator[Expression]:
     """A quantity after one event as it is after each later one, up to the ``last``."""
     stages = {
-        each.stage
-        for each in walk(tree)
-        if isinstance(each, Quantity) and isinstance(each.stage, int)
+        node.stage
+        for node in walk(tree)
+        if isinstance(node, Quantity) and isinstance(node.stage, int)
     }
     for now in stages if len(stages) == 1 else ():
         for later in range(now + 1, last + 1):

@@ -46,7 +46,7 @@ class OwnNumbers:
     """
 
     def __init__(self, factors: Iterable[Fraction] = ()) -> None:
-        self._factors = (*_FACTORS, *(each for each in factors if each not in _SMALL))
+        self._factors = (*_FACTORS, *(factor for factor in factors if factor not in _SMALL))
         self._known: dict[Fraction, tuple[tuple[Expression, ...], int]] = {}
         self._terms: dict[Expression, tuple[tuple[Expression, ...], int]] = {}
 
@@ -85,7 +85,7 @@ class OwnNumbers:
             return
         own = [size for size in self._known if size in sizes][-_MOST:]
         yield from self._put(claim, {size: (self._known[size][0], (size,)) for size in own})
-        sums = {each: trees for each in sizes if (trees := self._made_of(each))}
+        sums = {size: trees for size in sizes if (trees := self._made_of(size))}
         if sums:
             known = {size: (self._known[size][0], (size,)) for size in own}
             yield from self._put(claim, dict(islice({**sums, **known}.items(), _MOST)))
@@ -131,16 +131,16 @@ class OwnNumbers:
 def _in_meanings(tree: Expression, meanings: Meanings) -> Expression:
     """A tree with what its letters mean in their places."""
     names: dict[Expression, Expression] = {
-        each: meanings[each.name]
-        for each in walk(tree)
-        if isinstance(each, Letter) and each.name in meanings
+        node: meanings[node.name]
+        for node in walk(tree)
+        if isinstance(node, Letter) and node.name in meanings
     }
     return exchanged(tree, names)
 
 
 def _letters_in(tree: Expression) -> int:
     """How many letters stand in a tree."""
-    return sum(isinstance(each, Letter) for each in walk(tree))
+    return sum(isinstance(node, Letter) for node in walk(tree))
 
 
 def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Expression]:

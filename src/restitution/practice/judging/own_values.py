@@ -132,7 +132,7 @@ class OwnValues(Holding):
 
     def suspected(self) -> frozenset[str]:
         """The ids of the altered laws of which false lines above are instances."""
-        return frozenset(each.id for one in self._explained.values() for each in one.variants)
+        return frozenset(variant.id for one in self._explained.values() for variant in one.variants)
 
     def stated(self) -> Stated:
         """The laws that a line above states rightly, each with its event and its bodies."""
@@ -164,7 +164,7 @@ class OwnValues(Holding):
             if world is not None:
                 yield world
         # A quantity wrongly worked out need not be what its components make of it.
-        own = [each for each in entries if not (each.wrong and label_in(each.claim.left))]
+        own = [entry for entry in entries if not (entry.wrong and label_in(entry.claim.left))]
         if own and len(own) < len(entries):
             world = student_world(self._base, own, self.question.unknown, laws_first=facts)
             if world is not None:
@@ -213,7 +213,7 @@ class OwnValues(Holding):
             for place, (above, entry) in enumerate(pairwise(entries))
             if above.right and entry.wrong
         }
-        own = [each for place, each in enumerate(entries) if place not in sources]
+        own = [entry for place, entry in enumerate(entries) if place not in sources]
         return own if len(own) < len(entries) else []
 
     def _broken(self, entries: Sequence[Entry]) -> frozenset[tuple[str, int | None]]:
@@ -299,7 +299,7 @@ class OwnValues(Holding):
             meanings[name] for name in letters(tree) - self._base.letters.keys() if name in meanings
         ]
         known = letters(tree) <= self._base.letters.keys() | meanings.keys()
-        return known and bool(own) and all(self._is_fixed(each) for each in own)
+        return known and bool(own) and all(self._is_fixed(tree) for tree in own)
 
     def _is_fixed(self, meant: Expression) -> bool:
         """Whether a quantity is the same in the student's worlds as in the true one."""
@@ -350,8 +350,8 @@ class OwnValues(Holding):
 
 def _factors_of(problem: Problem) -> Iterator[Fraction]:
     """The masses and coefficients of restitution that a statement gives in numbers."""
-    masses = [each.mass for each in problem.spheres]
-    coefficients = [each.e for each in problem.events if isinstance(each, Impact)]
+    masses = [sphere.mass for sphere in problem.spheres]
+    coefficients = [event.e for event in problem.events if isinstance(event, Impact)]
     for tree in filter(None, (*masses, *coefficients)):
         if (value := worked_out(tree)) is not None:
             yield value

@@ -35,13 +35,13 @@ _OF_ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
 def is_energy_of_difference(entry: Entry, world: World) -> bool:
     """Whether an energy is that of a difference of speeds of one body: ``½m(10 - 4.27)²``."""
     meant = meant_by(entry)
-    kinds = {each.kind for each in walk(meant) if isinstance(each, Quantity)}
+    kinds = {node.kind for node in walk(meant) if isinstance(node, Quantity)}
     if not kinds & _OF_ENERGIES:
         return False
     return any(
         _are_speeds_of_one(left, right, entry, world)
-        for each in walk(entry.claim.right)
-        for left, right in _squared_difference(each)
+        for node in walk(entry.claim.right)
+        for left, right in _squared_difference(node)
     )
 
 
@@ -97,7 +97,7 @@ def is_tangent_inverted(entry: Entry, world: World) -> bool:
     left = entry.claim.left
     if not (isinstance(left, Apply) and left.function == "tan"):
         return False
-    if not any(isinstance(each, Apply) for each in walk(entry.claim.right)):
+    if not any(isinstance(node, Apply) for node in walk(entry.claim.right)):
         return False
     for number, body in _walls_of(world):
         line = Quantity("line_of_centres", (), number)

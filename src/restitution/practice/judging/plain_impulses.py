@@ -78,7 +78,7 @@ def _are_near(own: Expression, wanted: Expression, entry: Entry, world: World) -
 
 def is_impulse_reversed(entry: Entry, world: World) -> bool:
     """Whether a velocity after an impulse is worked out with the impulse in the other sense."""
-    given = (each for tree in trees(world.problem) for each in walk(tree))
+    given = (node for tree in trees(world.problem) for node in walk(tree))
     if not any(isinstance(each, Quantity) and each.kind == "impulse" for each in given):
         return False
     meant = meant_by(entry)

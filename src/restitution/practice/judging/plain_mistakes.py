@@ -65,7 +65,7 @@ def is_worth(tree: Expression, entry: Entry, world: World, sizes: Iterable[Array
         size = np.abs(world.spread(world.scalar(tree, entry.meanings, scope=entry.scope)))
     except RestitutionError:
         return False
-    return any(bool(np.all(np.abs(size - each) <= 0.005 * each)) for each in sizes)
+    return any(bool(np.all(np.abs(size - other) <= 0.005 * other)) for other in sizes)
 
 
 def plainly(
@@ -77,14 +77,14 @@ def plainly(
     name = next((name for shows, name in _SHOWN if shows(entry, world)), None)
     if name is not None:
         return name
-    changes = {each.change for each in mended}
+    changes = {correction.change for correction in mended}
     squares = any(map(_is_square_put, mended)) and changes <= {
         "square",
         "power",
         "figure",
         "factor",
     }
-    above = (each for each in entries if each.claim.left == entry.claim.left)
+    above = (other for other in entries if other.claim.left == entry.claim.left)
     worked = isinstance(entry.claim.right, Binary | Apply)
     if squares and worked and _is_of_squares(entry) and not any(map(is_energetic, above)):
         return "square-not-taken"  # where no line above has squares that may be copied wrongly
@@ -100,8 +100,8 @@ def _is_square_put(correction: Correction) -> bool:
 def _is_other_component(entry: Entry, world: World) -> bool:
     """Whether a component is given that at right angles to it, by a sine or a cosine."""
     if not any(
-        isinstance(each, Apply) and each.function in ("sin", "cos")
-        for each in walk(entry.claim.right)
+        isinstance(node, Apply) and node.function in ("sin", "cos")
+        for node in walk(entry.claim.right)
     ):
         return False  # a number may be one by a slip
     meant = meant_by(entry)
@@ -135,8 +135,8 @@ def _is_without_half(entry: Entry, world: World) -> bool:
 def _is_of_line_energies(entry: Entry, world: World) -> bool:
     """Whether a fact about the energies of spheres is stated of ½mq² along the line alone."""
     sides = entry.claim.left, entry.claim.right
-    whole = [_with_whole_energies(each, entry, world) for each in sides]
-    if all(each is None for each in whole):
+    whole = [_with_whole_energies(side, entry, world) for side in sides]
+    if all(tree is None for tree in whole):
         return False
     left, right = (own or side for own, side in zip(whole, sides, strict=True))
     return holds_in(replace(entry, claim=Claim(left, "=", right)), world)
@@ -221,12 +221,14 @@ def is_momentum_of_speeds(entry: Entry, world: World) -> bool:
         for body, stage in product(spheres, (number - 1, number)):
             mass, speed = Quantity("mass", (Name(body),)), Quantity("speed", (Name(body),), stage)
             part = Quantity("along", (Quantity("velocity", (Name(body),), stage), line))
-            whole, along = (_spread_of(Binary("*", mass, each), world) for each in (speed, part))
+            whole, along = (
+                _spread_of(Binary("*", mass, quantity), world) for quantity in (speed, part)
+            )
             apart = bool(np.all(np.abs(whole - along) > _ROUNDED * whole))
             sizes.append((along, whole) if apart else (along,))
         for terms in terms_of(entry.claim):
-            for chosen in product(*(range(len(each)) for each in sizes)):
-                wanted = [each[n] for each, n in zip(sizes, chosen, strict=True)]
+            for chosen in product(*(range(len(size)) for size in sizes)):
+                wanted = [size[n] for size, n in zip(sizes, chosen, strict=True)]
                 moving = [size for size in wanted if np.all(size > _TINY)]
                 fits = any(chosen) and len(terms) == len(moving) > 2
                 if fits and _are_sizes(terms, moving, entry, world):
@@ -293,7 +295,7 @@ def _is_share_of_line(entry: Entry, world: World) -> bool:
         share = Binary("*", Binary("/", lost, before), Binary("/", along, _TWO))  # type: ignore[arg-type]
         for one, other in permutations((entry.claim.left, entry.claim.right)):
             claims = Claim(lost, "=", one), Claim(share, "=", other)
-            if all(holds_in(replace(entry, claim=each), world) for each in claims):
+            if all(holds_in(replace(entry, claim=claim), world) for claim in claims):
                 return True
     return False
 
@@ -333,7 +335,7 @@ def _of_either_sign(meant: Quantity, tree: Expression) -> tuple[Expression, ...]
 def _bodies_of(meant: Quantity, world: World) -> list[str]:
     """The bodies whose masses multiply a quantity: one, or both that an impulse acts on."""
     if meant.arguments:
-        return [each.name for each in meant.arguments if isinstance(each, Name)]
+        return [argument.name for argument in meant.arguments if isinstance(argument, Name)]
     if meant.kind == "impulse" or len(world.start) == 1:
         return list(world.start)
     return []
@@ -347,7 +349,7 @@ def _is_of_other_masses(entry: Entry, world: World) -> bool:
     number = len(world.events) if meant.stage is None else meant.stage
     if not isinstance(number, int):
         return False
-    named = [each.name for each in meant.arguments if isinstance(each, Name)]
+    named = [argument.name for argument in meant.arguments if isinstance(argument, Name)]
     for _, pair in _pairs_of(world):
         bodies = named or list(pair)
         if not set(bodies) <= set(pair) or len(world.start) > 2:
@@ -478,7 +480,7 @@ def is_direct(number: int, world: World) -> bool:
         return False
     motion = Telling(world, degrees=False)
     spheres = [each for each in (step.first, step.second) if each in world.start]
-    across = (world.spread(motion.velocity(each, number - 1).cross(line)) for each in spheres)
+    across = (world.spread(motion.velocity(sphere, number - 1).cross(line)) for sphere in spheres)
     return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
 
 
@@ -512,9 +514,10 @@ def sign_of_a_component(
     if use is None or use.event is None or use.principle not in _SIGNED:
         return None
     turned = [
-        each.part
-        for each in mended
-        if each.change == "sign" and each.part not in (entry.claim.left, entry.claim.right)
+        correction.part
+        for correction in mended
+        if correction.change == "sign"
+        and correction.part not in (entry.claim.left, entry.claim.right)
     ]
     step = world.events[use.event - 1]
     if not isinstance(step, Impact) or step.second in world.walls:
@@ -566,9 +569,9 @@ def _is_ratio_of_relative_speeds(entry: Entry, world: World) -> bool:
 def is_energetic(entry: Entry) -> bool:
     """Whether a claim speaks of energies, or of squares of speeds."""
     return is_of_energy(entry) or any(
-        isinstance(each, Binary) and each.op == "^" and not isinstance(each.left, Apply)
+        isinstance(node, Binary) and node.op == "^" and not isinstance(node.left, Apply)
         for side in (entry.claim.left, entry.claim.right)
-        for each in walk(side)
+        for node in walk(side)
     )
 
 
@@ -585,8 +588,8 @@ def _is_of_squares(entry: Entry) -> bool:
 def is_of_energy(entry: Entry) -> bool:
     """Whether a letter or a phrase of a claim means an energy, or a ratio of energies."""
     for side in (entry.claim.left, entry.claim.right):
-        for each in walk(side):
-            meant = entry.meanings.get(each.name, each) if isinstance(each, Letter) else each
+        for node in walk(side):
+            meant = entry.meanings.get(node.name, node) if isinstance(node, Letter) else node
             if any(isinstance(part, Quantity) and "energy" in part.kind for part in walk(meant)):
                 return True
     return False

@@ -207,7 +207,9 @@ def _factors(tree: Expression) -> Iterator[Edit]:
 
 def _letters_of(claim: Claim) -> Changes:
     """One letter of a claim written for another."""
-    names = sorted({each.name for side in (claim.left, claim.right) for each in letters_in(side)})
+    names = sorted(
+        {letter.name for side in (claim.left, claim.right) for letter in letters_in(side)}
+    )
 
     def changes(tree: Expression) -> Iterator[Edit]:
         if isinstance(tree, Letter) and " " not in tree.name:
@@ -221,7 +223,7 @@ def _letters_of(claim: Claim) -> Changes:
 
 def letters_in(tree: Expression) -> Iterator[Letter]:
     """The letters of a tree, as they stand."""
-    return (each for each in walk(tree) if isinstance(each, Letter))
+    return (node for node in walk(tree) if isinstance(node, Letter))
 
 
 # --- the calculator in radians ----------------------------------------------------------------
@@ -281,7 +283,7 @@ def read_as_datum(claim: Claim, typed: Fraction, datum: Fraction) -> Claim:
         return tree
 
     left, right, *others = (
-        rebuilt(each, change) for each in (claim.left, claim.right, *claim.others)
+        rebuilt(tree, change) for tree in (claim.left, claim.right, *claim.others)
     )
     return Claim(left, claim.sign, right, tuple(others))
 
@@ -289,8 +291,8 @@ def read_as_datum(claim: Claim, typed: Fraction, datum: Fraction) -> Claim:
 def in_datum(part: Expression, entry: Entry, data: Collection[Fraction]) -> bool:
     """Whether a number stands above or below the line of a fraction of the statement."""
     for side in (entry.claim.left, entry.claim.right):
-        for each in walk(side):
-            match each:
+        for node in walk(side):
+            match node:
                 case Binary("/", Number(above) as a, Number(below) as b):
                     if part in (a, b) and below and above / below in data:
                         return True

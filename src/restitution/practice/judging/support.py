@@ -89,15 +89,15 @@ class Support:
         self, entry: Entry, entries: Sequence[Entry], students: Sequence[World] = ()
     ) -> bool:
         """Whether a true claim is what is printed or asked, and no line above supports it."""
-        wrong = any(each.wrong for each in entries)
+        wrong = any(entry.wrong for entry in entries)
         if not self.is_printed(entry) and not (
-            self.is_asked(entry) and any(_differs(entry, each) for each in entries)
+            self.is_asked(entry) and any(_differs(entry, other) for other in entries)
         ):
             return False
-        right = [each for each in entries if each.right]
+        right = [entry for entry in entries if entry.right]
         if any(self._holds(entry, world) for world in students if wrong):
             return False
-        if any(_gives_angle(each, entry) for each in right):
+        if any(_gives_angle(other, entry) for other in right):
             return False
         if deduced_from(entry, right, self.base, self.data):
             return False
@@ -110,11 +110,11 @@ class Support:
         """Whether a true claim follows from true lines above and from the laws not broken there."""
         if not broken or entry.claim.sign != "=":
             return True
-        right = [each for each in entries if each.right]
+        right = [entry for entry in entries if entry.right]
         key = len(entries), broken
         if self._kept[0] != key:
             world = world_without(self.base, right, broken, self.unknown)
-            met = world is not None and all(self._holds(each, world) for each in right)
+            met = world is not None and all(self._holds(entry, world) for entry in right)
             self._kept = key, world if met else None
         world = self._kept[1]
         return world is None or self._holds(entry, world)

@@ -71,16 +71,16 @@ def supposed_in(
     if not supposed:
         return None
     try:
-        if all(agrees(each, base, meanings, ()) for each in supposed):
+        if all(agrees(claim, base, meanings, ()) for claim in supposed):
             return None
     except RestitutionError:
         return ()
-    claims = [each for each in supposed if each.sign == "="]
+    claims = [claim for claim in supposed if claim.sign == "="]
     if not claims:
         return ()
-    entries = [Entry(line.number, each, meanings, line.scope, right=False) for each in claims]
+    entries = [Entry(line.number, claim, meanings, line.scope, right=False) for claim in claims]
     names = frozenset[str]().union(
-        *(letters(side) for each in claims for side in (each.left, each.right))
+        *(letters(side) for claim in claims for side in (claim.left, claim.right))
     )
     names = names & base.letters.keys()
     follows = bool(names & base.determined)
@@ -98,7 +98,7 @@ def _is_consistent(world: World) -> bool:
     """Whether the laws and what the statement gives hold in a world."""
     with np.errstate(all="ignore"):
         equations = (*facts_of(world), *laws_of(world))
-        return all(np.all(np.abs(each.residual(world)) < _CLOSE) for each in equations)
+        return all(np.all(np.abs(equation.residual(world)) < _CLOSE) for equation in equations)
 
 
 def changes_of_sizes(claim: Claim, line: ScriptLine, world: World) -> Iterator[tuple[Claim, Claim]]:

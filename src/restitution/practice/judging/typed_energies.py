@@ -45,7 +45,7 @@ def given_energies(world: World) -> Iterator[tuple[Quantity, Expression]]:
 def is_halved(entry: Entry) -> bool:
     """Whether every term with a square, or a product, has its ½: none is left out there."""
     sides = entry.claim.left, entry.claim.right
-    terms = [each for side in sides for each in _terms(side) if not isinstance(each, Number)]
+    terms = [term for side in sides for term in _terms(side) if not isinstance(term, Number)]
     return bool(terms) and all(map(has_half, terms))
 
 
@@ -64,18 +64,18 @@ def _terms(tree: Expression) -> Iterator[Expression]:
 def has_half(tree: Expression) -> bool:
     """Whether a factor ½ stands in a tree."""
     halves = (Number(Fraction(1, 2)), Binary("/", Number(Fraction(1)), _TWO))
-    return any(each in halves for each in walk(tree))
+    return any(node in halves for node in walk(tree))
 
 
 def are_energies(entry: Entry) -> bool:
     """Whether either side of a claim has masses or halves, and squares, as energies have."""
     sides = entry.claim.left, entry.claim.right
-    massive = all(has_half(each) or letters(each) & {"m", "M"} for each in sides)
+    massive = all(has_half(side) or letters(side) & {"m", "M"} for side in sides)
     return massive and all(map(has_square, sides))
 
 
 def has_square(tree: Expression) -> bool:
     """Whether something is squared in a tree."""
     return any(
-        isinstance(each, Binary) and each.op == "^" and each.right == _TWO for each in walk(tree)
+        isinstance(node, Binary) and node.op == "^" and node.right == _TWO for node in walk(tree)
     )

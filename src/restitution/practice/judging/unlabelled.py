@@ -47,14 +47,14 @@ class Unlabelled(Following):
         link = Link((Claim(tree, "=", value),), 1, 1, decimals)
         if not self._is_fixed_number(tree) or self._holds(link, last, self.worlds) is not None:
             return None
-        if any(self._is_worth(each, value, link) for each in self._known_of_kind(tree)):
+        if any(self._is_worth(other, value, link) for other in self._known_of_kind(tree)):
             return None
         first = next(line.line for line in lines if self._works_out(line.line, value))
         return first, link, last.number
 
     def _known_of_kind(self, tree: Expression) -> Iterator[Expression]:
         """What numbers on the way to an answer may be: of an energy, energies and parts of them."""
-        known = [each.quantity for each in self.naming.candidates(self._base)]
+        known = [candidate.quantity for candidate in self.naming.candidates(self._base)]
         if not _is_of_energy(tree):
             yield from known
             return
@@ -76,9 +76,9 @@ class Unlabelled(Following):
 
     def _is_worth(self, quantity: Expression, value: Expression, link: Link) -> bool:
         """Whether a number is the size of a quantity, as exactly as it is typed."""
-        claims = (Claim(quantity, "=", each) for each in (value, Negate(value)))
+        claims = (Claim(quantity, "=", tree) for tree in (value, Negate(value)))
         try:
-            return any(agrees(each, self._base, {}, link.decimals) for each in claims)
+            return any(agrees(claim, self._base, {}, link.decimals) for claim in claims)
         except RestitutionError:
             return False
 
@@ -87,8 +87,8 @@ class Unlabelled(Following):
         try:
             worth = float(self._base.scalar(value).flat[0])
             return any(
-                abs(float(self._base.scalar(each).flat[0]) - worth) <= _SAME * abs(worth)
-                for each in _numbers_of(line)
+                abs(float(self._base.scalar(number).flat[0]) - worth) <= _SAME * abs(worth)
+                for number in _numbers_of(line)
             )
         except RestitutionError:
             return False
@@ -107,27 +107,27 @@ def _energy(names: Sequence[str], kind: str, axis: Expression, stage: int) -> Ex
 
 def _is_of_energy(tree: Expression) -> bool:
     """Whether a quantity is an energy, or is worked out from one."""
-    return any(isinstance(each, Quantity) and "energy" in each.kind for each in walk(tree))
+    return any(isinstance(node, Quantity) and "energy" in node.kind for node in walk(tree))
 
 
 def followed(lines: Sequence[JudgedLine], false: JudgedLine, last: int) -> tuple[JudgedLine, ...]:
     """The lines with one of them false, and those down to the last that go on from it."""
     number = false.line.number
-    goes_on = [number < each.line.number <= last and bool(each.line.links) for each in lines]
+    goes_on = [number < line.line.number <= last and bool(line.line.links) for line in lines]
     return tuple(
         false
-        if each.line.number == number
-        else replace(each, verdict="follows", sources=(number,))
+        if line.line.number == number
+        else replace(line, verdict="follows", sources=(number,))
         if follows
-        else each
-        for each, follows in zip(lines, goes_on, strict=True)
+        else line
+        for line, follows in zip(lines, goes_on, strict=True)
     )
 
 
 def _numbers_of(line: ScriptLine) -> Iterator[Expression]:
     """The sides of a line, and its values, that are of numbers alone."""
     sides = (s for link in line.links for s in (link.readings[0].left, link.readings[0].right))
-    yield from (each for each in (*sides, *line.values) if is_numeric(each))
+    yield from (tree for tree in (*sides, *line.values) if is_numeric(tree))
 
 
 def _value_of(line: ScriptLine) -> Expression | None:
@@ -139,5 +139,5 @@ def _value_of(line: ScriptLine) -> Expression | None:
         return None
     if any(link.readings[0].sign != "=" for link in line.links):
         return None
-    worked = (each for each in (*sides, *line.values) if isinstance(each, Binary))
+    worked = (tree for tree in (*sides, *line.values) if isinstance(tree, Binary))
     return next(worked, None)

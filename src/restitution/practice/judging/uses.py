@@ -35,7 +35,9 @@ def as_labelled(variants: Sequence[VariantAt], text: str) -> tuple[VariantAt, ..
     """The altered laws of a line, those of the law that it names if there are some: ``CLM: …``."""
     named = [law for law, pattern in _NAMES.items() if pattern.search(text)]
     own = tuple(
-        each for each in variants if len(named) == 1 and any(x.law == named[0] for x in each.laws)
+        variant
+        for variant in variants
+        if len(named) == 1 and any(x.law == named[0] for x in variant.laws)
     )
     return own or tuple(variants)
 

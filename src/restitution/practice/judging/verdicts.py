@@ -282,7 +282,7 @@ class Judge(Unlabelled):
         return JudgedLine(
             line,
             verdict,
-            accuracy=next((each for each in GRADES if each in accuracies), None)
+            accuracy=next((grade for grade in GRADES if grade in accuracies), None)
             if verdict in ("true", "follows")
             else None,
             uses=uses,
@@ -325,8 +325,8 @@ class Judge(Unlabelled):
         if speaks_of_an_extreme(line) and not self.question.extreme:
             return True
         unequal = any(claim.sign != "=" for claim in line.supposed)
-        cases = [each for each in line.links if each.supposed and not self._misquoted(line, each)]
-        if any(self._supposing(line, each) == () for each in cases):
+        cases = [link for link in line.links if link.supposed and not self._misquoted(line, link)]
+        if any(self._supposing(line, case) == () for case in cases):
             return True
         worlds = self._supposing(line)
         return worlds == () or (unequal and worlds is not None)
@@ -362,7 +362,7 @@ class Judge(Unlabelled):
         )
         for verdict, world in chain(true, own):
             for pair in changes_of_sizes(claim, line, world):
-                first, second = (self.accuracy(each, world, line, link) for each in pair)
+                first, second = (self.accuracy(claim, world, line, link) for claim in pair)
                 if first is not None and second is not None:
                     return JudgedLink(verdict, claim, second)
         return None
@@ -412,7 +412,9 @@ class Judge(Unlabelled):
     def _explain(self, number: int, explained: Explained) -> None:
         """Keep what explains a false line; altered laws of which two lines are instances stand."""
         for other, earlier in self._explained.items():
-            same = {each.id for each in earlier.variants} & {each.id for each in explained.variants}
+            same = {variant.id for variant in earlier.variants} & {
+                variant.id for variant in explained.variants
+            }
             for line in (other, number) if same else ():
                 self._confirmed.setdefault(line, set()).update(same)
         self._explained[number] = explained
@@ -472,7 +474,7 @@ class Judge(Unlabelled):
         known = self._base.letters.keys()
         for place in range(len(judged) - 1):
             before, behind = line.links[place : place + 2]
-            verdicts = {each.verdict for each in judged[place : place + 2]}
+            verdicts = {link.verdict for link in judged[place : place + 2]}
             if verdicts <= {"true", "follows"} or not is_quoted(before, behind, known):
                 continue
             other = self._link(line, beyond_formula(before, behind))
@@ -487,7 +489,7 @@ class Judge(Unlabelled):
         if len(judged) < 2 or speaks_of_an_extreme(line):
             return None
         opening = [
-            self._letter_of_case(each.claim) if each.verdict == "false" else None for each in judged
+            self._letter_of_case(link.claim) if link.verdict == "false" else None for link in judged
         ]
         held: dict[int, JudgedLink] = {}
         for place, inside in cases_in(opening, line):
@@ -495,9 +497,9 @@ class Judge(Unlabelled):
             meanings = self.meanings(line.number)
             worlds = supposed_in((case,), line, self._base, meanings, self.question.unknown) or ()
             held[place] = JudgedLink("true", case, "exact")
-            for each in inside:
-                if (holding := self._holds(line.links[each], line, worlds)) is not None:
-                    held[each] = JudgedLink("true", holding[1], holding[0])
+            for number in inside:
+                if (holding := self._holds(line.links[number], line, worlds)) is not None:
+                    held[number] = JudgedLink("true", holding[1], holding[0])
         return [held[place] for place in sorted(held)] if len(held) == len(judged) else None
 
     def _letter_of_case(self, claim: Claim) -> str | None:
@@ -507,7 +509,7 @@ class Judge(Unlabelled):
                 own = self._base.letters.get(name)
             case _:
                 return None
-        asked = any(each == Letter(name) for each, _ in self.question.wanted.asked)
+        asked = any(tree == Letter(name) for tree, _ in self.question.wanted.asked)
         if own is None or (asked and name in self._base.determined):
             return None
         return name if np.ptp(self._base.spread(own)) > 0 else None
@@ -536,7 +538,7 @@ class Judge(Unlabelled):
         first = before[start].claim.left
         if not isinstance(first, Letter | Quantity):
             return None
-        readings = tuple(dict.fromkeys(replace(each, left=first) for each in link.readings))
+        readings = tuple(dict.fromkeys(replace(reading, left=first) for reading in link.readings))
         other = self._link(line, replace(link, readings=readings))
         return None if other.verdict in ("unread", "false") else other
 
@@ -571,7 +573,7 @@ class Judge(Unlabelled):
             students = self.students() if self.wrong else ()
             if len(line.links) == 1 and self._is_without_support(entry, students):
                 verdict = "unsupported"
-            firm = [each for each in self.entries if each.number not in self._groundless]
+            firm = [entry for entry in self.entries if entry.number not in self._groundless]
             grounded = self._support.is_grounded(entry, firm, self._forgone())
             his_own = False
             if not grounded:
@@ -627,8 +629,12 @@ class Judge(Unlabelled):
         }
         forms = (
             x
-            for each in link.readings
-            for x in (each, *of_natures(each, named), *of_vectors(each, meanings, self._base))
+            for reading in link.readings
+            for x in (
+                reading,
+                *of_natures(reading, named),
+                *of_vectors(reading, meanings, self._base),
+            )
         )
         for claim in chain(forms, self._in_all_meanings(link, line)):
             try:
@@ -669,7 +675,7 @@ class Judge(Unlabelled):
             later = after_later_events(own, event) if own is not None and again else ()
             return replace(claim, left=next(reversed(list(later)), claim.left))
         meant = self._meanings_of(claim.left.name, event)
-        same = tuple(each for each in meant if own is None or kind_of(each) == kind_of(own))
+        same = tuple(tree for tree in meant if own is None or kind_of(tree) == kind_of(own))
         return claim if own in meant or not same else replace(claim, left=same[0])
 
     # --- laws -------------------------------------------------------------------------------------

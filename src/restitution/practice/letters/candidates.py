@@ -127,7 +127,7 @@ def _all(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:
 
 def _of_places(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]:
     """Where bodies are at the events, if the statement says where they start."""
-    for sphere in problem.spheres if any(each.position for each in problem.spheres) else ():
+    for sphere in problem.spheres if any(sphere.position for sphere in problem.spheres) else ():
         for number, event in enumerate(events, 1):
             if sphere.name not in bodies_of(event):
                 continue
@@ -164,7 +164,7 @@ def before_event(tree: Expression) -> Expression:
         case Quantity("velocity", arguments, int(stage)):
             return Quantity("velocity", arguments, stage - 1)
         case Quantity(kind, arguments, own):
-            return Quantity(kind, tuple(before_event(each) for each in arguments), own)
+            return Quantity(kind, tuple(before_event(argument) for argument in arguments), own)
     return tree
 
 
@@ -316,7 +316,7 @@ def _of_impact(
         tangent = Apply("tan", angle)
         yield Candidate(tangent, "tangent", "scalar", None, number, cost=0.4)
     if len(spheres) == 2:
-        moving = {each.name for each in problem.spheres if each.velocity is not None}
+        moving = {sphere.name for sphere in problem.spheres if sphere.velocity is not None}
         for stage, start in ((number, False), (number - 1, number == 1)):
             first, second = (velocity(body, stage) for body in spheres)
             between = Quantity("angle", (first, second))
@@ -399,7 +399,7 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
 
 def is_odd(letter: str, quantity: Expression) -> bool:
     """Whether nobody would take a letter for a quantity by its look: T for a tangent."""
-    kinds = {_KINDS.get(each.kind) for each in walk(quantity) if isinstance(each, Quantity)}
+    kinds = {_KINDS.get(node.kind) for node in walk(quantity) if isinstance(node, Quantity)}
     tangent = isinstance(quantity, Apply) and quantity.function == "tan"
     known = "tangent" if tangent else next((each for each in _ORDER if each in kinds), None)
     usual = kinds_of(letter, False)

@@ -148,7 +148,7 @@ def _searched(
         if (
             broken is not None
             and item.fresh
-            and not all(number in each.satisfied for each in extended)
+            and not all(number in state.satisfied for state in extended)
         ):
             extended += _breaking(states, number, item, slots, broken(item, slots))
         states = _pruned(extended, width)
@@ -447,7 +447,7 @@ def _truth(item: Item, put: Mapping[str, Value], tester: Tester) -> Array | None
 
 def _by_fineness(decimals: Sequence[Decimal]) -> Iterator[tuple[Sequence[Decimal], float]]:
     """The decimals that may be rounded, with what a line is worth that holds by these alone."""
-    fine = [each for each in decimals if each.figures >= _FIGURES]
+    fine = [decimal for decimal in decimals if decimal.figures >= _FIGURES]
     yield fine, 1.0
     if len(fine) < len(decimals):
         yield decimals, _COARSE
@@ -568,12 +568,12 @@ def _worth(item: Item, options: Sequence[int], slots: Sequence[Slot]) -> float:
     means = {name: slots[s].options[options[s]] for name, s in item.slots.items()}
     defined = [
         name
-        for name, each in means.items()
-        if each.kind == "definition" and not (is_phrase(name) and each.nature == "vector")
+        for name, candidate in means.items()
+        if candidate.kind == "definition" and not (is_phrase(name) and candidate.nature == "vector")
     ]
     if defined and len(means) == 1:
-        return _STARTED if any(each.start for each in means.values()) else _DEFINED
-    if len(means) == 1 and all(each.unchanged for each in means.values()) and _adds(item):
+        return _STARTED if any(candidate.start for candidate in means.values()) else _DEFINED
+    if len(means) == 1 and all(candidate.unchanged for candidate in means.values()) and _adds(item):
         return _STARTED * item.weight  # what stays nobody works out by a difference
     return item.weight * _naturalness(item, means)
 
@@ -582,10 +582,10 @@ def _adds(item: Item) -> bool:
     """Whether an item gives its letter the value of a sum, or of a difference."""
     sides = (item.readings[0].left, item.readings[0].right)
     return any(
-        isinstance(each, Binary) and each.op in "+-"
+        isinstance(node, Binary) and node.op in "+-"
         for side in sides
         if letters(side).isdisjoint(item.slots)
-        for each in walk(side)
+        for node in walk(side)
     )
 
 

@@ -94,7 +94,7 @@ class Instances:
             s: shaped(slots[s].values_of(self.tester, own), None, len(chosen), axis)
             for axis, (s, own) in enumerate(zip(chosen, places, strict=True))
         }
-        total = np.zeros([len(each) for each in places], dtype=bool)
+        total = np.zeros([len(place) for place in places], dtype=bool)
         for held in self._held(item, values, self.tester, total.shape):
             blocks = held.reshape(*total.shape, -1, self.states.rows)[..., 1:, :]
             instance = np.all(blocks | ~self.valid, axis=-1) & (self.valid.sum(axis=-1) >= 3)
@@ -119,7 +119,7 @@ class Instances:
             for name, slot in item.slots.items()
             if slot == s
         }
-        total = np.zeros([len(each) for each in places], dtype=bool)
+        total = np.zeros([len(place) for place in places], dtype=bool)
         whole = (*total.shape, self.tester.world.samples)
         for event, claim in readings:
             held = self.tester.holds(claim, put, item.decimals, item.frame)
@@ -170,7 +170,7 @@ class Instances:
         )
 
     def _fits(self, places: Sequence[Sequence[int]], tester: Tester) -> bool:
-        size = int(np.prod([len(each) for each in places]))
+        size = int(np.prod([len(place) for place in places]))
         return 0 < size * tester.world.samples <= _ROOM
 
     def _held(
@@ -206,7 +206,7 @@ class Instances:
             places.append(own)
         if not self._fits(places, self.true):
             return []
-        total = np.zeros([len(each) for each in places], dtype=bool)
+        total = np.zeros([len(place) for place in places], dtype=bool)
         for held in self._held(item, values, self.true, total.shape):
             total |= everywhere(held)
         return _chosen(total, places)

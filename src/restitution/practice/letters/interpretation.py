@@ -38,7 +38,7 @@ class Interpretation:
     def at(self, number: int) -> Mapping[str, Meaning]:
         """The meanings in force in a line; letters of the statement are not among them."""
         force: dict[str, Meaning] = {}
-        for meaning in sorted(self.meanings, key=lambda each: each.since):
+        for meaning in sorted(self.meanings, key=lambda meaning: meaning.since):
             if meaning.since <= number or meaning.letter not in force:
                 force[meaning.letter] = meaning
         return force
@@ -50,9 +50,9 @@ class Interpretation:
     def fixed(self, number: int) -> Mapping[str, Fraction]:
         """The letters of the statement that have one value in a line."""
         return {
-            each.letter: each.value
-            for each in self.fixed_letters
-            if each.first <= number and (each.last is None or number <= each.last)
+            letter.letter: letter.value
+            for letter in self.fixed_letters
+            if letter.first <= number and (letter.last is None or number <= letter.last)
         }
 
 

@@ -112,9 +112,13 @@ def meanings_of(
         interpretations += _interpretations(own, surroundings, declared or {})
     if not interpretations:
         return Interpretations(Interpretation())
-    interpretations.sort(key=lambda each: -each.score)
+    interpretations.sort(key=lambda interpretation: -interpretation.score)
     best = interpretations[0]
-    rivals = [each for each in interpretations[1:] if each.score >= best.score - NEARLY]
+    rivals = [
+        interpretation
+        for interpretation in interpretations[1:]
+        if interpretation.score >= best.score - NEARLY
+    ]
     return Interpretations(best, tuple(_distinct(best, rivals))[:_RIVALS])
 
 
@@ -122,21 +126,21 @@ def _distinct(best: Interpretation, rivals: Iterable[Interpretation]) -> Iterato
     """Rivals once each, before others those in which a letter has a meaning that is new."""
     seen, known = {_signature(best)}, set(_signature(best))
     late: list[Interpretation] = []
-    for each in rivals:
-        signature = _signature(each)
+    for interpretation in rivals:
+        signature = _signature(interpretation)
         if signature in seen:
             continue
         seen.add(signature)
         if signature <= known:
-            late.append(each)
+            late.append(interpretation)
         else:
             known |= signature
-            yield each
+            yield interpretation
     yield from late
 
 
-def _signature(each: Interpretation) -> frozenset[Hashable]:
-    return frozenset((m.letter, m.quantity, m.since) for m in each.meanings)
+def _signature(interpretation: Interpretation) -> frozenset[Hashable]:
+    return frozenset((m.letter, m.quantity, m.since) for m in interpretation.meanings)
 
 
 # --- one world ------------------------------------------------------------------------------------
@@ -151,8 +155,12 @@ def _interpretations(
         interpretations += search_.interpretations(search_.headings)
     else:
         interpretations += search_.reused()
-    interpretations.sort(key=lambda each: -each.score)
-    return [each for each in interpretations if each.score >= interpretations[0].score - NEARLY]
+    interpretations.sort(key=lambda interpretation: -interpretation.score)
+    return [
+        interpretation
+        for interpretation in interpretations
+        if interpretation.score >= interpretations[0].score - NEARLY
+    ]
 
 
 @dataclass(frozen=True)
@@ -212,9 +220,9 @@ class _Search(LettersOfLines):
 
     def _options(self, name: str, line: ScriptLine, segment: int) -> list[Candidate]:
         around, scope = self.around, line.scope
-        named = [each for each in self.declared if each.letter == name]
+        named = [letter for letter in self.declared if letter.letter == name]
         if named:
-            latest = [each for each in named if each.since <= line.number] or named
+            latest = [letter for letter in named if letter.since <= line.number] or named
             return list(of_trees(latest[-1].trees))
         phrase = around.phrase(name, scope.event)
         if phrase:
@@ -231,16 +239,22 @@ class _Search(LettersOfLines):
         chosen = list(options(usage, around.candidates, around.problem))
         components = self._components(name)
         chosen = [
-            replace(each, cost=each.cost - _NAMED) if each.quantity in components else each
-            for each in chosen
+            replace(candidate, cost=candidate.cost - _NAMED)
+            if candidate.quantity in components
+            else candidate
+            for candidate in chosen
         ]
-        known = {each.quantity for each in chosen}
-        multiples_ = [each for each in components if each not in known and _is_multiple(each)]
-        chosen += [Candidate(each, "component", "scalar", cost=-_NAMED) for each in multiples_]
+        known = {candidate.quantity for candidate in chosen}
+        multiples_ = [
+            component
+            for component in components
+            if component not in known and _is_multiple(component)
+        ]
+        chosen += [Candidate(tree, "component", "scalar", cost=-_NAMED) for tree in multiples_]
         if name in self.turned_speeds:
-            chosen = [each for each in chosen if not around.is_a_part(each)]
+            chosen = [candidate for candidate in chosen if not around.is_a_part(candidate)]
         if self._points(name):
-            chosen = [each for each in chosen if each.nature == "vector"]
+            chosen = [candidate for candidate in chosen if candidate.nature == "vector"]
         chosen += list(scaled(chosen, self.directions))
         if name in self.multipliers:
             chosen += multiples(around.candidates, self.multipliers[name], around.problem)
@@ -264,7 +278,7 @@ class _Search(LettersOfLines):
     def _other_way(self, name: str, trees: Sequence[Expression]) -> Sequence[Expression]:
         """The meanings of *perp* that are not along the line, in a script that names both ways."""
         words = set(name.split())
-        others = [set(each.split()) for each in self.phrases if each != name]
+        others = [set(phrase.split()) for phrase in self.phrases if phrase != name]
         if self.around.problem.walls or not words & _PERPENDICULAR or words & _ALONG:
             return trees
         if not any(each & _ALONG and not each & _PERPENDICULAR for each in others):
@@ -295,10 +309,10 @@ class _Search(LettersOfLines):
                     items.append(self._item(link, line, used))
         items = self._weighed(items)
         typed = len(items)
-        for each in self.named:
-            segment = sum(one.line <= each.line.number for one in breaks)
-            if (each.letter, segment) in places:
-                items.append(self._shown(each, places[each.letter, segment]))
+        for component in self.named:
+            segment = sum(one.line <= component.line.number for one in breaks)
+            if (component.letter, segment) in places:
+                items.append(self._shown(component, places[component.letter, segment]))
         states = search(items, slots, self.around.tester, self.around.broken)
         interpretations = []
         for state in states[: 2 * _RIVALS]:
@@ -322,8 +336,8 @@ class _Search(LettersOfLines):
 
     def _components(self, name: str) -> list[Expression]:
         """The components that vectors show a letter to be."""
-        own = (each for each in self.named if each.letter == name)
-        return [self.around.staged(each.component, each.line.scope) for each in own]
+        own = (component for component in self.named if component.letter == name)
+        return [self.around.staged(component.component, component.line.scope) for component in own]
 
     def _is_own(self, name: str) -> bool:
         """Whether a name is a letter of the student's own."""
@@ -368,7 +382,7 @@ class _Search(LettersOfLines):
         of momentum come before all others: a value above them may be wrong.
         """
         dependence = Dependence(self.around.tester, self.angular)
-        for item in sorted(items, key=lambda each: not _is_momentum(each)):
+        for item in sorted(items, key=lambda item: not _is_momentum(item)):
             key = item.line, item.readings
             if key not in self.relations:
                 names = {name: f"{name} 0" for name in item.slots}
@@ -391,15 +405,15 @@ class _Search(LettersOfLines):
     ) -> Interpretation:
         meanings = [
             Meaning(
-                each.letter,
-                each.trees[0],
-                each.words or self._words(each.trees[0]),
+                letter.letter,
+                letter.trees[0],
+                letter.words or self._words(letter.trees[0]),
                 "declared",
-                each.scope,
-                each.since,
+                letter.scope,
+                letter.since,
             )
-            for each in self.declared
-            if len(each.trees) == 1
+            for letter in self.declared
+            if len(letter.trees) == 1
         ]
         unknown: set[str] = set()
         other_shape = any(
@@ -411,7 +425,7 @@ class _Search(LettersOfLines):
         score = state.score
         for option, slot, (name, line) in zip(state.options, slots, firsts, strict=True):
             since = line.number if slot.segment else 0
-            if option >= 0 or any(each.letter == name for each in self.declared):
+            if option >= 0 or any(letter.letter == name for letter in self.declared):
                 chosen: Candidate | None = slot.options[max(option, 0)]
             else:
                 chosen = self.usual(name, line.scope)
@@ -433,7 +447,7 @@ class _Search(LettersOfLines):
         return Interpretation(tuple(meanings), score, frozenset(unknown - known), self.fixed)
 
     def _by(self, name: str, chosen: Candidate, option: int, scope: Scope) -> By:
-        if any(each.letter == name for each in self.declared):
+        if any(letter.letter == name for letter in self.declared):
             return "declared"
         if option < 0 or self.around.phrase(name):
             return "default"
@@ -468,7 +482,7 @@ class _Search(LettersOfLines):
                     one = _Break(number, _BREAK, _ALONE)
                     new = self.interpretations(sorted((*breaks, one), key=lambda b: b.line))
                     interpretations += new
-                    score = max((each.score for each in new), default=0.0)
+                    score = max((interpretation.score for interpretation in new), default=0.0)
                     tried.append((score, one, set(self.failing)))
             if not tried:
                 break

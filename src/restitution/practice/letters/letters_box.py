@@ -68,7 +68,7 @@ def letters_box(
 
 def _rows(problem: Problem, part: Part, letters_model: Model) -> Iterator[BoxRow]:
     taken = set(letters_of(problem, part)) | {
-        each.symbol.name for each in letters_model.components.values()
+        component.symbol.name for component in letters_model.components.values()
     }
     events = [n for n, step in enumerate(letters_model.story.happenings, 1)]
     for (number, body), component in letters_model.components.items():

@@ -62,7 +62,9 @@ class LettersOfLines:
             links = [(link, self._open(link, line.number)) for link in line.links]
             self.items[line.number] = [(link, names) for link, names in links if names]
         self.certain = {
-            each.letter: each for each in declared if len(each.trees) == 1 and not each.since
+            letter.letter: letter
+            for letter in declared
+            if len(letter.trees) == 1 and not letter.since
         }
         self.defined: set[str] = set()
         self.definitions = dict(self._definitions())
@@ -90,9 +92,9 @@ class LettersOfLines:
     def meanings(self, number: int) -> dict[str, Expression]:
         """The trees of letters whose declaration is certain, in a line."""
         force: dict[str, Expression] = {}
-        for each in sorted(self.declared, key=lambda each: each.since):
-            if each.since <= number and len(each.trees) == 1:
-                force[each.letter] = each.trees[0]
+        for letter in sorted(self.declared, key=lambda letter: letter.since):
+            if letter.since <= number and len(letter.trees) == 1:
+                force[letter.letter] = letter.trees[0]
         return force
 
     def _open(self, link: Link, number: int) -> frozenset[str]:
@@ -158,7 +160,7 @@ class LettersOfLines:
         """The letters of a scalar product of which one stands alone and is a direction."""
         if not isinstance(tree, Quantity) or tree.kind != "dot":
             return frozenset()
-        alone = {each.name for each in tree.arguments if isinstance(each, Letter)}
+        alone = {argument.name for argument in tree.arguments if isinstance(argument, Letter)}
         named = any(is_direction(name) and name not in self.around.letters for name in alone)
         return frozenset(alone) if named else frozenset()
 
@@ -188,7 +190,7 @@ class LettersOfLines:
             return False
         if name not in self.definitions:
             return name in self.vectors
-        if base in "wW" and any(each.position for each in self.around.problem.spheres):
+        if base in "wW" and any(sphere.position for sphere in self.around.problem.spheres):
             return False  # it may be a place
         number, tree = self.definitions[name]
         value = self.around.tester.value(tree, {}, Frame(None, self.meanings(number)))
@@ -235,18 +237,28 @@ class LettersOfLines:
         if phrase:
             meant = list(of_trees([self.around.staged(tree, scope) for tree in phrase]))
             if name in self.vector_phrases:
-                meant = [each for each in meant if each.nature == "vector"] or meant
+                meant = [candidate for candidate in meant if candidate.nature == "vector"] or meant
             return meant[0]
         if self._is_velocity(name):
-            moving = [each for each in self.around.candidates if each.kind == "velocity"]
-            after = [each for each in moving if each.event and scope.event in (None, each.event)]
+            moving = [
+                candidate for candidate in self.around.candidates if candidate.kind == "velocity"
+            ]
+            after = [
+                candidate
+                for candidate in moving
+                if candidate.event and scope.event in (None, candidate.event)
+            ]
             changed = [x for x in after if isinstance(self._event_of(x), Impact | Kick)]
             after = changed or after  # where a body only arrives, it moves as before
             if earlier(name):
-                after = [each for each in moving if each.event == 0]
-            own = [each for each in after if each.body == suffix(name)]
+                after = [candidate for candidate in moving if candidate.event == 0]
+            own = [candidate for candidate in after if candidate.body == suffix(name)]
             if not own:
-                own = [each for each in after if each.event == self._event_numbered(name)]
+                own = [
+                    candidate
+                    for candidate in after
+                    if candidate.event == self._event_numbered(name)
+                ]
                 own = own if len(own) == 1 else []
             if not own and len(after) > 1:
                 own = self._asked_velocities(after)
@@ -266,7 +278,7 @@ class LettersOfLines:
 
         Behind several impacts nobody knows of which a letter speaks.
         """
-        impacts = sum(isinstance(each, Impact) for each in self.around.events)
+        impacts = sum(isinstance(event, Impact) for event in self.around.events)
         asked = [each for each in self.around.asked if isinstance(each, Quantity)]
         stages = {(x.arguments[0], x.stage) for x in asked if x.kind in ("velocity", "speed")}
         own = [x for x in after if (Name(x.body or ""), x.event) in stages]
@@ -281,10 +293,12 @@ class LettersOfLines:
         numbers = [n for n, e in enumerate(self.around.events, 1) if isinstance(e, Impact)]
         wanted = {scope.event} if scope.event is not None else set(numbers)
         own = [
-            each
-            for each in self.around.candidates
-            if each.kind == "impulse" and each.nature == "vector" and each.event in wanted
-            if suffix(name) in ("", each.body)
+            candidate
+            for candidate in self.around.candidates
+            if candidate.kind == "impulse"
+            and candidate.nature == "vector"
+            and candidate.event in wanted
+            if suffix(name) in ("", candidate.body)
         ]
         return own[0] if len(own) == 1 else None
 
@@ -296,8 +310,10 @@ class LettersOfLines:
         """
         if name not in _VELOCITIES or not self._is_of_squares_alone(name):
             return None
-        asked = [each for each in self.around.candidates if each.asked]
-        speeds = [each for each in asked if getattr(each.quantity, "kind", "") == "speed"]
+        asked = [candidate for candidate in self.around.candidates if candidate.asked]
+        speeds = [
+            candidate for candidate in asked if getattr(candidate.quantity, "kind", "") == "speed"
+        ]
         return speeds[0] if len(speeds) == 1 else None
 
     def _is_of_squares_alone(self, name: str) -> bool:
@@ -311,17 +327,19 @@ class LettersOfLines:
         if name.partition("_")[0] not in ("v", "V") or not self._is_of_squares_alone(name):
             return None
         own = [
-            each
-            for each in self.around.candidates
-            if each.kind == "speed" and each.event and each.body == suffix(name)
-            if scope.event in (None, each.event)
+            candidate
+            for candidate in self.around.candidates
+            if candidate.kind == "speed" and candidate.event and candidate.body == suffix(name)
+            if scope.event in (None, candidate.event)
         ]
-        return max(own, key=lambda each: each.event or 0, default=None)
+        return max(own, key=lambda candidate: candidate.event or 0, default=None)
 
     def _by_shape(self, name: str) -> Candidate | None:
         """The component that a letter is by the shapes of two laws, right or wrong."""
         quantity = self.shapes.get(name)
-        alike = (each for each in self.around.candidates if each.quantity == quantity)
+        alike = (
+            candidate for candidate in self.around.candidates if candidate.quantity == quantity
+        )
         return None if quantity is None else next(alike, None)
 
     @cached_property
@@ -348,7 +366,9 @@ class LettersOfLines:
         events = len(self.around.events)
         number = scope.event or (events if events == 1 else None)
         after = [
-            each for each in self.around.candidates if each.kind == "speed" and each.event == number
+            candidate
+            for candidate in self.around.candidates
+            if candidate.kind == "speed" and candidate.event == number
         ]
         return after[0] if len(after) == 1 and number else None
 

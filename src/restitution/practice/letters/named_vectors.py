@@ -133,9 +133,9 @@ def vector_letters(
     samples = tester.world.samples
     number, vector = np.ones(samples), Vector(np.ones(samples), 2 * np.ones(samples))
     sides = claim.left, claim.right
-    alone = {each.name for each in sides if isinstance(each, Letter)}
+    alone = {side.name for side in sides if isinstance(side, Letter)}
     for name in names if len(names) == 1 else names & alone:
-        others = {each: vector if each in known else number for each in names - {name}}
+        others = {other: vector if other in known else number for other in names - {name}}
         as_number, as_vector = (
             [
                 isinstance(tester.value(side, {**others, name: value}, frame), Vector)
@@ -171,11 +171,11 @@ def _component(meant: Candidate, axis: Unit, problem: Problem) -> Expression | N
         return None
     (body,) = velocity.arguments
     assert isinstance(body, Name)
-    walls = {each.name for each in problem.walls}
+    walls = {wall.name for wall in problem.walls}
     impacts = [
-        each
-        for each in problem.events
-        if isinstance(each, Impact) and body.name in (each.first, each.second)
+        event
+        for event in problem.events
+        if isinstance(event, Impact) and body.name in (event.first, event.second)
     ]
-    free = any(each.second in walls or each.along in (None, axis) for each in impacts)
+    free = any(impact.second in walls or impact.along in (None, axis) for impact in impacts)
     return Quantity("along", (velocity, axis)) if free else None

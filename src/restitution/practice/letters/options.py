@@ -58,27 +58,29 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
     """The candidates of a letter, with what each costs for it."""
     candidates = tuple(candidates)
     kinds: tuple[Kind, ...] = kinds_of(usage.letter, usage.in_angle)
-    if kinds[0] == "time" and any(each.kind == "time" and each.asked for each in candidates):
+    if kinds[0] == "time" and any(
+        candidate.kind == "time" and candidate.asked for candidate in candidates
+    ):
         kinds = ("time",)
     if usage.dotted:
         kinds = ("direction",) if is_direction(usage.letter) else ("velocity",)
-    for each in candidates:
-        if barred(usage, each):
+    for candidate in candidates:
+        if barred(usage, candidate):
             continue
-        strange = each.kind not in kinds
-        if strange and (usage.in_angle or not (each.varies or each.asked)):
+        strange = candidate.kind not in kinds
+        if strange and (usage.in_angle or not (candidate.varies or candidate.asked)):
             continue
-        if strange and not each.asked and _is_never(usage.letter, each):
+        if strange and not candidate.asked and _is_never(usage.letter, candidate):
             continue
-        extra = _by_suffix(usage.letter, each, problem)
+        extra = _by_suffix(usage.letter, candidate, problem)
         if extra is None:
             continue
-        place = kinds.index(each.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
-        place += (_WANTED if each.asked else _STRANGE) if strange else 0.0
-        if each.kind == "place" and each.asked:
+        place = kinds.index(candidate.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
+        place += (_WANTED if candidate.asked else _STRANGE) if strange else 0.0
+        if candidate.kind == "place" and candidate.asked:
             place -= _ODD  # where two meet both are: the one that is asked for is meant
-        extra += place + _by_scope(usage.scope, each) + _by_axis(usage.letter, each)
-        yield replace(each, cost=max(0.0, min(1.0, each.cost + extra)))
+        extra += place + _by_scope(usage.scope, candidate) + _by_axis(usage.letter, candidate)
+        yield replace(candidate, cost=max(0.0, min(1.0, candidate.cost + extra)))
 
 
 def _is_of_velocities(letter: str) -> bool:
@@ -184,10 +186,10 @@ def _axis_cost(axis: str, candidate: Candidate, problem: Problem) -> float | Non
 def _has_vectors(problem: Problem) -> bool:
     """Whether the question gives a velocity by its components along i and j."""
     return any(
-        isinstance(each, Unit)
+        isinstance(node, Unit)
         for sphere in problem.spheres
         if sphere.velocity is not None
-        for each in walk(sphere.velocity)
+        for node in walk(sphere.velocity)
     )
 
 
@@ -252,16 +254,26 @@ def _usual_component(
     candidates: Iterable[Candidate], axis: Literal["i", "j"], scope: Scope
 ) -> Candidate | None:
     """The component along i or j after the latest event, or after that of the heading."""
-    own = [each for each in candidates if each.kind == "component" and each.axis == Unit(axis)]
-    later = [each for each in own if each.event and scope.event in (None, each.event)]
-    return max(later, key=lambda each: each.event or 0, default=None)
+    own = [
+        candidate
+        for candidate in candidates
+        if candidate.kind == "component" and candidate.axis == Unit(axis)
+    ]
+    later = [
+        candidate for candidate in own if candidate.event and scope.event in (None, candidate.event)
+    ]
+    return max(later, key=lambda candidate: candidate.event or 0, default=None)
 
 
 def _first(
     candidates: Iterable[Candidate], kind: Kind, body: str | None, event: object
 ) -> Candidate | None:
-    alike = [each for each in candidates if each.kind == kind and each.body == body]
-    return next((each for each in alike if each.event == event or event is None), None)
+    alike = [
+        candidate for candidate in candidates if candidate.kind == kind and candidate.body == body
+    ]
+    return next(
+        (candidate for candidate in alike if candidate.event == event or event is None), None
+    )
 
 
 def _mass(candidates: Iterable[Candidate], below: str, problem: Problem) -> Candidate | None:
@@ -278,13 +290,17 @@ def _usual_velocity(
     candidates: Iterable[Candidate], before: bool, body: str, scope: Scope
 ) -> Candidate | None:
     """The component along the line of centres of the latest event, or of that of the heading."""
-    own = [each for each in candidates if each.kind == "component" and each.body == body]
+    own = [
+        candidate
+        for candidate in candidates
+        if candidate.kind == "component" and candidate.body == body
+    ]
     if before:
-        return next((each for each in own if each.event == 0), None)
-    later = [each for each in own if each.event]
-    wanted = [each for each in later if each.event == scope.event] or later
-    last = max((each.event or 0 for each in wanted), default=0)
-    return next((each for each in wanted if each.event == last), None)
+        return next((candidate for candidate in own if candidate.event == 0), None)
+    later = [candidate for candidate in own if candidate.event]
+    wanted = [candidate for candidate in later if candidate.event == scope.event] or later
+    last = max((candidate.event or 0 for candidate in wanted), default=0)
+    return next((candidate for candidate in wanted if candidate.event == last), None)
 
 
 def _usual_angle(candidates: Iterable[Candidate], events: Sequence[Event]) -> Candidate | None:
@@ -295,8 +311,8 @@ def _usual_angle(candidates: Iterable[Candidate], events: Sequence[Event]) -> Ca
         if isinstance(event, Impact) and event.offset is not None
     ]
     line = Quantity("line_of_centres", (), offset[0] if offset else 0)
-    angles = (each for each in candidates if each.kind == "angle" and offset)
-    return next((each for each in angles if line in walk(each.quantity)), None)
+    angles = (candidate for candidate in candidates if candidate.kind == "angle" and offset)
+    return next((angle for angle in angles if line in walk(angle.quantity)), None)
 
 
 # --- trees of phrases and declarations ------------------------------------------------------------
@@ -319,11 +335,11 @@ def scaled(
 
     ``(5i + 2j).(2i - j)`` is one: in a ratio, the factor goes.
     """
-    for each in candidates if directions else ():
-        if each.nature == "scalar" and _is_component(each.quantity):
+    for candidate in candidates if directions else ():
+        if candidate.nature == "scalar" and _is_component(candidate.quantity):
             for direction in directions[:3]:
-                quantity = Binary("*", Apply("abs", direction), each.quantity)
-                yield replace(each, quantity=quantity, cost=min(1.0, each.cost + _RARE))
+                quantity = Binary("*", Apply("abs", direction), candidate.quantity)
+                yield replace(candidate, quantity=quantity, cost=min(1.0, candidate.cost + _RARE))
 
 
 def multiples(
@@ -335,15 +351,19 @@ def multiples(
     be told in the same way.
     """
     size = Apply("abs", direction)
-    for each in candidates:
-        if each.kind != "impulse" or each.nature != "scalar" or each.body is not None:
+    for candidate in candidates:
+        if (
+            candidate.kind != "impulse"
+            or candidate.nature != "scalar"
+            or candidate.body is not None
+        ):
             continue
-        quotients: list[Expression] = [Binary("/", each.quantity, size)]
+        quotients: list[Expression] = [Binary("/", candidate.quantity, size)]
         for sphere in problem.spheres:
             mass = Quantity("mass", (Name(sphere.name),))
-            quotients.append(Binary("/", each.quantity, Binary("*", mass, size)))
+            quotients.append(Binary("/", candidate.quantity, Binary("*", mass, size)))
         for place, quotient in enumerate(quotients):
-            own = replace(each, quantity=quotient, cost=_MULTIPLE + (_RARE if place else 0.0))
+            own = replace(candidate, quantity=quotient, cost=_MULTIPLE + (_RARE if place else 0.0))
             yield own
             yield own.turned()
 
@@ -378,7 +398,7 @@ def _moved(tree: Expression, stage: int) -> Expression:
         case Quantity("velocity" | "speed" | "energy" as kind, arguments):
             return Quantity(kind, arguments, stage)
         case Quantity(kind, arguments, own):
-            return Quantity(kind, tuple(_moved(each, stage) for each in arguments), own)
+            return Quantity(kind, tuple(_moved(argument, stage) for argument in arguments), own)
         case Binary(op, left, right) if not (isinstance(left, Quantity) and left.kind == "energy"):
             return Binary(op, _moved(left, stage), _moved(right, stage))
         case Apply(function, argument):
@@ -433,7 +453,7 @@ def staged(tree: Expression, problem: Problem, part: Part | None, now: int) -> E
 def _staged(tree: Expression, events: Sequence[Event], now: int) -> Expression:
     match tree:
         case Quantity(kind, arguments):
-            inside = tuple(_staged(each, events, now) for each in arguments)
+            inside = tuple(_staged(argument, events, now) for argument in arguments)
             return Quantity(kind, inside, _stage(tree, events, now), place=tree.place)
         case Binary(op, left, right):
             return Binary(op, _staged(left, events, now), _staged(right, events, now))

@@ -49,16 +49,16 @@ def components_by_shape(
     numbered = tuple(enumerate(events, 1))
     momenta: dict[tuple[str, str], int] = {}
     separations: dict[tuple[str, str], tuple[str, str]] = {}
-    for each in equations:
-        coefficients = linear_coefficients(each.claim, each.names, tester, each.frame)
+    for equation in equations:
+        coefficients = linear_coefficients(equation.claim, equation.names, tester, equation.frame)
         if coefficients is None:
             continue
         a, b, _ = coefficients
         if np.all(np.abs(a + b) < _SAME * np.abs(a)):
-            separations.setdefault(each.names, _in_order(each, a))
-        for number, masses in _masses(numbered, each.scope, tester):
+            separations.setdefault(equation.names, _in_order(equation, a))
+        for number, masses in _masses(numbered, equation.scope, tester):
             if _are_in_ratio(a, b, *masses):
-                momenta.setdefault(each.names, number)
+                momenta.setdefault(equation.names, number)
     known: dict[str, Expression] = {}
     for names in momenta.keys() & separations.keys():
         number = momenta[names]
@@ -95,7 +95,7 @@ def _masses(
     numbered: Iterable[tuple[int, Event]], scope: Scope, tester: Tester
 ) -> Iterator[tuple[int, tuple[Array, Array]]]:
     """The masses of the spheres that meet in the only impact of two, or in that of a heading."""
-    spheres = {each.name for each in tester.world.problem.spheres}
+    spheres = {sphere.name for sphere in tester.world.problem.spheres}
     pairs = [
         (number, event)
         for number, event in numbered

@@ -62,7 +62,7 @@ def slot_of(
     values: dict[Nature, list[tuple[int, Value]]] = defaultdict(list)
     seen: set[Any] = set()
     components: dict[Any, Any] = {}
-    for candidate in sorted(candidates, key=lambda each: each.cost):
+    for candidate in sorted(candidates, key=lambda candidate: candidate.cost):
         value = tester.value(candidate.quantity, {})
         key = _key(tester, value)
         if value is None or key is None:
@@ -93,18 +93,18 @@ def slot_of(
         for root, option in zip(roots, options, strict=True)
     ]
     known = {
-        nature: (tuple(place for place, _ in each), stacked(tester, each))
-        for nature, each in values.items()
+        nature: (tuple(place for place, _ in value), stacked(tester, value))
+        for nature, value in values.items()
     }
     return Slot(letter, tuple(options), known, tuple(roots), tuple(turns), segment)
 
 
 def makes_idle(value: Value, tester: Tester) -> bool:
     """Whether a value is zero, or a right angle, at all samples: much is true of it by accident."""
-    parts = [tester.world.spread(each) for each in _parts(value)]
+    parts = [tester.world.spread(part) for part in _parts(value)]
     if isinstance(value, Angle):
         return bool(np.all(np.abs(np.sin(2 * parts[0])) < _SAME))
-    return all(bool(np.all(np.abs(each) < _SAME)) for each in parts)
+    return all(bool(np.all(np.abs(part) < _SAME)) for part in parts)
 
 
 def _nature(value: Value) -> Nature:
@@ -123,8 +123,8 @@ def _key(tester: Tester, value: Value | None) -> Any:
     """A key that values share which are equal up to sign; None for a value that is not a number."""
     if value is None:
         return None
-    parts = [tester.world.spread(each) for each in _parts(value)]
-    if not all(np.all(np.isfinite(each)) for each in parts):
+    parts = [tester.world.spread(part) for part in _parts(value)]
+    if not all(np.all(np.isfinite(part)) for part in parts):
         return None
     flat = np.concatenate(parts)
     first = next((x for x in flat if abs(x) > 1e-9), 1.0)
@@ -140,7 +140,7 @@ def _way(tester: Tester, tree: Expression) -> Any:
     if not isinstance(inner, Quantity) or inner.kind not in ("along", "across"):
         return None
     units = (Quantity(inner.kind, (unit, inner.arguments[1])) for unit in AXES)
-    values = [tester.value(each, {}) for each in units]
+    values = [tester.value(unit, {}) for unit in units]
     if any(value is None or isinstance(value, Vector | Angle) for value in values):
         return None
     return _key(tester, Vector(*values))

@@ -71,20 +71,20 @@ class Surroundings:
     def candidates(self) -> tuple[Candidate, ...]:
         """Every quantity that a letter may mean."""
         usual = list(candidates(self.problem, self.part))
-        known = {each.quantity for each in usual}
+        known = {candidate.quantity for candidate in usual}
         further = (tree for tree in self.asked if tree not in known and isinstance(tree, Quantity))
-        usual += [replace(each, cost=_ASKED) for each in of_trees(further)]
+        usual += [replace(candidate, cost=_ASKED) for candidate in of_trees(further)]
         return tuple(
             replace(
-                each,
-                unchanged=self._is_unchanged(each),
-                varies=self._varies(each),
-                asked=each.nature != "vector" and each.quantity in self.asked,
-                stopped=(each.body, each.event) in self.stopped,
-                given=(each.body, each.event) in self.given,
+                candidate,
+                unchanged=self._is_unchanged(candidate),
+                varies=self._varies(candidate),
+                asked=candidate.nature != "vector" and candidate.quantity in self.asked,
+                stopped=(candidate.body, candidate.event) in self.stopped,
+                given=(candidate.body, candidate.event) in self.given,
             )
-            for each in usual
-            if not self._is_no_time(each) and not self._is_of_the_axes(each)
+            for candidate in usual
+            if not self._is_no_time(candidate) and not self._is_of_the_axes(candidate)
         )
 
     @cached_property
@@ -182,7 +182,11 @@ class Surroundings:
 
     def of_the_start(self, value: Value) -> bool:
         """Whether a value is, up to sign, that of a quantity known from the start."""
-        known = (self.tester.value(each.quantity, {}) for each in self.candidates if each.start)
+        known = (
+            self.tester.value(candidate.quantity, {})
+            for candidate in self.candidates
+            if candidate.start
+        )
         return any(same_size(value, each) for each in known if each is not None)
 
     def directions(self, lines: Iterable[ScriptLine]) -> tuple[Expression, ...]:
@@ -196,12 +200,12 @@ class Surroundings:
                 for side in (link.readings[0].left, link.readings[0].right):
                     for tree in walk(side):
                         if isinstance(tree, Quantity) and tree.kind == "dot":
-                            for each in tree.arguments:
-                                sizes.setdefault(self._size(each), each)
+                            for argument in tree.arguments:
+                                sizes.setdefault(self._size(argument), argument)
         for step in self.events:
             if isinstance(step, Impact) and step.along is not None:
                 sizes.setdefault(self._size(step.along), step.along)
-        return tuple(each for size, each in sizes.items() if size not in (0.0, 1.0))
+        return tuple(tree for size, tree in sizes.items() if size not in (0.0, 1.0))
 
     def multipliers(self, lines: Iterable[ScriptLine]) -> dict[str, Expression]:
         """The letters that multiply a vector of numbers which is no unit vector, each with it."""
@@ -224,7 +228,7 @@ class Surroundings:
     def _size(self, tree: Expression) -> float:
         """The size of a vector of numbers; 0 of anything else."""
         named = letters(tree) or has_quantity(tree)
-        named = named or any(isinstance(each, Name) for each in walk(tree))
+        named = named or any(isinstance(node, Name) for node in walk(tree))
         value = None if named else self.tester.value(tree, {})
         return round(float(np.hypot(*value)), 9) if isinstance(value, Vector) else 0.0
 
@@ -307,9 +311,9 @@ def _fixed(
     if value is None:
         return
     again = [
-        each.number
-        for each in script.lines
-        if each.number > line.number and letter in _letters_in(each)
+        other.number
+        for other in script.lines
+        if other.number > line.number and letter in _letters_in(other)
     ]
     yield FixedLetter(letter, value, line.number, again[0] - 1 if again else None)
 
@@ -339,8 +343,8 @@ def all_fixed(script: Script, statement: frozenset[str]) -> dict[str, Fraction]:
     """The letters of the statement that a script fixes, each with its first value."""
     fixed: dict[str, Fraction] = {}
     for line in script.lines:
-        for each in line.declarations:
-            value = rational_value(each.meanings[0]) if each.meanings else None
-            if each.letter in statement and value is not None:
-                fixed.setdefault(each.letter, value)
+        for declaration in line.declarations:
+            value = rational_value(declaration.meanings[0]) if declaration.meanings else None
+            if declaration.letter in statement and value is not None:
+                fixed.setdefault(declaration.letter, value)
     return fixed

@@ -162,10 +162,10 @@ class Tester:
             if isinstance(node, Number | Degrees) and (column := column_of(node)) is not None
         }
         ends = {
-            each.column: np.float64(number + each.half_unit_of(number))
-            for each in decimals
-            if each.value not in self.exact
-            for number in (numbers.get(each.column, each.value),)
+            decimal.column: np.float64(number + decimal.half_unit_of(number))
+            for decimal in decimals
+            if decimal.value not in self.exact
+            for number in (numbers.get(decimal.column, decimal.value),)
         }
         for side in (left, right):
             column = column_of(side)
@@ -208,7 +208,7 @@ class Tester:
         numbers: Mapping[int, Array] | None,
     ) -> list[tuple[Array, Array]] | None:
         """Both sides as pairs of numbers that have to agree; None where they cannot."""
-        a, b = (self.value(each, put, frame, numbers) for each in (left, right))
+        a, b = (self.value(tree, put, frame, numbers) for tree in (left, right))
         if a is None or b is None:
             return None
         if isinstance(a, Vector) or isinstance(b, Vector):

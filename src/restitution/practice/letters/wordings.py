@@ -51,7 +51,10 @@ def _plain(tree: Quantity, problem: Problem) -> str:
 
 
 def _names(arguments: tuple[Expression, ...]) -> str:
-    return " and ".join(each.name for each in arguments if isinstance(each, Name)) or "all spheres"
+    return (
+        " and ".join(argument.name for argument in arguments if isinstance(argument, Name))
+        or "all spheres"
+    )
 
 
 def _of_body(noun: str) -> Callable[[Quantity, Problem], str]:
@@ -201,7 +204,7 @@ def _event(number: int, problem: Problem) -> str:
         return "the start"
     event = events[number - 1]
     name = _called(event, problem)
-    same = [n for n, each in enumerate(events, 1) if _called(each, problem) == name]
+    same = [n for n, event in enumerate(events, 1) if _called(event, problem) == name]
     return name if len(same) == 1 else f"{name} (event {number})"
 
 

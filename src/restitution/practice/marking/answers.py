@@ -99,7 +99,7 @@ def _marked(answer: str, benches: Sequence[Bench]) -> AnswerMark:
         for item in bench.solved.items
         if isinstance(item.item, Value)
     ]
-    known = ", ".join(each.text for bench in benches for each in bench.solved.items)
+    known = ", ".join(item.text for bench in benches for item in bench.solved.items)
     if not value or len(answer) > _LONGEST or (not asked and len(items) != 1):
         which = f"; asked: {known}" if known else ""
         raise StatementError(

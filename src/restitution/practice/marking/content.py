@@ -58,23 +58,23 @@ class MarkingContent:
             "part": self.part,
             "letters": [
                 {
-                    "letter": each.letter,
-                    "meaning": write_expression(each.quantity),
-                    "words": each.words,
-                    "by": each.by,
+                    "letter": letter.letter,
+                    "meaning": write_expression(letter.quantity),
+                    "words": letter.words,
+                    "by": letter.by,
                 }
-                for each in self.letters
+                for letter in self.letters
             ],
-            "lines": [_line(each) for each in self.lines],
-            "answers": [each.json() for each in self.answers],
+            "lines": [_line(line) for line in self.lines],
+            "answers": [answer.json() for answer in self.answers],
             "marks": {
                 "earned": self.marks.earned,
                 "lost": self.marks.lost,
                 "open": self.marks.open,
                 "of": self.marks.of,
-                "points": [_point(each) for each in self.marks.points],
+                "points": [_point(point) for point in self.marks.points],
             },
-            "messages": [_message(each) for each in self.messages],
+            "messages": [_message(message) for message in self.messages],
             "asks": [
                 {
                     "letter": each.letter,

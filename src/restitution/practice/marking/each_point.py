@@ -120,13 +120,13 @@ class EachPoint:
         if point.principle == "angle" and (lost is None or self._is_of_deflection(lost)):
             # The components may go out of the equations of two laws together, or the angle is
             # worked out to another line first.
-            sound = (each for each in self.lines if each.verdict in SOUND and each.grounded)
+            sound = (line for line in self.lines if line.verdict in SOUND and line.grounded)
             divided = next(
                 (
-                    each
-                    for each in sound
-                    if self.values.has_angle(point, each)
-                    or self.values.works_out_an_angle(each, known=not self._is_below(each))
+                    line
+                    for line in sound
+                    if self.values.has_angle(point, line)
+                    or self.values.works_out_an_angle(line, known=not self._is_below(line))
                 ),
                 None,
             )
@@ -143,23 +143,23 @@ class EachPoint:
 
     def _is_below(self, line: JudgedLine) -> bool:
         """Whether a mistake stands above a line."""
-        above = (each for each in self.lines if each.line.number < line.line.number)
-        return any(each.verdict not in ("true", "remark") for each in above)
+        above = (other for other in self.lines if other.line.number < line.line.number)
+        return any(line.verdict not in ("true", "remark") for line in above)
 
     def _by_tangent(self, point: MarkPoint) -> JudgedLine | None:
         """A line with the angle of a velocity where the scalar product needs its speed."""
-        if not any(each.principle == "scalar-product" for each in self.scheme.points):
+        if not any(point.principle == "scalar-product" for point in self.scheme.points):
             return None
-        sound = (each for each in self.lines if each.verdict in SOUND)
-        return next((each for each in sound if self.values.has_tangent(point, each)), None)
+        sound = (line for line in self.lines if line.verdict in SOUND)
+        return next((line for line in sound if self.values.has_tangent(point, line)), None)
 
     def _carried(self, point: MarkPoint) -> PointMark | None:
         """The law of restitution at a wall, in the velocity after that a true line gives."""
         if point.principle != "restitution" or not self.values.is_at_a_wall(point):
             return None
         true = [line for line in self.lines if line.verdict == "true" and line.grounded]
-        line = next((each for each in true if self.values.carries(point, each)), None)
-        line = line or next((each for each in true if self._has_rebound(each)), None)
+        line = next((line for line in true if self.values.carries(point, line)), None)
+        line = line or next((line for line in true if self._has_rebound(line)), None)
         return None if line is None else self._earned(point, line, "used here")
 
     def _has_rebound(self, line: JudgedLine) -> bool:
@@ -198,7 +198,7 @@ class EachPoint:
             return self._conclusion()
         if point.principle == "condition":
             return self._inequality()
-        shown = any(each.shown and each.principle == "inequality" for each in self.scheme.points)
+        shown = any(point.shown and point.principle == "inequality" for point in self.scheme.points)
         return self._inequality() if shown and point.principle == "solve" else None
 
     def _inequality(self) -> JudgedLine | None:
@@ -277,7 +277,7 @@ class EachPoint:
                 return self._earned(point, line, "")
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
         value = self._value(point)
-        seen = next((each for each in self.lines if self.values.is_seen(point, each)), None)
+        seen = next((line for line in self.lines if self.values.is_seen(point, line)), None)
         if value.state != "earned" and seen is not None:
             return self._earned(point, seen, "seen here")
         if value.state == "earned" or lost is not None:
@@ -309,9 +309,9 @@ class EachPoint:
         """Whether nothing but the angle is wrong, for which the scheme has a point of its own."""
         wrong = line.mistake is not None and line.mistake.id == "second-wall-angle"
         return wrong and any(
-            each.letter == "M" and each.principle in ("angle", "component")
-            for each in self.scheme.points
-            if each.event in (None, point.event)
+            other.letter == "M" and other.principle in ("angle", "component")
+            for other in self.scheme.points
+            if other.event in (None, point.event)
         )
 
     def _value(self, point: MarkPoint) -> PointMark:
@@ -350,21 +350,21 @@ class EachPoint:
                 if last is None or last.state != "earned":
                     last = PointMark(point, "lost", line.line.number, why)
         if last is not None and last.state == "earned" and self._is_one_of_several(point, last):
-            sound = [each for each in self.lines if each.verdict in SOUND]
-            alike = [each for each in self.scheme.points if each.item == point.item]
+            sound = [line for line in self.lines if line.verdict in SOUND]
+            alike = [other for other in self.scheme.points if other.item == point.item]
             if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
                 last = replace(last, state="lost", why="another value is possible as well")
         seen_alone = (self.values.is_velocity, self.values.is_direction, self.values.is_pointing)
-        if last is None and any(each(point) for each in seen_alone):
-            seen = next((each for each in self.lines if self.values.shows(point, each)), None)
+        if last is None and any(function(point) for function in seen_alone):
+            seen = next((line for line in self.lines if self.values.shows(point, line)), None)
             last = None if seen is None else self._earned(point, seen, "")
         if last is None:
             used = next(
-                (each for each in self.lines if self.values.points_along(point, each)), None
+                (line for line in self.lines if self.values.points_along(point, line)), None
             )
             last = None if used is None else self._earned(point, used, "used here")
         if last is None:
-            seen = next((each for each in self.lines if self.values.is_seen(point, each)), None)
+            seen = next((line for line in self.lines if self.values.is_seen(point, line)), None)
             last = None if seen is None else self._earned(point, seen, "seen here")
         if last is None and point.shown and point.principle == "inequality":
             conclusion = self._conclusion()
@@ -393,7 +393,7 @@ class EachPoint:
         """
         if not point.follows:
             return False
-        begun = [each for each in self._roots(line) if not self._is_quoted(each)]
+        begun = [root for root in self._roots(line) if not self._is_quoted(root)]
         return not begun or self._has_cost(begun)
 
     def _is_his_own(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
@@ -401,39 +401,39 @@ class EachPoint:
 
         A sign that is lost may leave a speed as it is.
         """
-        false = [each for each in lines if each.verdict == "false"]
+        false = [line for line in lines if line.verdict == "false"]
         return point.follows and lines[-1].his_own and self._has_cost(false)
 
     def _has_cost(self, roots: Sequence[JudgedLine]) -> bool:
         """Whether mistakes have lost an A or a B of a point above, and no method of a law."""
-        numbers = {each.line.number for each in roots}
+        numbers = {root.line.number for root in roots}
         lost = [
-            each
-            for each in self.states.values()
-            if each.state == "lost" and self._rests_on(each.line, numbers)
+            mark
+            for mark in self.states.values()
+            if mark.state == "lost" and self._rests_on(mark.line, numbers)
         ]
-        laws = (each for each in lost if each.point.letter == "M")
-        if any(each.point.principle in LAWS for each in laws):
+        laws = (mark for mark in lost if mark.point.letter == "M")
+        if any(law.point.principle in LAWS for law in laws):
             return False
-        return any(each.point.letter in "AB" for each in lost)
+        return any(mark.point.letter in "AB" for mark in lost)
 
     def _rests_on(self, number: int | None, roots: set[int]) -> bool:
         """Whether a line is one of some false lines, or follows from one of them."""
         line = self._line(number)
         if line is None:
             return False
-        return number in roots or any(each.line.number in roots for each in self._roots(line))
+        return number in roots or any(root.line.number in roots for root in self._roots(line))
 
     def _is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a letter, in its first line, a value and no more."""
         if not self.values.is_quoted(line):
             return False
         lefts = {link.readings[0].left for link in line.line.links}
-        above = [each for each in self.lines if each.line.number < line.line.number]
+        above = [other for other in self.lines if other.line.number < line.line.number]
         return not any(
             tree in lefts
-            for each in above
-            for link in each.line.links
+            for line in above
+            for link in line.line.links
             for side in (link.readings[0].left, link.readings[0].right)
             for tree in walk(side)
         )
@@ -448,7 +448,7 @@ class EachPoint:
             if number not in seen and source is not None:
                 seen.add(number)
                 pending += source.sources
-        return [each for each in self.lines if each.line.number in seen and each.verdict == "false"]
+        return [line for line in self.lines if line.line.number in seen and line.verdict == "false"]
 
     def _in_words(self, point: MarkPoint) -> JudgedLine | None:
         """A line below the equations that says in words what is printed of a direction."""
@@ -490,13 +490,13 @@ class EachPoint:
 
     def _worked_out(self, point: MarkPoint) -> JudgedLine | None:
         """The line of an answer for which no working is known, with a step in it or above it."""
-        answer = next((each for each in self.scheme.points if point.id in each.depends), None)
+        answer = next((other for other in self.scheme.points if point.id in other.depends), None)
         if point.principle != "method" or answer is None:
             return None
         mark = self._value(answer)
         line = self._line(mark.line) if mark.state == "earned" else None
         first = line is not None and all(
-            each is line or each.verdict != "true" for each in self.lines
+            other is line or other.verdict != "true" for other in self.lines
         )
         return None if line is None or (first and len(line.line.links) < 2) else line
 
@@ -511,11 +511,11 @@ class EachPoint:
         if self.values.is_solved(line) or self.values.is_eliminated(line):
             return True
         own = self.values.unknowns(line)
-        above = (each for each in self.lines if each.line.number < line.line.number)
+        above = (other for other in self.lines if other.line.number < line.line.number)
         return (
             line.verdict == "follows"
             and len(own) == 1
-            and sum(own < self.values.unknowns(each) for each in above) > 1
+            and sum(own < self.values.unknowns(line) for line in above) > 1
         )
 
     def _uses(self, point: MarkPoint) -> Iterator[tuple[JudgedLine, Use]]:
@@ -540,13 +540,13 @@ class EachPoint:
         if line.verdict != "follows" or not use.altered:
             return False
         return self.values.is_solved(line) or any(
-            each.verdict == "false"
-            and each.line.number < line.line.number
+            other.verdict == "false"
+            and other.line.number < line.line.number
             and any(
                 (own.principle, own.event) == (use.principle, use.event)
-                for own in fitting_uses(each)
+                for own in fitting_uses(other)
             )
-            for each in self.lines
+            for other in self.lines
         )
 
     def _is_stated_wrongly(self, line: JudgedLine, use: Use, point: MarkPoint) -> bool:
@@ -561,13 +561,13 @@ class EachPoint:
         if line.uses[0].principle == law and line.verdict != "follows":
             return False
         return any(
-            each.verdict == "false"
+            other.verdict == "false"
             and any(
                 (own.principle, own.event) == (law, use.event) and own.altered
-                for own in fitting_uses(each)[:1]
+                for own in fitting_uses(other)[:1]
             )
-            for each in self.lines
-            if each.line.number < line.line.number or is_of_what_stays(line)
+            for other in self.lines
+            if other.line.number < line.line.number or is_of_what_stays(line)
         )
 
     def _use(self, line: JudgedLine, point: MarkPoint) -> Use | None:
@@ -605,16 +605,16 @@ class EachPoint:
         if point.principle != "angle" or self.values.speaks_for(point, line):
             return False
         return any(
-            self.values.speaks_for(each, line)
-            for each in self.scheme.points
-            if each.principle == "angle" and each.link != point.link
+            self.values.speaks_for(other, line)
+            for other in self.scheme.points
+            if other.principle == "angle" and other.link != point.link
         )
 
     def _with_mistake(self, line: JudgedLine, use: Use) -> tuple[bool, str]:
         """Whether a false line of a principle keeps its method, and why."""
         mistake = line.mistake
         name = (use.altered or "").partition("/")[0] or (mistake.id if mistake else None)
-        above = [each.mistake.id for each in self._roots(line) if each.mistake is not None]
+        above = [root.mistake.id for root in self._roots(line) if root.mistake is not None]
         if line.verdict == "follows" and len(above) == 1 and above[0] in MISCONCEPTIONS:
             name = above[0]  # what follows from one mistake has no other
         named = MISCONCEPTIONS.get(name or "")
@@ -665,7 +665,7 @@ class EachPoint:
         return PointMark(point, "open", unsure.line.number, "a line could not be judged")
 
     def _line(self, number: int | None) -> JudgedLine | None:
-        return next((each for each in self.lines if each.line.number == number), None)
+        return next((line for line in self.lines if line.line.number == number), None)
 
 
 def is_of_what_stays(line: JudgedLine) -> bool:

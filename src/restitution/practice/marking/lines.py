@@ -36,7 +36,7 @@ def ends_fine(line: JudgedLine) -> bool:
     decimals = links[-1].decimals if links else ()
     if len(links) > 1 and not links[-2].decimals and continues(links[-2], links[-1]):
         return True
-    last = max(decimals, key=lambda each: each.column, default=None)
+    last = max(decimals, key=lambda decimal: decimal.column, default=None)
     return last is not None and last.figures >= _FIGURES
 
 

@@ -47,7 +47,7 @@ class SchemeRow:
     def working(self) -> str:
         """The line as text."""
         return "".join(
-            each if isinstance(each, str) else to_text(each) for each in self.line
+            word if isinstance(word, str) else to_text(word) for word in self.line
         ).strip()
 
 
@@ -67,7 +67,7 @@ def _beside(
     part: PartExplanation, points: Sequence[MarkPoint]
 ) -> Iterator[tuple[Sequence[str], Words]]:
     """The marks of each line with the line; without lines where the working has other marks."""
-    lines = [each for each in _lines(part) if each[0]]
+    lines = [line for line in _lines(part) if line[0]]
     if [mark for marks, _ in lines for mark in marks] == [point.kind for point in points]:
         yield from lines
         return
@@ -85,7 +85,7 @@ def _lines(part: PartExplanation) -> Iterator[tuple[list[str], Words]]:
 
 def _words(row: Row) -> Words:
     """A line of mathematics with its signs."""
-    pieces: list[str | Layout] = [each for each in row.operands[:1] if each is not None]
+    pieces: list[str | Layout] = [operand for operand in row.operands[:1] if operand is not None]
     for sign, operand in zip(row.signs, row.operands[1:], strict=False):
         pieces.append(f" {sign} ")
         if operand is not None:
@@ -141,8 +141,16 @@ def _allowed(point: MarkPoint, solution: Solution) -> Iterator[str]:
         for name in applying(solution.problem)
         if point.principle in MISCONCEPTIONS[name].kinds
     ]
-    keeps = [each.title for each in here if (each.mark_of(point.principle) or "").startswith("M1")]
-    loses = [each.title for each in here if (each.mark_of(point.principle) or "") == "M0"]
+    keeps = [
+        misconception.title
+        for misconception in here
+        if (misconception.mark_of(point.principle) or "").startswith("M1")
+    ]
+    loses = [
+        misconception.title
+        for misconception in here
+        if (misconception.mark_of(point.principle) or "") == "M0"
+    ]
     if keeps:
         yield f"Allow M1 (A0) for: {_listed(keeps)}."
     if loses:
@@ -203,7 +211,7 @@ def _add(
     """Add what a world makes of some items, and tell of which it makes something else."""
     for part, place in sorted(keys, key=str):
         item = solution.parts[part].items[place]
-        changed = next((each for each in world.items if each.true is item), None)
+        changed = next((other for other in world.items if other.true is item), None)
         if changed is None or not changed.altered.answers:
             continue
         yield part, place
@@ -222,8 +230,8 @@ def _shown(answer: Answer) -> str:
     if rounded:
         return rounded if answer.angle or len(exact) > _LONGEST else answer.display
     if len(exact) > 2 * _LONGEST and isinstance(answer.decimal, tuple):
-        x, y = (f"{abs(each):.3g}" for each in answer.decimal)
-        first, second = (each < 0 for each in answer.decimal)
+        x, y = (f"{abs(number):.3g}" for number in answer.decimal)
+        first, second = (number < 0 for number in answer.decimal)
         return f"{'−' if first else ''}{x}𝐢 {'−' if second else '+'} {y}𝐣"
     return exact
 

@@ -33,7 +33,7 @@ class Marks:
 
     def count(self, state: State) -> int:
         """How many points are in a state."""
-        return sum(each.state == state for each in self.points)
+        return sum(point.state == state for point in self.points)
 
     @property
     def earned(self) -> int:

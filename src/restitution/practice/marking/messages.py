@@ -108,18 +108,18 @@ class _Words:
 
     def put(self, side: Expression) -> Expression:
         names: dict[Expression, Expression] = {}
-        for each in walk(side):
-            if isinstance(each, Quantity) and not _is_inside(each, side):
-                words = Letter(words_of(each, self.problem))
-                names[each] = self.values.letter_of(each) or words
+        for node in walk(side):
+            if isinstance(node, Quantity) and not _is_inside(node, side):
+                words = Letter(words_of(node, self.problem))
+                names[node] = self.values.letter_of(node) or words
         return exchanged(side, names)
 
 
 def _is_inside(quantity: Quantity, tree: Expression) -> bool:
     """Whether a quantity stands only within others: the velocity of which a component is taken."""
     return any(
-        isinstance(each, Quantity) and each != quantity and quantity in walk(each)
-        for each in walk(tree)
+        isinstance(node, Quantity) and node != quantity and quantity in walk(node)
+        for node in walk(tree)
     )
 
 
@@ -268,7 +268,7 @@ def _right_line(line: JudgedLine, points: Sequence[PointMark], letters: _Words) 
     use = next(iter(line.uses), None)
     if use is None:
         return None
-    point = next((each.point for each in points if _serves(each.point, use)), None)
+    point = next((point.point for point in points if _serves(point.point, use)), None)
     return None if point is None else _written(point, letters)
 
 
@@ -286,23 +286,25 @@ def _written(point: MarkPoint, words: _Words) -> str | None:
         return None
     left, right = (words.put(side) for side in (point.link.left, point.link.right))
     sides = (left, right)
-    if any(" " in each.name for side in sides for each in _letters_in(side) if each is not side):
+    if any(
+        " " in letter.name for side in sides for letter in _letters_in(side) if letter is not side
+    ):
         return None  # words in the middle of a formula are no line
     sign = {"<=": "≤", ">=": "≥", "!=": "≠"}.get(point.link.sign, point.link.sign)
     return f"{text_of(left)} {sign} {text_of(right)}"
 
 
 def _letters_in(tree: Expression) -> Iterator[Letter]:
-    return (each for each in walk(tree) if isinstance(each, Letter))
+    return (node for node in walk(tree) if isinstance(node, Letter))
 
 
 def _next_step(points: Sequence[PointMark], letters: _Words, level: int) -> str | None:
     """First a question, then the principle that is missing, what it says, and its equation."""
     missing = next(
         (
-            each.point
-            for each in points
-            if each.state != "earned" and each.point.letter in "MB" and each.line is None
+            point.point
+            for point in points
+            if point.state != "earned" and point.point.letter in "MB" and point.line is None
         ),
         None,
     )

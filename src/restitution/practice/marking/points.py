@@ -77,19 +77,19 @@ class _Examiner(EachPoint):
             if own.state != "lost" or own.line is not None or not between or point.equation:
                 continue
             taken = {
-                each.line
-                for each in self.states.values()
-                if each.state == "earned" and each.point.letter == "A"
+                mark.line
+                for mark in self.states.values()
+                if mark.state == "earned" and mark.point.letter == "A"
             }
             line = next(
                 (
-                    each
-                    for each in self.lines
-                    if each.verdict == "true"
-                    and each.grounded
-                    and each.line.number not in taken
-                    and not is_of_what_stays(each)
-                    and self.values.is_solved(each)
+                    line
+                    for line in self.lines
+                    if line.verdict == "true"
+                    and line.grounded
+                    and line.line.number not in taken
+                    and not is_of_what_stays(line)
+                    and self.values.is_solved(line)
                 ),
                 None,
             )
@@ -108,9 +108,9 @@ class _Examiner(EachPoint):
         broken = any(line.verdict in _UNSOUND for line in self.lines)
         if broken or not answers or any(point.shown for point in points):
             return
-        if any(each.state != "earned" for each in answers):
+        if any(answer.state != "earned" for answer in answers):
             return
-        last = max(each.line or 0 for each in answers)
+        last = max(answer.line or 0 for answer in answers)
         for point in points:
             if self.states[point.id].state != "earned":
                 self.states[point.id] = PointMark(
@@ -119,7 +119,7 @@ class _Examiner(EachPoint):
 
     def _imply(self) -> None:
         """A true value earns the points that it rests on, unless the result is printed."""
-        printed = {name for each in self.scheme.points if each.shown for name in each.above}
+        printed = {name for point in self.scheme.points if point.shown for name in point.above}
         for point in reversed(self.scheme.points):
             own = self.states[point.id]
             if own.state == "earned" and point.shown:
@@ -184,12 +184,12 @@ class _Examiner(EachPoint):
 
     def _goes_on(self, line: JudgedLine) -> bool:
         """Whether a line begins with what a true line above it has worked out."""
-        begun = {each for each in walk(line.line.links[0].readings[0].left) if letters(each)}
+        begun = {node for node in walk(line.line.links[0].readings[0].left) if letters(node)}
         return any(
-            isinstance(each.line.links[-1].readings[0].right, Binary)
-            and each.line.links[-1].readings[0].right in begun
-            for each in self.lines
-            if each.line.number < line.line.number and each.verdict == "true" and each.line.links
+            isinstance(other.line.links[-1].readings[0].right, Binary)
+            and other.line.links[-1].readings[0].right in begun
+            for other in self.lines
+            if other.line.number < line.line.number and other.verdict == "true" and other.line.links
         )
 
     def _imply_methods(self) -> None:
@@ -216,7 +216,7 @@ class _Examiner(EachPoint):
     def _is_at_old_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line follows from the angle at another wall: no angle is found for this one."""
         wrong = (root.mistake for root in self._roots(line))
-        old = any(each is not None and each.id == "second-wall-angle" for each in wrong)
+        old = any(mistake is not None and mistake.id == "second-wall-angle" for mistake in wrong)
         return old and point.principle in ("angle", "component")
 
     def _is_of_other_law(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -277,9 +277,9 @@ class _Examiner(EachPoint):
 
     def _follows_slips(self, line: JudgedLine) -> bool:
         """Whether a value follows from lines in which nothing but slips is wrong."""
-        above = [each for each in self.lines if each.line.number < line.line.number]
-        wrong = [each.mistake for each in above if each.verdict == "false"]
-        slips = all(each is not None and each.kind == "slip" for each in wrong)
+        above = [other for other in self.lines if other.line.number < line.line.number]
+        wrong = [line.mistake for line in above if line.verdict == "false"]
+        slips = all(mistake is not None and mistake.kind == "slip" for mistake in wrong)
         return line.verdict == "follows" and bool(wrong) and slips
 
     def _is_sure(self, mark: PointMark) -> bool:
@@ -306,13 +306,13 @@ class _Examiner(EachPoint):
                     for name in point.above
                     if self.states[name].point.letter == "M"
                 ]
-            missing = next((each for each in needed if each.state == "lost"), None)
+            missing = next((mark for mark in needed if mark.state == "lost"), None)
             if missing is not None and not point.shown and self._is_sure(own):
                 continue
             if missing is not None:
                 why = f"{missing.point.kind} for {missing.point.purpose} is not earned"
                 self.states[point.id] = replace(own, state="lost", why=why)
-            elif any(each.state == "open" for each in needed):
+            elif any(mark.state == "open" for mark in needed):
                 self.states[point.id] = replace(
                     own, state="open", why="rests on a point still open"
                 )
@@ -328,13 +328,13 @@ class _Examiner(EachPoint):
         line = self._line(result.line)
         if line is None or len(line.line.links) > 1 or result.point.principle == "inequality":
             return False
-        laws = [each.line for each in methods if each.point.principle in LAWS and each.line]
+        laws = [mark.line for mark in methods if mark.point.principle in LAWS and mark.line]
         last = max(laws, default=0)
         return not any(
-            last <= each.line.number < line.line.number
-            and each.verdict == "true"
-            and (each.line.number > last or len(each.line.links) > 1)  # CLM: ..., so v = ...
-            for each in self.lines
+            last <= other.line.number < line.line.number
+            and other.verdict == "true"
+            and (other.line.number > last or len(other.line.links) > 1)  # CLM: ..., so v = ...
+            for other in self.lines
         )
 
     def _is_broken(self, number: int | None, verdicts: Sequence[str]) -> bool:
@@ -361,12 +361,12 @@ class _Examiner(EachPoint):
             Judgement(tuple(as_true(line) for line in self.lines), ()), self.scheme, self.values
         )
         through.values = self.values.of_his_own()
-        own = {each.point.id: each for each in through.marks().points}
+        own = {point.point.id: point for point in through.marks().points}
         taken = 0
         marks: list[PointMark] = []
-        for each in points:
-            after = own[each.point.id]
-            if after.state == "earned" and each.point.letter in "AB" and taken < 2:
+        for point in points:
+            after = own[point.point.id]
+            if after.state == "earned" and point.point.letter in "AB" and taken < 2:
                 taken += 1
                 after = replace(
                     after, state="lost", why="a misread: the first two of these are lost"
@@ -376,19 +376,23 @@ class _Examiner(EachPoint):
 
     def _too_coarse(self, points: list[PointMark]) -> list[PointMark]:
         """Answers that are right and given too coarsely cost one mark, once."""
-        for place, each in enumerate(points):
-            if each.state != "earned" or each.point.item is None or each.implied:
+        for place, point in enumerate(points):
+            if point.state != "earned" or point.point.item is None or point.implied:
                 continue
-            if each.point.shown:
+            if point.point.shown:
                 continue  # the statement says how fine it is
-            line = self._line(each.line)
+            line = self._line(point.line)
             if line is None or line.accuracy != "coarse" or ends_fine(line):
                 continue
             if line.verdict != "true":
                 continue  # what follows is no right answer
-            if not self._is_exact_above(each):
+            if not self._is_exact_above(point):
                 why = "given too coarsely"
-                return [*points[:place], replace(each, state="lost", why=why), *points[place + 1 :]]
+                return [
+                    *points[:place],
+                    replace(point, state="lost", why=why),
+                    *points[place + 1 :],
+                ]
         return points
 
     def _is_exact_above(self, mark: PointMark) -> bool:

@@ -356,7 +356,7 @@ def _purpose(
         return "correct equation"
     if mark.kind == "A":
         return "correct value"
-    event = next((each for each in derivation.events if each.number == line.move.event), None)
+    event = next((event for event in derivation.events if event.number == line.move.event), None)
     title = title_of(line.move.record or "", event)
     if title is not None and principle in ("momentum", "restitution"):
         words = str(say(title))
@@ -380,10 +380,10 @@ def _bounds(line: Line, derivation: Derivation) -> tuple[Link, ...]:
     if not isinstance(relation, Relation) or len(relation.options) != 1:
         return ()
     links = tuple(
-        Link(_settled(each.left, derivation), each.sign, _settled(each.right, derivation))
-        for each in relation.options[0]
+        Link(_settled(link.left, derivation), link.sign, _settled(link.right, derivation))
+        for link in relation.options[0]
     )
-    return links if all(each.sign in FLIPPED for each in links) else ()
+    return links if all(link.sign in FLIPPED for link in links) else ()
 
 
 def _settled(tree: Expression, derivation: Derivation) -> Expression:

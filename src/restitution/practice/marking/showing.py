@@ -46,12 +46,12 @@ def to_text(marking: MarkingContent, width: int = _WIDTH) -> str:
         rows += _wrapped(ask.text, "", width)
     marks = marking.marks
     rows += ["", _total(marks)]
-    longest = max((len(each.point.kind) for each in marks.points), default=2)
-    for each in marks.points:
-        where = f" (line {each.line})" if each.line is not None else ""
-        why = f": {each.why}" if each.why else ""
-        start = f"  {each.point.kind:<{longest}} {_STATES[each.state]} "
-        rows += _wrapped(f"{each.point.purpose}{where}{why}", start, width)
+    longest = max((len(point.point.kind) for point in marks.points), default=2)
+    for point in marks.points:
+        where = f" (line {point.line})" if point.line is not None else ""
+        why = f": {point.why}" if point.why else ""
+        start = f"  {point.point.kind:<{longest}} {_STATES[point.state]} "
+        rows += _wrapped(f"{point.point.purpose}{where}{why}", start, width)
     return "\n".join(rows)
 
 
@@ -82,10 +82,10 @@ def to_html(marking: MarkingContent) -> str:
     rest = "".join(f"<p>{escape(text)}</p>" for text in texts.get(None, ()))
     asks = "".join(f"<p>{escape(ask.text)}</p>" for ask in marking.asks)
     points = "".join(
-        f"<tr><td><b>{each.point.kind}</b></td><td>{_STATES[each.state]}</td>"
-        f"<td>{escape(each.point.purpose)}</td><td>{escape(each.why)}</td>"
-        f"<td>{'' if each.line is None else f'line {each.line}'}</td></tr>"
-        for each in marking.marks.points
+        f"<tr><td><b>{point.point.kind}</b></td><td>{_STATES[point.state]}</td>"
+        f"<td>{escape(point.point.purpose)}</td><td>{escape(point.why)}</td>"
+        f"<td>{'' if point.line is None else f'line {point.line}'}</td></tr>"
+        for point in marking.marks.points
     )
     heading = "" if marking.part is None else f"<h3>Part ({escape(marking.part)})</h3>"
     return (

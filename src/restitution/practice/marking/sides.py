@@ -64,7 +64,7 @@ class Sides:
         meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
         velocity = replace(quantity, kind="velocity")
         return self._is_component(meant) and any(
-            self._names(each, velocity, {}, line) for each in quantities_in(meant)
+            self._names(quantity, velocity, {}, line) for quantity in quantities_in(meant)
         )
 
     def unknowns(self, line: JudgedLine) -> frozenset[Expression]:
@@ -77,16 +77,16 @@ class Sides:
         """The letters and quantities of a claim that an impact decides; none of the statement."""
         meanings = self._meanings(line)
         return frozenset(
-            each
+            name
             for side in (claim.left, claim.right)
-            for each in names_in(side)
-            if not (isinstance(each, Letter) and each.name not in meanings)
-            and self._changes(each, meanings, line)
+            for name in names_in(side)
+            if not (isinstance(name, Letter) and name.name not in meanings)
+            and self._changes(name, meanings, line)
         )
 
     def has_velocities(self, line: JudgedLine) -> bool:
         """Whether a letter for a velocity after an impact stands in a line."""
-        return any(self.velocities_in(claim, line) for each in chains(line) for claim in each)
+        return any(self.velocities_in(claim, line) for chain in chains(line) for claim in chain)
 
     @staticmethod
     def _both(
@@ -117,7 +117,7 @@ class Sides:
             own = float(np.ravel(self._base.scalar(tree))[0])
         except UnvaluedError:
             return False
-        return any(abs(own - each) <= _NEAR for each in numbers)
+        return any(abs(own - number) <= _NEAR for number in numbers)
 
     def _is_rounded_to(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
         try:
@@ -134,11 +134,11 @@ class Sides:
             return False
         for link in line.line.links:
             for side in (link.readings[0].left, link.readings[0].right):
-                for each in walk(side):
-                    if not isinstance(each, Binary) or each.op not in ("*", "^"):
+                for node in walk(side):
+                    if not isinstance(node, Binary) or node.op not in ("*", "^"):
                         continue
                     try:
-                        own = world.value(each, meanings, line.line.scope)
+                        own = world.value(node, meanings, line.line.scope)
                         if are_same(world, own, world.value(square)):
                             return True
                     except UnvaluedError:
@@ -360,7 +360,9 @@ class Sides:
             sides = chain[0].left, chain[-1].right
             for named, value in (sides, sides[::-1]):
                 tree = exchanged(named, {Letter(name): meant for name, meant in meanings.items()})
-                if not any(self._names(each, velocity, {}, line) for each in quantities_in(tree)):
+                if not any(
+                    self._names(quantity, velocity, {}, line) for quantity in quantities_in(tree)
+                ):
                     continue
                 if not self._is_component(tree) or not self._is_value(value, meanings, line):
                     continue
@@ -434,7 +436,7 @@ class Sides:
             own, asked = self._base.value(meant), self._base.value(quantity)
         except UnvaluedError:
             return False
-        inside = [each for each in quantities_in(meant) if each.kind == "impulse"]
+        inside = [quantity for quantity in quantities_in(meant) if quantity.kind == "impulse"]
         return bool(inside) and not isinstance(own, Vector) and are_same(self._base, own, asked)
 
     def _changes(

@@ -73,16 +73,16 @@ def _bounds_of(point: MarkPoint) -> Iterator[tuple[str, Expression, Expression]]
     bounds = point.bounds or single
     if point.item is None or point.shown:
         return
-    between = {each.left for each in bounds} & {each.right for each in bounds}
+    between = {bound.left for bound in bounds} & {bound.right for bound in bounds}
     named = {
-        x for each in bounds for x in (each.left, each.right) if isinstance(x, Letter | Quantity)
+        x for bound in bounds for x in (bound.left, bound.right) if isinstance(x, Letter | Quantity)
     }
     ranged = between or {x for x in named if not is_bare(x)}
-    for each in bounds if len(ranged) == 1 else ():
-        if each.left in ranged:
-            yield each.sign, each.left, each.right
-        elif each.right in ranged:
-            yield FLIPPED[each.sign], each.right, each.left
+    for bound in bounds if len(ranged) == 1 else ():
+        if bound.left in ranged:
+            yield bound.sign, bound.left, bound.right
+        elif bound.right in ranged:
+            yield FLIPPED[bound.sign], bound.right, bound.left
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +144,7 @@ class Values(Sides):
         for sign, end in self._bounds_in(point, line):
             own.setdefault(sign[0], []).append(end)
         return line.verdict == "true" and any(
-            sign in true and not any(self._is_end(each, true[sign], line) for each in ends)
+            sign in true and not any(self._is_end(end, true[sign], line) for end in ends)
             for sign, ends in own.items()
         )
 
@@ -160,12 +160,12 @@ class Values(Sides):
         """The bounds that a line gives for what a point has the range of, by sign and end."""
         ranged = {quantity for _, quantity, _ in _bounds_of(point)}
         meanings = self._meanings(line)
-        for claim in (each for chain in chains(line) for each in chain if each.sign in FLIPPED):
+        for claim in (claim for chain in chains(line) for claim in chain if claim.sign in FLIPPED):
             for sign, side, end in (
                 (claim.sign, claim.left, claim.right),
                 (FLIPPED[claim.sign], claim.right, claim.left),
             ):
-                if any(self._names(side, each, meanings, line) for each in ranged):
+                if any(self._names(side, tree, meanings, line) for tree in ranged):
                     yield sign, end
 
     def replaces(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -178,7 +178,7 @@ class Values(Sides):
             return False
         value = self.value_of(link.left, line)
         sides = [
-            side for chain in chains(line) for each in chain for side in (each.left, each.right)
+            side for chain in chains(line) for claim in chain for side in (claim.left, claim.right)
         ]
         bare = (side for side in sides if not any(names_in(side)))
         if value is None or any(self._is_worth(side, link.left, line) for side in bare):
@@ -230,11 +230,11 @@ class Values(Sides):
         meanings = self._meanings(line)
         angle = link.left.argument if isinstance(link.left, Apply) else link.left
         return any(
-            self._names(side, each, meanings, line)
+            self._names(side, tree, meanings, line)
             for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
-            for each in dict.fromkeys((link.left, angle))
+            for tree in dict.fromkeys((link.left, angle))
         )
 
     def has_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -245,14 +245,14 @@ class Values(Sides):
         meanings = self._meanings(line)
         angle = link.left.argument if isinstance(link.left, Apply) else link.left
         return any(
-            isinstance(each, Apply)
-            and each.function in ("sin", "cos", "tan", "cot")
-            and self._names(each.argument, angle, meanings, line)
-            and self.velocities_in(claim, line) <= {each.argument}
+            isinstance(node, Apply)
+            and node.function in ("sin", "cos", "tan", "cot")
+            and self._names(node.argument, angle, meanings, line)
+            and self.velocities_in(claim, line) <= {node.argument}
             for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
-            for each in walk(side)
+            for node in walk(side)
         )
 
     def left_out(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> int:
@@ -330,7 +330,7 @@ class Values(Sides):
         if line.uses and line.uses[0].principle not in _OF_SEVERAL:
             return False
         names = [self.velocities_in(claim, line) for chain in chains(line) for claim in chain]
-        return any(len(each) == 1 for each in names)
+        return any(len(name) == 1 for name in names)
 
     def works_out_an_angle(self, line: JudgedLine, known: bool = False) -> bool:
         """Whether a line works out an angle from a ratio of two numbers.
@@ -338,16 +338,16 @@ class Values(Sides):
         With ``known`` those of a tangent have to be components of a velocity.
         """
         return any(
-            isinstance(each, Apply)
-            and each.function in ("arctan", "arcsin", "arccos")
-            and isinstance(each.argument, Binary)
-            and each.argument.op == "/"
-            and is_bare(each.argument)
-            and not (known and each.function == "arctan" and not self._is_slope(each.argument))
+            isinstance(node, Apply)
+            and node.function in ("arctan", "arcsin", "arccos")
+            and isinstance(node.argument, Binary)
+            and node.argument.op == "/"
+            and is_bare(node.argument)
+            and not (known and node.function == "arctan" and not self._is_slope(node.argument))
             for chain in chains(line)
             for claim in chain
             for side in (claim.left, claim.right)
-            for each in walk(side)
+            for node in walk(side)
         )
 
     def _is_slope(self, ratio: Expression) -> bool:
@@ -363,7 +363,7 @@ class Values(Sides):
                 pairs = [(world.spread(v.x), world.spread(v.y))]
                 for line in lines:
                     parts = (Quantity(kind, (velocity, line)) for kind in ("along", "across"))
-                    along, across = (world.scalar(each) for each in parts)
+                    along, across = (world.scalar(part) for part in parts)
                     pairs.append((along, across))
                 if any(
                     are_close(tangent * np.abs(a), np.abs(b)) and bool(np.any(b))
@@ -390,8 +390,8 @@ class Values(Sides):
             return False
         for chain in chains(line):
             for side in (side for claim in chain for side in (claim.left, claim.right)):
-                for each in walk(side):
-                    match each:
+                for node in walk(side):
+                    match node:
                         case Apply("arctan", Binary("/") as ratio) if is_bare(ratio):
                             tangent = np.abs(world.scalar(ratio))
                             pairs = (v.x, v.y), (v.y, v.x)
@@ -433,7 +433,7 @@ class Values(Sides):
         if point.link is None or not point.shown:
             return None
         if point.link.sign == "=" and isinstance(point.link.right, Binary):
-            unit = any(isinstance(each, Unit) for each in walk(point.link.right))
+            unit = any(isinstance(node, Unit) for node in walk(point.link.right))
             vector = isinstance(point.link.left, Quantity) and point.link.left.kind == "impulse"
             return _CONCLUSIONS["parallel to"] if unit and vector else None
         return _CONCLUSIONS.get(point.link.sign)
@@ -450,10 +450,10 @@ class Values(Sides):
     def has_rebound(self, line: JudgedLine) -> bool:
         """Whether a line has e and, but for an impulse, nothing else that an impact decides."""
         meanings = self._meanings(line)
-        meant = (meanings.get(getattr(each, "name", ""), each) for each in self.unknowns(line))
+        meant = (meanings.get(getattr(tree, "name", ""), tree) for tree in self.unknowns(line))
         impulses = all(
-            each == Letter("e") or (isinstance(each, Quantity) and each.kind == "impulse")
-            for each in meant
+            tree == Letter("e") or (isinstance(tree, Quantity) and tree.kind == "impulse")
+            for tree in meant
         )
         return impulses and any(
             node == Letter("e")
@@ -467,7 +467,7 @@ class Values(Sides):
         given = {Letter("e")} | {
             step.e for step in self._base.events if isinstance(step, Impact) and step.e is not None
         }
-        numbers = {float(self._base.scalar(each).flat[0]) for each in given if is_bare(each)}
+        numbers = {float(self._base.scalar(tree).flat[0]) for tree in given if is_bare(tree)}
         squares = {number**2 for number in numbers}
         return any(
             node in given or (is_bare(node) and self._is_one_of(node, numbers | squares))
@@ -484,7 +484,9 @@ class Values(Sides):
         link = point.link
         if principle == "fact" or link is None:
             return True
-        kinds = {each.kind for side in (link.left, link.right) for each in quantities_in(side)}
+        kinds = {
+            quantity.kind for side in (link.left, link.right) for quantity in quantities_in(side)
+        }
         return not kinds or bool(kinds & _KINDS_OF_FACTS.get(principle, kinds))
 
     def is_quoted(self, line: JudgedLine) -> bool:
@@ -497,17 +499,17 @@ class Values(Sides):
 
     def is_formula(self, line: JudgedLine) -> bool:
         """Whether a line is a formula that is only quoted: I = m(v - u), with m and u for data."""
-        inferred = {each.letter for each in self.letters if each.by == "inferred"}
+        inferred = {letter.letter for letter in self.letters if letter.by == "inferred"}
         meanings = self._meanings(line)
         if has_data(line.line):
             return False
         return any(
-            isinstance(each, Letter)
-            and each.name in inferred
-            and not self._changes(each, meanings, line)
+            isinstance(name, Letter)
+            and name.name in inferred
+            and not self._changes(name, meanings, line)
             for link in line.line.links
             for side in (link.readings[0].left, link.readings[0].right)
-            for each in names_in(side)
+            for name in names_in(side)
         )
 
     def is_seen(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -533,7 +535,7 @@ class Values(Sides):
         link = point.link
         if link is None:
             return False
-        after = {each for each in quantities_in(link.left) if each.kind == "velocity"}
+        after = {quantity for quantity in quantities_in(link.left) if quantity.kind == "velocity"}
         return len(after) == 1
 
     def carries(self, point: MarkPoint, line: JudgedLine) -> bool:
@@ -545,7 +547,7 @@ class Values(Sides):
         if line.verdict == "remark" and own:
             return any(self._is_worth(value, link.right, line) for value in line.line.values)
         velocity = next(
-            (each for each in quantities_in(link.left) if each.kind == "velocity"), None
+            (quantity for quantity in quantities_in(link.left) if quantity.kind == "velocity"), None
         )
         if velocity is None or line.verdict not in ("true", "follows", "false"):
             return False
@@ -570,8 +572,8 @@ class Values(Sides):
         meanings = self._meanings(line)
         return any(
             self._is_parallel(vector, link.right, meanings, line)
-            for each in line.line.links
-            for side in (each.readings[0].left, each.readings[0].right)
+            for other in line.line.links
+            for side in (other.readings[0].left, other.readings[0].right)
             for product in quantities_in(side)
             if product.kind == "dot"
             for vector in product.arguments
@@ -596,8 +598,8 @@ class Values(Sides):
         meanings = self._meanings(line)
         return any(
             self._are_multiples(world, (claim.left, claim.right), sides, meanings, line)
-            for each in line.line.links
-            for claim in each.readings[:1]
+            for other in line.line.links
+            for claim in other.readings[:1]
             if (claim.sign in FLIPPED) == (link.sign in FLIPPED)
         )
 

@@ -91,9 +91,9 @@ def level_of(attempts: Sequence[_Attempt]) -> int:
     last = attempts[-1]
     if len(attempts) < 2 or attempts[-2].level != last.level:
         return last.level
-    if all(each.well for each in attempts[-2:]):
+    if all(attempt.well for attempt in attempts[-2:]):
         return min(last.level + 1, LEVELS[-1])
-    if all(each.share < _WELL for each in attempts[-2:]):
+    if all(attempt.share < _WELL for attempt in attempts[-2:]):
         return max(last.level - 1, LEVELS[0])
     return last.level
 
@@ -116,10 +116,10 @@ def _is_due(tried: Sequence[_Attempt], day: int) -> bool:
 def _days_in_a_row(tried: Sequence[_Attempt]) -> int:
     """On how many days in a row the topic went well; several on one day are one success."""
     run: list[_Attempt] = []
-    for each in reversed(tried):
-        if not each.well:
+    for attempt in reversed(tried):
+        if not attempt.well:
             break
-        run.append(each)
+        run.append(attempt)
     return 1 + sum(later.day != earlier.day for later, earlier in pairwise(run)) if run else 0
 
 
@@ -128,8 +128,8 @@ def _sureness(tried: Sequence[_Attempt], day: int) -> float:
         return 0.0
     weights = (0.6, 0.3, 0.1)
     latest = list(reversed(tried))[: len(weights)]
-    worth = [each.share * (0.7 + 0.1 * (each.level - 1)) for each in latest]
-    learnt = sum(weight * each for weight, each in zip(weights, worth, strict=False))
+    worth = [attempt.share * (0.7 + 0.1 * (attempt.level - 1)) for attempt in latest]
+    learnt = sum(weight * number for weight, number in zip(weights, worth, strict=False))
     pause = PAUSES[min(max(_days_in_a_row(tried), 1), len(PAUSES)) - 1]
     late = max(day - tried[-1].day - pause, 0)
     faded: float = learnt * 0.5 ** (late / (4 * pause))
@@ -140,10 +140,10 @@ def _named_twice(known: Mapping[str, Sequence[_Attempt]]) -> tuple[str, str] | N
     """A topic and a mistake that was named in two of its attempts since it last went well."""
     for name in _IDS:
         count: dict[str, int] = {}
-        for each in reversed(known.get(name, ())):
-            if each.well and not each.mistakes:
+        for attempt in reversed(known.get(name, ())):
+            if attempt.well and not attempt.mistakes:
                 break
-            for mistake in dict.fromkeys(each.mistakes):
+            for mistake in dict.fromkeys(attempt.mistakes):
                 if not _can_be_shown(mistake):
                     continue
                 count[mistake] = count.get(mistake, 0) + 1
@@ -164,14 +164,14 @@ def _can_be_shown(mistake: str) -> bool:
 
 def _by_topic(attempts: Iterable[Mapping[str, object]]) -> dict[str, list[_Attempt]]:
     known: dict[str, list[_Attempt]] = {}
-    for each in _attempts(attempts):
-        known.setdefault(each.topic, []).append(each)
+    for attempt in _attempts(attempts):
+        known.setdefault(attempt.topic, []).append(attempt)
     return known
 
 
 def _attempts(attempts: Iterable[Mapping[str, object]]) -> list[_Attempt]:
-    read = [_attempt(each) for each in attempts]
-    return [each for each in read if each is not None]
+    read = [_attempt(attempt) for attempt in attempts]
+    return [attempt for attempt in read if attempt is not None]
 
 
 def _attempt(data: object) -> _Attempt | None:

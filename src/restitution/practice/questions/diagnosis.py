@@ -74,7 +74,7 @@ def difference(solution: Solution, mistake: str) -> float:
     worlds = [each for name, each in known.items() if _mistake(name) == mistake]
     if right is None or not worlds:
         return 0.0
-    return max(max(_shares(right, each), default=0.0) for each in worlds)
+    return max(max(_shares(right, world), default=0.0) for world in worlds)
 
 
 def _mistake(name: str) -> str:
@@ -114,8 +114,10 @@ class _Desk:
     def _stories(self) -> list[Any]:
         """The true story of each part; None where it cannot be told in doubles."""
         return [
-            doubles.fitted(self.problem, self.problem.parts[each.index], each.values, each.sought)
-            for each in self.samples
+            doubles.fitted(
+                self.problem, self.problem.parts[sample.index], sample.values, sample.sought
+            )
+            for sample in self.samples
         ]
 
     def worlds(self, problem: Problem) -> Iterator[tuple[str, Answers]]:
@@ -157,7 +159,7 @@ class _Desk:
         """Whether the signs that are put in by hand are those of the components in the truth."""
         trees = [sense for each in changed.at for sense in each.senses]
         trees += [
-            each.sense for one in changed.at for each in one.results if each.sense is not None
+            result.sense for one in changed.at for result in one.results if result.sense is not None
         ]
         for story in self._stories if trees else ():
             if story is None:
@@ -265,9 +267,9 @@ def _rebuilt(value: Any, dice: Dice) -> Any:
         return tuple(_rebuilt(each, dice) for each in value)
     if is_dataclass(value) and not isinstance(value, type):
         changes = {
-            each.name: _rebuilt(getattr(value, each.name), dice)
-            for each in fields(value)
-            if each.init and each.name not in ("place", "notes", "text")
+            field.name: _rebuilt(getattr(value, field.name), dice)
+            for field in fields(value)
+            if field.init and field.name not in ("place", "notes", "text")
         }
         return replace(value, **changes)
     return value

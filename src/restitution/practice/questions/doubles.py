@@ -74,8 +74,10 @@ class _Teller:
         for given, now in self.givens:
             for relation in given.relations:
                 required = facts.requirements(relation, story, now)
-                equations += [each for each in required if isinstance(each, Equation)]
-        return [float(each.value) for each in equations]
+                equations += [
+                    condition for condition in required if isinstance(condition, Equation)
+                ]
+        return [float(equation.value) for equation in equations]
 
 
 def fitted(

@@ -197,7 +197,7 @@ def objection(solution: Solution) -> str:
         return solution.error.message
     if solution.problem.notes:
         return "its notation is doubtful"
-    for item in (each for part in solution.parts.values() for each in part.items):
+    for item in (item for part in solution.parts.values() for item in part.items):
         if item.error is not None:
             return item.error.message
         if item.kind == "show" and item.holds is not True:

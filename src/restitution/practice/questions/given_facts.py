@@ -253,7 +253,7 @@ def _rest_3(d: Dice) -> str:
 
 
 def _rest_4(d: Dice) -> str:
-    e = d.of([each for each in COEFFICIENTS if each.numerator < 4])
+    e = d.of([coefficient for coefficient in COEFFICIENTS if coefficient.numerator < 4])
     angle = acute(d, 5)
     return lines_of(
         "sphere A: mass m, velocity u at alpha",
@@ -328,7 +328,7 @@ def _range_3(d: Dice) -> str:
 def _range_4(d: Dice) -> str:
     """Both are turned back: between which values the mass lies."""
     c = pair(d, both_across=False, reach=4)
-    e = d.of([each for each in COEFFICIENTS if each.denominator < 6])
+    e = d.of([coefficient for coefficient in COEFFICIENTS if coefficient.denominator < 6])
     p2 = -d.between(1, 3)
     return lines_of(
         f"sphere A: mass m, velocity {vector(c.p1, c.s1, 'u')}",

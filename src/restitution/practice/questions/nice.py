@@ -225,7 +225,7 @@ def slanted(d: Dice, *, at_rest: bool = False, denominators: int = 3, reach: int
         for e in COEFFICIENTS:
             v1, v2 = law.impact(u1, u2, m2, m1, c, e)
             parts = (*v1, *v2)
-            simple = all(each.denominator <= denominators for each in parts)
+            simple = all(part.denominator <= denominators for part in parts)
             if simple and unlike([*sizes, v1.dot(c), v2.dot(c)]):
                 options.append(Slanted(m1, m2, (x, y), e, u1, u2, v1, v2))
         if options:
@@ -315,7 +315,7 @@ def ugly_value(solution: Solution) -> str:
                 for velocity in happening.after.values():
                     if not is_nice(tuple(velocity)):
                         return "a velocity"
-    for item in (each for part in solution.parts.values() for each in part.items):
+    for item in (item for part in solution.parts.values() for item in part.items):
         for answer in item.answers[:1]:
             if item.kind in ("value", "vector") and not is_nice(answer.value):
                 return item.text

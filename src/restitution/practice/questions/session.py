@@ -171,9 +171,9 @@ def chosen(wanted: Wanted, state: State, day: int, seed: int) -> PracticeQuestio
 
 def _level_in(state: State, topic: str) -> int:
     """The level of the last attempt in a topic, or the first."""
-    for each in reversed(state.attempts):
-        if each.get("topic") == topic and each.get("level") in LEVELS:
-            return int(each["level"])
+    for attempt in reversed(state.attempts):
+        if attempt.get("topic") == topic and attempt.get("level") in LEVELS:
+            return int(attempt["level"])
     return LEVELS[0]
 
 
@@ -333,7 +333,7 @@ class Conversation:
         marking = self._mark(label, typed, level)
         if marking is None:
             return None
-        return tuple(dict.fromkeys(each.text for each in marking.messages if each.text))
+        return tuple(dict.fromkeys(message.text for message in marking.messages if message.text))
 
     def _script(self) -> Iterable[str]:
         """All that was typed so far, part by part."""
@@ -378,7 +378,7 @@ class Conversation:
             "earned": sum(marking.marks.earned for marking in markings),
             "of": max(self.question.marks, sum(marking.marks.of for marking in markings)),
             "lost_method": any(
-                each.point.letter == "M" and each.state == "lost" for each in points
+                point.point.letter == "M" and point.state == "lost" for point in points
             ),
             "mistakes": list(dict.fromkeys(n for marking in markings for n in marking.mistakes)),
         }

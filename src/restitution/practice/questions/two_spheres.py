@@ -186,7 +186,7 @@ def _moving(d: Dice, *asked: str, direct: bool = False, letters: bool = False) -
         p2 = -Fraction(d.between(1, 6))
     masses, e = _simple_moving(d, p1, p2)
     unit = "m" if letters else ""
-    m1, m2 = (times(each, unit) if unit else number(each) for each in masses)
+    m1, m2 = (times(mass, unit) if unit else number(mass) for mass in masses)
     u = times(one.hypotenuse * scale, "u") if letters else f"{one.hypotenuse * scale}"
     w = times(other.hypotenuse * second, "u") if letters else f"{other.hypotenuse * second}"
     if direct:

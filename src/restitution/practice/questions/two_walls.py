@@ -27,7 +27,7 @@ from restitution.practice.questions.nice import (
 def _unlike(d: Dice) -> tuple[Fraction, Fraction]:
     """Two coefficients that differ."""
     one = d.of(COEFFICIENTS)
-    return one, d.of([each for each in COEFFICIENTS if each != one])
+    return one, d.of([number for number in COEFFICIENTS if number != one])
 
 
 def _simple(d: Dice) -> tuple[Fraction, Fraction]:
@@ -381,7 +381,7 @@ def _then_wall(d: Dice) -> str:
     while c.q2 <= 0:
         c = pair(d, denominators=3)
     m1, m2 = masses_of(c)
-    f = d.of([each for each in COEFFICIENTS if each != c.e])
+    f = d.of([number for number in COEFFICIENTS if number != c.e])
     return lines_of(
         f"sphere A: mass {m1}, velocity {vector(c.p1, c.s1)}",
         f"sphere B: mass {m2}, velocity {vector(c.p2, c.s2)}",
@@ -399,7 +399,7 @@ def _then_wall(d: Dice) -> str:
 
 def _then_wall_4(d: Dice) -> str:
     c = pair(d, at_rest=True, denominators=3)
-    f = d.of([each for each in COEFFICIENTS if each != c.e])
+    f = d.of([number for number in COEFFICIENTS if number != c.e])
     scale = 1 if c.m1.denominator == c.m2.denominator == 1 else 10
     m1, m2 = times(c.m1 * scale, "m"), times(c.m2 * scale, "m")
     return lines_of(

@@ -440,15 +440,15 @@ def _asked_forward(
         for step in part.steps:
             if isinstance(step, Given):
                 asked = [
-                    each
-                    for each in step.relations
-                    if isinstance(each, Compare) and _is_follower(each)
+                    relation
+                    for relation in step.relations
+                    if isinstance(relation, Compare) and _is_follower(relation)
                 ]
-                kept = tuple(each for each in step.relations if each not in asked)
+                kept = tuple(relation for relation in step.relations if relation not in asked)
                 if kept:
                     steps.append(replace(step, relations=kept))
-                for each in asked:
-                    steps.append(Find((Value(_subject(each)),)))
+                for comparison in asked:
+                    steps.append(Find((Value(_subject(comparison)),)))
             elif not isinstance(step, Find | Show):
                 steps.append(step)
         parts.append(replace(part, steps=tuple(steps)))
@@ -503,7 +503,7 @@ def _vector(x: Expression, y: Expression) -> Expression:
     from restitution.practice.questions.nice import vector
 
     try:
-        first, second = (Fraction(write_expression(each)) for each in (x, y))
+        first, second = (Fraction(write_expression(tree)) for tree in (x, y))
         return read_expression(vector(first, second))
     except ValueError:
         return Pair(x, y)

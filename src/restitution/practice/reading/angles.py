@@ -69,7 +69,7 @@ def is_angle(tree: Expression, angles: frozenset[str]) -> bool:
 def _names_angle(phrase: str) -> bool:
     """Whether a phrase names an angle: ``angle to the wall``, not ``speed in the i direction``."""
     words = phrase.split()
-    heads = {HEADS[each] for each in words if each in HEADS}
+    heads = {HEADS[word] for word in words if word in HEADS}
     if heads & {"angle", "deflection"}:
         return True
     axis = set(words) & {"i", "j", "x", "y", *DIRECTIONS}
@@ -98,7 +98,7 @@ def angular(tree: Expression, angles: frozenset[str]) -> Expression:
 
 def _is_numeric(tree: Expression) -> bool:
     """Whether a tree is made of bare numbers alone."""
-    return all(isinstance(each, Number | Binary | Negate) for each in walk(tree))
+    return all(isinstance(node, Number | Binary | Negate) for node in walk(tree))
 
 
 def in_degrees(tree: Expression, angles: frozenset[str]) -> Expression:
@@ -120,4 +120,4 @@ def in_degrees(tree: Expression, angles: frozenset[str]) -> Expression:
 
 
 def _has_pi(tree: Expression) -> bool:
-    return any(isinstance(each, Pi) for each in walk(tree))
+    return any(isinstance(node, Pi) for node in walk(tree))

@@ -22,8 +22,8 @@ def vectors_of(body: str, problem: Problem) -> tuple[Side, ...]:
 def _is_signed(tree: Expression) -> bool:
     """Whether a value may be negative as it is typed: ``-2``, ``u(2 - 3e)``."""
     return any(
-        isinstance(each, Negate) or (isinstance(each, Binary) and each.op == "-")
-        for each in walk(tree)
+        isinstance(node, Negate) or (isinstance(node, Binary) and node.op == "-")
+        for node in walk(tree)
     )
 
 
@@ -31,12 +31,12 @@ def worths_of(body: str, value: Expression) -> tuple[Side, ...]:
     """What a number behind the name of a sphere may be: its speed, or a component."""
     phrases = [f"speed of {body}"]
     phrases += [f"component of {body} along"] if _is_signed(value) else []
-    return tuple(Side(Letter(each)) for each in phrases)
+    return tuple(Side(Letter(phrase)) for phrase in phrases)
 
 
 def places_of(body: str, problem: Problem) -> tuple[Expression, ...]:
     """Where a sphere is at each event, if its place is known."""
-    if all(each.name != body or each.position is None for each in problem.spheres):
+    if all(sphere.name != body or sphere.position is None for sphere in problem.spheres):
         return ()
     stages = range(len(problem.events) + 1)
     return tuple(Quantity("position", (Name(body),), stage) for stage in stages)

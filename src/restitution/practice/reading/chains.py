@@ -122,14 +122,14 @@ def _in_hundredths(
     read: Sequence[tuple[Side, ...]], sides: Sequence[Sequence[Token]]
 ) -> list[tuple[Side, ...]]:
     """``100 - 52.4 - 36 = 11.6%``: what works out the number of a percentage counts hundredths."""
-    if [each.kind for each in sides[-1]] != ["number", "percent"]:
+    if [token.kind for token in sides[-1]] != ["number", "percent"]:
         return list(read)
     number = sides[-1][0].value
     return [
-        (*each, Side(Binary("/", each[0].tree, _HUNDRED)))
-        if (value := worked_out(each[0].tree)) is not None and abs(value - number) < number / 100
-        else each
-        for each in read
+        (*sides, Side(Binary("/", sides[0].tree, _HUNDRED)))
+        if (value := worked_out(sides[0].tree)) is not None and abs(value - number) < number / 100
+        else sides
+        for sides in read
     ]
 
 
@@ -193,7 +193,7 @@ class Chains:
     @property
     def walls(self) -> frozenset[str]:
         """The names of the walls."""
-        return frozenset(each.name for each in self.problem.walls)
+        return frozenset(wall.name for wall in self.problem.walls)
 
     def _last_sides(self) -> tuple[Side, ...]:
         rights = dict.fromkeys(claim.right for claim in self.links[-1].readings)
@@ -218,10 +218,10 @@ class Chains:
         except UnreadableError:
             return
         above, below = self.links[first - 1], self.links[first]
-        pairs = [(tree, each) for tree in chained for each in above.readings]
-        upper = tuple(dict.fromkeys(replace(each, right=tree) for tree, each in pairs))
-        pairs = [(tree, each) for tree in chained for each in below.readings]
-        lower = tuple(dict.fromkeys(replace(each, left=tree) for tree, each in pairs))
+        pairs = [(tree, reading) for tree in chained for reading in above.readings]
+        upper = tuple(dict.fromkeys(replace(claim, right=tree) for tree, claim in pairs))
+        pairs = [(tree, reading) for tree in chained for reading in below.readings]
+        lower = tuple(dict.fromkeys(replace(claim, left=tree) for tree, claim in pairs))
         half = MAX_CLAIMS // 2
         for place, whole, parted in (
             (first - 1, upper[:half], above.readings[:half]),
@@ -264,8 +264,8 @@ class Chains:
         if first.sign != "=" or letters(first.left) & letters(sides[0].tree):
             return False
         readings = tuple(
-            replace(each, others=(*each.others, *self.alike(each.left, sides[0].tree)))
-            for each in last.readings
+            replace(reading, others=(*reading.others, *self.alike(reading.left, sides[0].tree)))
+            for reading in last.readings
         )
         figures = (*last.decimals, *decimals(tokens, readings))
         self.links[-1] = replace(last, readings=readings, decimals=figures)
@@ -297,7 +297,7 @@ class Chains:
         if self.waiting or self.label is not None:
             return True
         if not (self.links or self.past.side or self.past.earlier or segment.before):
-            return sum(each.kind == "relation" for each in segment.tokens) == 1
+            return sum(token.kind == "relation" for token in segment.tokens) == 1
         return set(segment.before) <= _CONNECTING
 
     def chain(self, segment: Segment, sides: list[list[Token]], signs: list[Sign]) -> None:
@@ -340,7 +340,7 @@ class Chains:
             sides, read, signs = sides[1:], read[1:], signs[1:]
         read = self.with_owner(_in_hundredths(self.with_factor(read), sides))
         if self._describes(read):
-            self.statements.values += tuple(each[0].tree for each in read[1:])
+            self.statements.values += tuple(sides[0].tree for sides in read[1:])
             self.pointing(segment.tokens[0], read[1], sides[1])
             return
         angle = self._is_chain_angle(read) or self._is_angle_label()
@@ -366,7 +366,7 @@ class Chains:
         """Whether a chain that works out what is lost ends in its share: ``lost = 3 J = 20%``."""
         words = label.name.split() if isinstance(label, Letter) else []
         lost = any(HEADS.get(word) == "loss" for word in words)
-        return lost and [each.kind for each in sides[-1]] == ["number", "percent"]
+        return lost and [token.kind for token in sides[-1]] == ["number", "percent"]
 
     def _divides_what_stood_last(self, tokens: Sequence[Token]) -> bool:
         """Whether a side begins with its sign: ``loss = 1/16mu², /(1/2mu²) = 12.5%``."""
@@ -381,32 +381,32 @@ class Chains:
     def with_owner(self, read: Sequence[tuple[Side, ...]]) -> list[tuple[Side, ...]]:
         """``KE of B = 4 > 0 = KE before``: what names no body may be of that of the chain."""
         phrases = [
-            each[0].tree.name
-            for each in read
-            if isinstance(each[0].tree, Letter) and is_phrase(each[0].tree.name)
+            sides[0].tree.name
+            for sides in read
+            if isinstance(sides[0].tree, Letter) and is_phrase(sides[0].tree.name)
         ]
         owners = {word for name in phrases for word in name.split()} & self.usage.spheres
         if len(owners) != 1 or len(phrases) < 2:
             return list(read)
         (owner,) = owners
         return [
-            (*each, Side(Letter(f"{name} of {owner}")))
-            if isinstance(each[0].tree, Letter)
-            and (name := each[0].tree.name) in phrases
+            (*sides, Side(Letter(f"{name} of {owner}")))
+            if isinstance(sides[0].tree, Letter)
+            and (name := sides[0].tree.name) in phrases
             and owner not in name.split()
-            else each
-            for each in read
+            else sides
+            for sides in read
         ]
 
     def _is_chain_angle(self, read: Sequence[tuple[Side, ...]]) -> bool:
-        return any(is_angle(each[0].tree, self.usage.angles) for each in read)
+        return any(is_angle(sides[0].tree, self.usage.angles) for sides in read)
 
     def _describes(self, read: Sequence[tuple[Side, ...]]) -> bool:
         """Whether a relation says which way a line points: ``line of centres is 3i + 4j``."""
         first, second = read[0][0].tree, read[1][0].tree
         if not (isinstance(first, Letter) and is_phrase(first.name)):
             return False
-        heads = {HEADS[each] for each in first.name.split() if each in HEADS}
+        heads = {HEADS[word] for word in first.name.split() if word in HEADS}
         return heads <= {"direction"} and is_vector(second, self.usage.vectors)
 
     def pointing(self, label: Token, sides: Sequence[Side], tokens: Sequence[Token]) -> None:
@@ -415,7 +415,7 @@ class Chains:
         So is a wall, which is perpendicular to it.
         """
         words = set(label.name.split())
-        impacts = [each for each in self.problem.events if isinstance(each, Impact)]
+        impacts = [event for event in self.problem.events if isinstance(event, Impact)]
         if len(impacts) != 1 or words & _TANGENTS:
             return
         wall = words & _WALLS and words <= _OF_WALLS and impacts[0].second in self.walls
@@ -425,7 +425,7 @@ class Chains:
             return
         kind = "along" if ("perp" in label.name) != bool(wall) else "across"
         line = Quantity("line_of_centres", ())
-        right = tuple(Side(Quantity(kind, (each.tree, line))) for each in sides)
+        right = tuple(Side(Quantity(kind, (side.tree, line))) for side in sides)
         self.link((Side(Number(Fraction(0))),), "=", right, tokens)
 
     def _is_angle_label(self) -> bool:
@@ -464,19 +464,19 @@ class Chains:
             return  # perp: (5, 10) - 10n = (-3, 4)
         if is_heading(label) and letters(first) and not is_angle(first, self.usage.angles):
             return  # opposite direction: y/x = tan α
-        equation = all(_is_lettered_sum(each[0].tree) for each in (read[0], read[-1]))
+        equation = all(_is_lettered_sum(sides[0].tree) for sides in (read[0], read[-1]))
         if label.kind == "phrase" and (equation or self._is_of_squares(first, label)):
             return
         if label.kind == "phrase" and (later := self._calculations()):
-            own = {each.value for each in sides[-1] if each.kind == "number"}
-            used = any(each.value in own for tokens in later for each in tokens)
+            own = {token.value for token in sides[-1] if token.kind == "number"}
+            used = any(token.value in own for tokens in later for token in tokens)
             self.label = label if used else None
             return
         if label.kind == "name" or isinstance(first, Letter | Apply):
             self.declared.body = self.statements.body = self.body_of(label)
         known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
-        evaluates = all(letters(each[0].tree) <= known for each in read[1:])
-        lost = any(HEADS.get(each) == "loss" for each in label.name.split())
+        evaluates = all(letters(sides[0].tree) <= known for sides in read[1:])
+        lost = any(HEADS.get(word) == "loss" for word in label.name.split())
         law = is_law(read) and not (lost and known <= self.usage.letters)
         evaluates = evaluates and set(signs) == {"="} and not law
         if label.kind == "name":
@@ -502,14 +502,14 @@ class Chains:
         So it is in ``rel vel: 4² + s² = 5²``; of energies it may be the value of the label.
         """
         heads = {HEADS[word] for word in label.name.split() if word in HEADS}
-        square = any(isinstance(each, Binary) and each.op == "^" for each in walk(first))
+        square = any(isinstance(node, Binary) and node.op == "^" for node in walk(first))
         return square and self._is_sum_of_letters(first) and not heads & {"energy", "loss", "gain"}
 
     def _worth_of(self, label: Token, first: Expression) -> tuple[Side, ...]:
         """What a label before a chain is: a speed before a sum of squares may be its square."""
         name = Letter(label.name)
         square = any(
-            isinstance(each, Binary) and each.op == "^" for each in walk(first) if each is not first
+            isinstance(node, Binary) and node.op == "^" for node in walk(first) if node is not first
         )
         summed = isinstance(first, Binary) and first.op == "+"
         if summed and square and HEADS.get(label.name.split()[0]) in ("speed", "magnitude"):
@@ -525,13 +525,13 @@ class Chains:
         calculations: list[list[Token]] = []
         for segment in self.behind:
             (first, *_), _ = sides_of(segment.tokens)
-            numeric = any(each.kind == "number" for each in first)
-            if any(each.kind in ("phrase", "name") for each in segment.tokens):
+            numeric = any(token.kind == "number" for token in first)
+            if any(token.kind in ("phrase", "name") for token in segment.tokens):
                 break
             if segment.before and segment.before[-1] in STAGES:
                 break  # before 4 + 2 = 6, after 3 - 2 = 1
             named = any(
-                each.kind == "letter" and each.name not in self.usage.letters for each in first
+                token.kind == "letter" and token.name not in self.usage.letters for token in first
             )
             if segment.has_relation and numeric and len(first) > 1 and not named:
                 calculations.append(first)
@@ -539,7 +539,7 @@ class Chains:
 
     def _is_timed(self, tree: Expression) -> bool:
         """Whether a side is a product with a time: a distance, and no component."""
-        times = {each for each in letters(tree) if each.partition("_")[0] in ("t", "T")}
+        times = {letter for letter in letters(tree) if letter.partition("_")[0] in ("t", "T")}
         return bool(times - self.usage.angles) and isinstance(tree, Binary) and tree.op == "*"
 
     def _is_sum_of_letters(self, tree: Expression) -> bool:
@@ -577,14 +577,17 @@ class Chains:
                 distinct.setdefault(claim)
         whole = [label, *tokens] if label is not None else list(tokens)
         readings = tuple(distinct)[:MAX_CLAIMS]
-        start = min((each.column for each in whole), default=1)
-        end = max((self.line.column(each.end) for each in whole), default=start)
+        start = min((token.column for token in whole), default=1)
+        end = max((self.line.column(token.end) for token in whole), default=start)
         figures = (*decimals(tokens, readings), *self._carried(tokens, readings))
         self.links.append(Link(readings, start, end, figures, self.case))
 
     def _carried(self, tokens: Sequence[Token], readings: Sequence[Claim]) -> Iterator[Decimal]:
         """The decimals of a side that stood before, or in the line above: ``= u/√3``."""
-        above = (*self.past.decimals, *(each for link in self.links for each in link.decimals))
+        above = (
+            *self.past.decimals,
+            *(decimal for link in self.links for decimal in link.decimals),
+        )
         if not above:
             return
         numbers = {
@@ -594,10 +597,10 @@ class Chains:
             for node in walk(side)
             if isinstance(node, Number | Degrees) and (column := column_of(node)) is not None
         }
-        typed = {each.column for each in tokens}
-        for each in dict.fromkeys(above):
-            if each.column not in typed and (each.column, each.value) in numbers:
-                yield each
+        typed = {token.column for token in tokens}
+        for decimal in dict.fromkeys(above):
+            if decimal.column not in typed and (decimal.column, decimal.value) in numbers:
+                yield decimal
 
     def with_factor(self, read: Sequence[tuple[Side, ...]]) -> list[tuple[Side, ...]]:
         """``5 + 7.5 = 12.5mu²``: the factor of the last side may belong to the sums before it."""
@@ -607,10 +610,10 @@ class Chains:
         if factor is None:
             return list(read)
         return [
-            (*each, Side(Binary("*", each[0].tree, factor)))
-            if _is_sum_of_numbers(each[0].tree)
-            else each
-            for each in read
+            (*sides, Side(Binary("*", sides[0].tree, factor)))
+            if _is_sum_of_numbers(sides[0].tree)
+            else sides
+            for sides in read
         ]
 
     def _is_shorthand(self, left: Letter, right: Expression) -> bool:
@@ -622,7 +625,7 @@ class Chains:
         """Whether a vector has letters of the student's own as components: ``v = x i + y j``."""
         own = letters(tree) - self.usage.letters
         moving = bool(own) and self._is_moving(tree)
-        return moving and not any(isinstance(each, Apply) for each in walk(tree))
+        return moving and not any(isinstance(node, Apply) for node in walk(tree))
 
     def _is_worth(self, phrase: str, letter: str) -> bool:
         """Whether a phrase of a speed, an energy or an impulse has a letter of the question."""

@@ -18,7 +18,7 @@ _SIGNS = {"=": "=", "<": "<", "<=": "≤", ">": ">", ">=": "≥", "!=": "≠"}
 
 def write_claim(claim: Claim) -> str:
     """A claim in symbols: ``⅕ × 3 + ⅖ × 4 = ⅕v + ⅖w``; further right sides behind *or*."""
-    right = " or ".join(write_side(each) for each in (claim.right, *claim.others))
+    right = " or ".join(write_side(tree) for tree in (claim.right, *claim.others))
     return f"{write_side(claim.left)} {_SIGNS[claim.sign]} {right}"
 
 
@@ -37,4 +37,4 @@ def _with_name(node: Expression) -> Expression:
 
 def _words(name: str) -> str:
     """A phrase with its short forms in capitals."""
-    return " ".join("KE" if each == "ke" else each for each in name.split())
+    return " ".join("KE" if word == "ke" else word for word in name.split())

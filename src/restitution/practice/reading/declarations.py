@@ -29,12 +29,12 @@ class Declarations:
         self.declarations: tuple[Declaration, ...] = ()
         self.body: str | None = None
         self.shared: Token | None = None
-        self.bodies = tuple(each.name for each in problem.spheres)
+        self.bodies = tuple(sphere.name for sphere in problem.spheres)
 
     def declare_all(self, declared: Sequence[Letter], token: Token) -> None:
         """``v and w = the speeds of A and B``: each letter with its body."""
         words = token.name.split()
-        bodies = [each for each in words if each in self.usage.spheres]
+        bodies = [word for word in words if word in self.usage.spheres]
         self.shared = token
         if len(declared) > 1 and not bodies and len(declared) == len(self.bodies):
             bodies = list(self.bodies)
@@ -43,7 +43,7 @@ class Declarations:
             self.declare(declared[-1], token)
             return
         for letter, body in zip(declared, bodies):
-            kept = [each for each in words if each not in self.usage.spheres or each == body]
+            kept = [word for word in words if word not in self.usage.spheres or word == body]
             self.declare(letter, replace(token, name=" ".join(kept)))
 
     def declare(self, letter: Letter, token: Token) -> None:
@@ -79,7 +79,7 @@ class Declarations:
         if match is None or not declared or self.shared is None:
             return
         if match[2] in self.usage.spheres and match[1] != declared[-1].letter:
-            words = [each for each in self.shared.name.split() if each not in self.usage.spheres]
+            words = [word for word in self.shared.name.split() if word not in self.usage.spheres]
             name = " ".join((*words, "of", match[2]))
             self.declare(Letter(match[1]), replace(self.shared, name=name))
 
@@ -105,7 +105,9 @@ def _with_senses(meanings: Sequence[Expression]) -> tuple[Expression, ...]:
     Who says *let the speeds after be v and w* goes on with momentum, and with v < 0.
     """
     inside = [
-        each.argument for each in meanings if isinstance(each, Apply) and each.function == "abs"
+        meaning.argument
+        for meaning in meanings
+        if isinstance(meaning, Apply) and meaning.function == "abs"
     ]
-    signed = (sense for each in inside for sense in (each, Negate(each)))
+    signed = (sense for tree in inside for sense in (tree, Negate(tree)))
     return tuple(dict.fromkeys((*meanings, *signed)))

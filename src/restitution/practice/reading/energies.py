@@ -46,8 +46,8 @@ def energy_links(
     readings = tuple(Claim(name, "=", energy) for name in _names(scope, problem))
     if not links:
         return (Link(readings, 1, 1),)
-    columns = {line_and_column(each.place)[1] for each in walk(energy) if isinstance(each, Number)}
-    decimals = tuple(each for each in links[0].decimals if each.column in columns)
+    columns = {line_and_column(node.place)[1] for node in walk(energy) if isinstance(node, Number)}
+    decimals = tuple(decimal for decimal in links[0].decimals if decimal.column in columns)
     return (Link(readings, links[0].start, links[0].end, decimals), *links)
 
 
@@ -58,7 +58,7 @@ def _has_squares(energy: Expression, problem: Problem) -> bool:
     masses = {"m", "M"}.union(
         *(letters(x.mass) for x in problem.spheres if isinstance(x.mass, Expression))
     )
-    squared = any(isinstance(each, Binary) and each.op == "^" for each in walk(energy))
+    squared = any(isinstance(node, Binary) and node.op == "^" for node in walk(energy))
     return squared or letters(energy) <= masses
 
 
@@ -66,11 +66,11 @@ def _may_be_a_component(energy: Expression, problem: Problem) -> bool:
     """Whether the half is a coefficient of the question, and no speed is squared: 0.5 × 2√5."""
     if isinstance(energy, Binary) and energy.op in ("+", "-"):
         return False
-    squared = any(isinstance(each, Binary) and each.op == "^" for each in _factors(energy))
+    squared = any(isinstance(factor, Binary) and factor.op == "^" for factor in _factors(energy))
     halves = {
         event.e for event in problem.events if isinstance(event, Impact) and event.e is not None
     }
-    return not squared and any(_is_half(each) for each in halves)
+    return not squared and any(_is_half(tree) for tree in halves)
 
 
 def _is_half(tree: Expression) -> bool:
@@ -82,7 +82,7 @@ def _is_half(tree: Expression) -> bool:
 
 def _names(scope: Scope, problem: Problem) -> Iterator[Letter]:
     """The phrases for an energy of which a label says only when, the most natural first."""
-    spheres = [each.name for each in problem.spheres]
+    spheres = [sphere.name for sphere in problem.spheres]
     owners = [scope.body] if scope.body else [None, *(spheres if len(spheres) > 1 else ())]
     for direction in ("", " along line of centres"):
         for owner in owners:
@@ -95,8 +95,8 @@ def _is_energy(tree: Expression) -> bool:
     if isinstance(tree, Binary) and tree.op in ("+", "-"):
         return _is_energy(tree.left) and _is_energy(tree.right)
     factors = list(_factors(tree))
-    halves = [each for each in factors if each == Number(_HALF)]
-    squares = [each for each in factors if isinstance(each, Binary) and each.op == "^"]
+    halves = [factor for factor in factors if factor == Number(_HALF)]
+    squares = [factor for factor in factors if isinstance(factor, Binary) and factor.op == "^"]
     return len(halves) == 1 and len(factors) + len(squares) > 2
 
 

@@ -72,12 +72,12 @@ def words_of(text: str) -> tuple[str, ...]:
 
 def features_of(words: Sequence[str], problem: Problem) -> Features:
     """Features of the words of a phrase; words without a meaning are passed over."""
-    spheres = {each.name for each in problem.spheres}
-    walls = {each.name for each in problem.walls}
-    known = spheres | walls | {each.name for each in problem.points}
+    spheres = {sphere.name for sphere in problem.spheres}
+    walls = {wall.name for wall in problem.walls}
+    known = spheres | walls | {point.name for point in problem.points}
     features = Features(mass_centre=_is_of_mass_centre(words))
     if features.mass_centre:
-        words = [each for each in words if each.lower() not in _MASS_CENTRE]
+        words = [word for word in words if word.lower() not in _MASS_CENTRE]
     previous = ""
     for place, word in enumerate(words):
         low = word.lower()
@@ -88,7 +88,7 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
         elif low in ("i", "j", "x", "y") and _is_axis(words, place):
             axis = AXES[low]
             features = replace(features, axis=Negate(axis) if previous == "-" else axis)
-            if "direction" in [each.lower() for each in words[max(0, place - 3) : place]]:
+            if "direction" in [word.lower() for word in words[max(0, place - 3) : place]]:
                 features = replace(features, sense="axis")
         elif low in HEADS and not (low == "direction" and _is_filler(words, place)):
             percent = features.percent or low in ("percentage", "percent")
@@ -127,7 +127,7 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
 
 def _is_of_mass_centre(words: Sequence[str]) -> bool:
     """Whether words speak of the mass centre: ``velocity of centre of mass``."""
-    low = {each.lower() for each in words}
+    low = {word.lower() for word in words}
     if not low & {"velocity", "vel", "speed", "v"}:
         return False
     return bool(low & {"com"} or ("mass" in low and low & {"centre", "center"}))
@@ -151,14 +151,14 @@ def _is_axis(words: Sequence[str], place: int) -> bool:
 
 def _is_filler(words: Sequence[str], place: int) -> bool:
     """Whether ``direction`` only goes with what stands beside it: ``in the direction of i``."""
-    around = {each.lower() for each in words[max(0, place - 2) : place]}
+    around = {word.lower() for word in words[max(0, place - 2) : place]}
     return bool(around & {"in", "x", "y", "i", "j", "the", "this", "that"})
 
 
 def _counts_events(words: Sequence[str], place: int) -> bool:
     if place and words[place - 1].lower() in ("after", "before", "at"):
         return True
-    return any(each.lower() in EVENT_WORDS for each in words[place + 1 : place + 3])
+    return any(word.lower() in EVENT_WORDS for word in words[place + 1 : place + 3])
 
 
 def _with_name(features: Features, name: str, previous: str) -> Features:

@@ -154,13 +154,13 @@ class Parser(Cursor):
         if sign is None and (isinstance(left, Letter | Unit) or isinstance(right, Letter | Unit)):
             both = False  # v i is a component along i
         symbols = sign is not None and sign.kind == "dot" and _may_be_vectors(left, right)
-        moving = [self.is_sphere(each) for each in (left, right)]
-        if symbols and any(moving) and any(is_vector(each, vectors) for each in (left, right)):
+        moving = [self.is_sphere(tree) for tree in (left, right)]
+        if symbols and any(moving) and any(is_vector(tree, vectors) for tree in (left, right)):
             both = True  # A.n is of the velocity of A, before or after
             if self.choose("velocity before"):
                 left, right = (
-                    Quantity("velocity", (each,), 0) if is_name else each
-                    for each, is_name in zip((left, right), moving, strict=True)
+                    Quantity("velocity", (tree,), 0) if is_name else tree
+                    for tree, is_name in zip((left, right), moving, strict=True)
                 )
         if both or (symbols and self.choose("scalar product")):
             return Quantity("dot", (left, right))
@@ -239,7 +239,7 @@ class Parser(Cursor):
         if self.kind() not in ("number", "letter", "("):
             raise self.fail("a power")
         tree = self.primary()
-        if any(isinstance(each, Number) and each.value > 20 for each in walk(tree)):
+        if any(isinstance(node, Number) and node.value > 20 for node in walk(tree)):
             raise self.fail("a power of at most 20")
         return tree
 
@@ -374,7 +374,7 @@ class Parser(Cursor):
 
     def angle(self, argument: Expression) -> Expression:
         """The argument of a sine: bare numbers in it are degrees, but behind ``rad``."""
-        columns = {column_of(each) for each in walk(argument) if isinstance(each, Number)}
+        columns = {column_of(node) for node in walk(argument) if isinstance(node, Number)}
         if columns & self.radians:
             return argument
         turned = angular(argument, self.usage.angles)
@@ -503,18 +503,18 @@ class Parser(Cursor):
 
 def _is_number(tree: Expression) -> bool:
     """Whether a numerator is a number, perhaps with a sign or a root."""
-    return not any(isinstance(each, Letter | Name | Quantity) for each in walk(tree))
+    return not any(isinstance(node, Letter | Name | Quantity) for node in walk(tree))
 
 
 def _may_be_vectors(left: Expression, right: Expression) -> bool:
     return all(
-        isinstance(each, Letter | Name) or is_vector(each, frozenset()) for each in (left, right)
+        isinstance(tree, Letter | Name) or is_vector(tree, frozenset()) for tree in (left, right)
     )
 
 
 def _may_be_radians(tree: Expression) -> bool:
     """Whether a number in an argument may be one of radians: a decimal below 2π."""
     return any(
-        isinstance(each, Number) and each.value.denominator != 1 and each.value < 7
-        for each in walk(tree)
+        isinstance(node, Number) and node.value.denominator != 1 and node.value < 7
+        for node in walk(tree)
     )

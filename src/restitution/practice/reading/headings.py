@@ -38,14 +38,14 @@ _BEHIND = re.compile(
 
 def part_of(text: str, problem: Problem) -> tuple[str | None, int]:
     """The part of the question that a line opens, and where the rest of the line begins."""
-    labels = {each.label.lower(): each.label for each in problem.parts if each.label}
+    labels = {part.label.lower(): part.label for part in problem.parts if part.label}
     alone = text.strip().lower()
     if alone in labels:
         return labels[alone], len(text)
     match = _PART.match(text)
     if not match or not labels:
         return None, 0
-    label = next(each for each in match.groups()[:4] if each).lower()
+    label = next(group for group in match.groups()[:4] if group).lower()
     further = (match[5] or "").lower()
     if further and label + further in labels:
         return labels[label + further], match.end()
@@ -57,7 +57,7 @@ def part_of(text: str, problem: Problem) -> tuple[str | None, int]:
 def crossed(text: str) -> str | None:
     """The text of a line that is crossed out, or None."""
     match = _CROSSED.match(text)
-    return next((each for each in match.groups() if each is not None), "") if match else None
+    return next((group for group in match.groups() if group is not None), "") if match else None
 
 
 def without_number(text: str) -> int:
@@ -96,9 +96,9 @@ def scope_of(words: str, problem: Problem, current: Scope) -> Scope | None:
     features = features_of(listed, problem)
     if features.heads - {"direction"} or len(listed) > 9:
         return None
-    spheres = {each.name for each in problem.spheres}
+    spheres = {sphere.name for sphere in problem.spheres}
     event = _event_of(listed, problem, current, features.event)
-    bodies = [each for each in features.names if each in spheres]
+    bodies = [name for name in features.names if name in spheres]
     stage = _stage(low)
     body = bodies[0] if len(bodies) == 1 and (event is None or "wall" in low) else None
     if event is None and body is None and stage is None:
@@ -109,7 +109,7 @@ def scope_of(words: str, problem: Problem, current: Scope) -> Scope | None:
 
 
 def _stage(words: Sequence[str]) -> Literal["before", "after"] | None:
-    stages = {STAGES[each] for each in words if each in STAGES}
+    stages = {STAGES[word] for word in words if word in STAGES}
     return "before" if "before" in stages else "after" if stages else None
 
 
@@ -118,15 +118,15 @@ def _event_of(
 ) -> int | None:
     """The event that a heading names: by its number, by the two that meet, or by its wall."""
     events = problem.events
-    impacts = [n for n, each in enumerate(events, 1) if isinstance(each, Impact)]
-    walls = {each.name for each in problem.walls}
-    low = [each.lower() for each in words]
+    impacts = [n for n, event in enumerate(events, 1) if isinstance(event, Impact)]
+    walls = {wall.name for wall in problem.walls}
+    low = [word.lower() for word in words]
     spoken = any(each in EVENT_WORDS for each in low)
     if counted is None and (spoken or "wall" in low or any(each in STAGES for each in low)):
         counted = next((ORDINALS[each] for each in low if each in ORDINALS), None)
         digits = [int(each) for each in low if each.isdigit()]
         counted = counted or (digits[0] if digits else None)
-    kicks = [n for n, each in enumerate(events, 1) if isinstance(each, Kick)]
+    kicks = [n for n, event in enumerate(events, 1) if isinstance(event, Kick)]
     if kicks and counted is None and _BLOWS & set(low):
         return _next(kicks, current)
     if counted is not None:
@@ -148,7 +148,7 @@ def _event_of(
 
 def _next(numbers: Sequence[int], current: Scope) -> int | None:
     """The first of some events that is not before the current one."""
-    later = [each for each in numbers if current.event is None or each > current.event]
+    later = [number for number in numbers if current.event is None or number > current.event]
     return next(iter(later or numbers), None)
 
 
@@ -180,7 +180,7 @@ def heading_end(tokens: Sequence[Token], usage: Usage) -> int:
         if behind in (":", ",", "stop"):
             break
         end -= 1
-    if not end or not any(each.kind in ("word", "name") for each in tokens[:end]):
+    if not end or not any(token.kind in ("word", "name") for token in tokens[:end]):
         return 0
     if end == 1 and tokens[0].kind == "name" and len(tokens) > 2:
         wall = tokens[0].name in usage.walls and tokens[1].kind == ":"

@@ -20,7 +20,7 @@ def read_as(claims: Sequence[Claim]) -> str | None:
     text, last = "", None
     for claim in claims:
         sign = _SIGNS.get(claim.sign, claim.sign)
-        right = " or ".join(text_of(each) for each in (claim.right, *claim.others))
+        right = " or ".join(text_of(tree) for tree in (claim.right, *claim.others))
         if last is not None and claim.left == last:
             text += f" {sign} {right}"
         else:
@@ -34,7 +34,7 @@ def text_of(tree: Expression) -> str:
     """A tree as people write it; phrases stand in it as typed."""
     if isinstance(tree, Letter) and " " in tree.name:
         return tree.name
-    if any(isinstance(each, Letter) and not each.name.isidentifier() for each in walk(tree)):
+    if any(isinstance(node, Letter) and not node.name.isidentifier() for node in walk(tree)):
         return write_expression(tree)
     return to_text(_layout(tree))
 

@@ -104,7 +104,7 @@ def with_phrases(tokens: Sequence[Token], text: str, problem: Problem) -> list[T
         token = tokens[place]
         merged.append(_prose_name(merged, token, tokens[place + 1 : place + 2]))
         place += 1
-    merged = [each for n, each in enumerate(merged) if not _is_article(merged, n)]
+    merged = [token for n, token in enumerate(merged) if not _is_article(merged, n)]
     return _with_order([_equality(merged, place) for place in range(len(merged))])
 
 
@@ -123,13 +123,13 @@ def _is_aside(tokens: Sequence[Token], place: int) -> bool:
     if tokens[place].kind != "(" or not place or not tokens[place].gap:
         return False
     inside = tokens[place + 1 : tokens_behind(tokens, place) - 1]
-    signs = any(each.kind in ("relation", "arrow") for each in inside)
-    return not signs and any(each.kind == "word" for each in inside)
+    signs = any(token.kind in ("relation", "arrow") for token in inside)
+    return not signs and any(token.kind == "word" for token in inside)
 
 
 def _with_letter(tokens: Sequence[Token], end: int) -> int:
     """Where a phrase ends that goes on with a letter: ``x component of v = 3``."""
-    kinds = [each.kind for each in tokens[end : end + 3]]
+    kinds = [token.kind for token in tokens[end : end + 3]]
     if kinds == ["word", "letter", "relation"] and tokens[end].word == "of":
         return end + 2
     return end
@@ -137,7 +137,7 @@ def _with_letter(tokens: Sequence[Token], end: int) -> int:
 
 def _deflected(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
     """``A is deflected by`` as the name of the angle."""
-    words = [each.word for each in tokens[place + 1 : place + 4]]
+    words = [token.word for token in tokens[place + 1 : place + 4]]
     if tokens[place].kind != "name" or len(words) < 2 or words[0] not in ("is", "was"):
         return None
     if HEADS.get(words[1]) != "deflection":
@@ -162,8 +162,8 @@ def _quotient_of_energies(tokens: Sequence[Token], place: int) -> Token | None:
 
 def _with_order(tokens: list[Token]) -> list[Token]:
     """The tokens of a line that has ``e => 1/3`` for its only sign, which then is no arrow."""
-    arrows = [n for n, each in enumerate(tokens) if each.kind == "arrow"]
-    if any(each.kind == "relation" for each in tokens) or len(arrows) != 1:
+    arrows = [n for n, token in enumerate(tokens) if token.kind == "arrow"]
+    if any(token.kind == "relation" for token in tokens) or len(arrows) != 1:
         return tokens
     place = arrows[0]
     if tokens[place].text != "=>" or not 0 < place < len(tokens) - 1:
@@ -187,7 +187,7 @@ def _as_body(tokens: Sequence[Token], place: int, problem: Problem) -> Token:
     moving = token.kind == "letter" and base in ("v", "V")
     if not moving or body not in {sphere.name for sphere in problem.spheres}:
         return token
-    before = [each.word for each in tokens[max(0, place - 2) : place]]
+    before = [token.word for token in tokens[max(0, place - 2) : place]]
     behind = tokens[place + 1].word if place + 1 < len(tokens) else ""
     if "angle" in {HEADS.get(word) for word in before} and behind in ("makes", "with", "to"):
         return replace(token, kind="name", name=body, text=body)
@@ -232,11 +232,11 @@ def _owned(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
 
 def _moved(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
     """``final v = 2i + j`` as the velocity after: v may be that before as well."""
-    kinds = [each.kind for each in tokens[place : place + 3]]
+    kinds = [token.kind for token in tokens[place : place + 3]]
     if kinds != ["word", "letter", "relation"] or tokens[place].word not in STAGES:
         return None
     base, _, owner = tokens[place + 1].name.partition("_")
-    vector = any(each.kind == "unit" for each in tokens[place + 3 :])
+    vector = any(token.kind == "unit" for token in tokens[place + 3 :])
     if base not in ("u", "v", "w", "V") or not vector or owner.isdigit():
         return None
     name = " ".join(["velocity", *(["of", owner] if owner else []), tokens[place].word])
@@ -252,7 +252,7 @@ def _staged(tokens: Sequence[Token], place: int, text: str) -> tuple[Token, int]
     end = place + 2
     while end < len(tokens) and tokens[end].word in _OF_AN_EVENT:
         end += 1
-    of_one_event = not _OF_ONE_EVENT.isdisjoint(each.word for each in tokens[place + 2 : end])
+    of_one_event = not _OF_ONE_EVENT.isdisjoint(token.word for token in tokens[place + 2 : end])
     of_one_event = of_one_event and end < len(tokens) and tokens[end].kind in ("relation", ":")
     if of_one_event and name in ("u", "v", "w", "V"):
         phrase = _phrase(tokens[place:end], text)
@@ -276,7 +276,7 @@ def _directed(tokens: Sequence[Token], place: int) -> tuple[Token, int] | None:
     end = place + 1
     while end < len(tokens) and tokens[end].kind == "word" and _is_of_a_way(tokens[end].word):
         end += 1
-    words = [each.word for each in tokens[place + 1 : end]]
+    words = [token.word for token in tokens[place + 1 : end]]
     allowed = _OF_COMPONENTS | ({"along"} if owner else set())
     if (
         owner.isdigit()
@@ -320,7 +320,7 @@ def _is_article(tokens: Sequence[Token], place: int) -> bool:
 
 def _phrase(tokens: Sequence[Token], text: str) -> Token:
     """A phrase as a token: its words in small letters, but for names, as its name."""
-    words = [each.text if each.kind in ("name", "unit") else each.word for each in tokens]
+    words = [token.text if token.kind in ("name", "unit") else token.word for token in tokens]
     joined = re.sub(r"(?<=\d) (?=[ij]\b)", "", " ".join(words).replace(" - c", " c"))
     joined = re.sub(r"(?<![ij] )- ([ij])\b", r"-\1", joined)
     first, last = tokens[0], tokens[-1]
@@ -340,11 +340,11 @@ def _phrase_end(tokens: Sequence[Token], place: int, problem: Problem) -> int:
     while end > place and _is_trailing(tokens, end - 1):
         end -= 1
     stretch = tokens[place:end]
-    if not any(each.kind == "word" for each in stretch):
+    if not any(token.kind == "word" for token in stretch):
         return place
     if _is_sum_of_energy(tokens, place):
         return place + 1
-    words = [each.text if each.kind == "name" else each.word for each in stretch]
+    words = [token.text if token.kind == "name" else token.word for token in stretch]
     if end > place and names_quantity(words, problem):
         return end
     return place
@@ -356,10 +356,10 @@ def _vector_end(tokens: Sequence[Token], place: int, end: int) -> int | None:
     A moment may stand behind it, and a value has to.
     """
     stretch = tokens[max(0, place - 1) : end]
-    owned = any(each.kind == "name" or HEADS.get(each.word) in _ALONG for each in stretch)
+    owned = any(token.kind == "name" or HEADS.get(token.word) in _ALONG for token in stretch)
     if not owned or end == place or tokens[end - 1].word not in _BEFORE_VECTOR:
         return None
-    kinds = "".join(_KINDS.get(each.kind, "?") for each in tokens[end : end + 9])
+    kinds = "".join(_KINDS.get(token.kind, "?") for token in tokens[end : end + 9])
     match = re.match(r"\(-?n?i[+-]n?i\)|-?n?i[+-]n?i", kinds)
     if match is None:
         return None
@@ -414,8 +414,8 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
         return low == "a" or (low.isalpha() and token.text.isupper() and len(low) <= 3)
     if token.kind == "name":
         behind = tokens[end + 1] if end + 1 < len(tokens) else None
-        between = any(each.word == "between" for each in tokens[place:end])
-        named = any(each.kind == "name" for each in tokens[place:end])
+        between = any(token.word == "between" for token in tokens[place:end])
+        named = any(token.kind == "name" for token in tokens[place:end])
         if before == "and" and not (named or between) and behind and behind.kind == "number":
             return False  # in the opposite direction and B 5 m/s
         return between or before != "and" or behind is None or behind.kind not in ("relation", "+")
@@ -433,7 +433,7 @@ def _goes_on(tokens: Sequence[Token], place: int, end: int) -> bool:
 
 def _is_angle_behind(tokens: Sequence[Token], place: int) -> bool:
     """Whether ``at`` is followed by an angle: ``at an angle θ``, ``at angle θ``."""
-    behind = [each.word for each in tokens[place + 1 : place + 3]]
+    behind = [token.word for token in tokens[place + 1 : place + 3]]
     if behind and behind[0] in ("a", "an", "the"):
         behind = behind[1:]
     return bool(behind) and HEADS.get(behind[0]) == "angle"
@@ -458,7 +458,7 @@ def _prose_name(merged: Sequence[Token], token: Token, behind: Sequence[Token]) 
 
 def _is_vector_behind(tokens: Sequence[Token], place: int) -> bool:
     """Whether a vector by its components begins behind a place: ``A is 3i + j``."""
-    behind = [each.kind for each in tokens[place + 1 : place + 4]]
+    behind = [token.kind for token in tokens[place + 1 : place + 4]]
     behind = behind[1:] if behind[:1] == ["-"] else behind
     factor = behind[:1] in (["number"], ["letter"])
     return "unit" in behind[:1] or (factor and behind[1:2] == ["unit"])
@@ -477,7 +477,7 @@ def _equality(tokens: Sequence[Token], place: int) -> Token:
         return token  # energy is lost
     if token.text == "equal" and behind.kind == "phrase" and behind.name in _PLURALS:
         return token  # e = 1, equal masses
-    case = [each.kind for each in tokens[max(0, place - 3) : place]]
+    case = [token.kind for token in tokens[max(0, place - 3) : place]]
     if case == ["letter", "relation", "number"] and tokens[place - 4].word in _OF_CASES:
         return token  # least at e = 0 is u sin α
     if token.text in EQUALS and before.kind in _CLOSING and opens:

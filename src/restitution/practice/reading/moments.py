@@ -15,8 +15,8 @@ class Moments:
     def __init__(self, features: Features, problem: Problem, until: int | None = None) -> None:
         self.features, self.problem, self.until = features, problem, until
         self.events = problem.events
-        self.spheres = tuple(each.name for each in problem.spheres)
-        self.walls = tuple(each.name for each in problem.walls)
+        self.spheres = tuple(sphere.name for sphere in problem.spheres)
+        self.walls = tuple(wall.name for wall in problem.walls)
 
     def asked(self, kind: str) -> Iterator[Expression]:
         """The quantities of a kind for which the question asks."""
@@ -35,16 +35,16 @@ class Moments:
 
     def numbers(self) -> list[int]:
         """The events of which the phrase may speak, the latest first."""
-        kicks = [n for n, each in enumerate(self.events, 1) if isinstance(each, Kick)]
+        kicks = [n for n, event in enumerate(self.events, 1) if isinstance(event, Kick)]
         if self.features.blow and kicks:
             return list(reversed(kicks))
-        impacts = [n for n, each in enumerate(self.events, 1) if isinstance(each, Impact)]
+        impacts = [n for n, event in enumerate(self.events, 1) if isinstance(event, Impact)]
         if self.features.event is not None and self.features.event <= len(impacts):
             return [impacts[self.features.event - 1]]
         named = [n for n in impacts if self.met(n) and self.met(n) <= set(self.features.names)]
         if named and len(named) < len(impacts):
             return named
-        bodies = {each for each in self.features.names if each in self.spheres}
+        bodies = {name for name in self.features.names if name in self.spheres}
         if self.features.at_wall:
             known = [n for n in impacts if self.met(n) & set(self.walls)]
             struck = [n for n in known if not bodies or bodies & self.met(n)]
@@ -65,14 +65,14 @@ class Moments:
 
     def bodies(self, event: int) -> list[str]:
         """The spheres of which the phrase may speak."""
-        named = [each for each in self.features.names if each in self.spheres]
+        named = [name for name in self.features.names if name in self.spheres]
         if self.features.target in named and len(named) > 1:
             named.remove(self.features.target or "")
         if named:
             return named[:1]
         match self.events[event - 1] if 0 < event <= len(self.events) else None:
             case Impact(first, second):
-                return [each for each in (first, second) if each in self.spheres]
+                return [body for body in (first, second) if body in self.spheres]
             case Kick(body):
                 return [body]
         return list(self.spheres)
@@ -97,7 +97,7 @@ class Moments:
 
     def wall(self, event: int) -> Expression | None:
         """The wall that is named, or that is struck."""
-        named = [each for each in self.features.names if each in self.walls]
+        named = [name for name in self.features.names if name in self.walls]
         if named:
             return Name(named[0])
         struck = self.met(event) & set(self.walls)

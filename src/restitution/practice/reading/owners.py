@@ -22,7 +22,7 @@ def with_owners(
 
     ``known`` are letters that have a meaning of their own.
     """
-    spheres = {each.name for each in problem.spheres}
+    spheres = {sphere.name for sphere in problem.spheres}
     owners: dict[str, set[str]] = {}
     for line in lines:
         for match in _BEGINNING.finditer(line.text):

@@ -101,14 +101,14 @@ def tells_after(name: str, problem: Problem) -> bool:
 def event_of(name: str, problem: Problem) -> int | None:
     """The number of the event that a phrase counts, ``loss of the second impact``; else None."""
     counted = features_of(words_of(name), problem).event
-    impacts = [n for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
+    impacts = [n for n, event in enumerate(problem.events, 1) if isinstance(event, Impact)]
     return impacts[counted - 1] if counted is not None and counted <= len(impacts) else None
 
 
 def is_vague(name: str) -> bool:
     """Whether a phrase says what kind of value it is, and not of what: *size*, *the angle*."""
-    words = [each for each in name.casefold().split() if each != "the"]
-    return all(HEADS.get(each) in _VAGUE for each in words)
+    words = [word for word in name.casefold().split() if word != "the"]
+    return all(HEADS.get(word) in _VAGUE for word in words)
 
 
 def names_time(name: str) -> bool:
@@ -158,7 +158,7 @@ def read_phrase(
 
 def _counted(event: int, features: Features, problem: Problem) -> int | None:
     """Which impact an event is, counted from 1, if the phrase may speak of it."""
-    impacts = [n for n, each in enumerate(problem.events, 1) if isinstance(each, Impact)]
+    impacts = [n for n, event in enumerate(problem.events, 1) if isinstance(event, Impact)]
     if event not in impacts:
         return None
     impact = problem.events[event - 1]
@@ -168,8 +168,8 @@ def _counted(event: int, features: Features, problem: Problem) -> int | None:
 
 
 def _exact(text: str, problem: Problem) -> Expression | None:
-    names = {each.name for each in problem.spheres}
-    names |= {each.name for each in problem.walls} | {each.name for each in problem.points}
+    names = {sphere.name for sphere in problem.spheres}
+    names |= {wall.name for wall in problem.walls} | {point.name for point in problem.points}
     try:
         return read_expression(text, names=names)
     except (StatementError, RecursionError):
@@ -179,19 +179,20 @@ def _exact(text: str, problem: Problem) -> Expression | None:
 def _is_of_velocities(angle: Expression) -> bool:
     """Whether an angle is one between two velocities."""
     return isinstance(angle, Quantity) and all(
-        isinstance(each, Quantity) and each.kind == "velocity" for each in angle.arguments
+        isinstance(argument, Quantity) and argument.kind == "velocity"
+        for argument in angle.arguments
     )
 
 
 def _names_in(tree: Expression) -> frozenset[str]:
     """The names of bodies in a tree."""
-    return frozenset(each.name for each in walk(tree) if isinstance(each, Name))
+    return frozenset(node.name for node in walk(tree) if isinstance(node, Name))
 
 
 def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
     trees: dict[Expression, None] = {}
-    for each in candidates:
-        trees.setdefault(each)
+    for candidate in candidates:
+        trees.setdefault(candidate)
         if len(trees) >= MAX_CANDIDATES:
             break
     return tuple(trees)
@@ -215,8 +216,8 @@ class _Reader(Moments):
             elif "angle" in heads:
                 yield from self.angle(event)
                 walls = set(self.features.names) & set(self.walls)
-                asked = (each for each in self.asked("angle") if walls <= _names_in(each))
-                yield from (each for each in asked if not self._is_of_another_wall(each, event))
+                asked = (tree for tree in self.asked("angle") if walls <= _names_in(tree))
+                yield from (tree for tree in asked if not self._is_of_another_wall(tree, event))
                 yield from self.asked("direction")
             elif heads & {"energy", "loss", "gain"}:
                 yield from self.energy(event)
@@ -252,7 +253,7 @@ class _Reader(Moments):
             elif heads & {"velocity", "magnitude"} or self.features.sense:
                 yield from self.velocity(event)
             elif "direction" in heads:
-                yield from (self.of("direction", each, event) for each in self.bodies(event))
+                yield from (self.of("direction", body, event) for body in self.bodies(event))
                 yield from self.inclinations(event)
                 if self.features.wall or set(self.features.names) & set(self.walls):
                     yield from self.component(event)  # AB direction: 0.8u
@@ -281,7 +282,7 @@ class _Reader(Moments):
         Along i or j, if the phrase names it: ``j distance``.
         """
         axis = self.features.axis
-        placed = {each.name for each in self.problem.spheres if each.position is not None}
+        placed = {sphere.name for sphere in self.problem.spheres if sphere.position is not None}
         named = set(self.features.names) or (set(self.spheres) if axis is not None else set())
         for body in placed & named:
             if not self.features.wall and len(named) == 1:
@@ -292,7 +293,7 @@ class _Reader(Moments):
 
     def gaps(self) -> Iterator[Expression]:
         """The distances of two spheres whose places are known, at every event."""
-        placed = [each.name for each in self.problem.spheres if each.position is not None]
+        placed = [sphere.name for sphere in self.problem.spheres if sphere.position is not None]
         named = set(self.features.names)
         for one, other in combinations(placed, 2):
             for stage in range(len(self.events), -1, -1) if named <= {one, other} else ():
@@ -302,7 +303,7 @@ class _Reader(Moments):
 
     def gradient(self, event: int) -> Iterator[Expression]:
         """Gradients: of an impulse or a line of centres, of a wall or a tangent, of velocities."""
-        up, across = (Quantity("along", (self.line(event), each)) for each in _UNITS)
+        up, across = (Quantity("along", (self.line(event), unit)) for unit in _UNITS)
         centres = "impulse" in self.features.heads or self.features.direction == "along centres"
         of_wall = self.features.wall or not set(self.features.names).isdisjoint(self.walls)
         if centres or (self.features.direction and not of_wall):
@@ -311,7 +312,7 @@ class _Reader(Moments):
             yield Negate(Binary("/", across, up))
         for body in () if of_wall or self.features.direction or centres else self.bodies(event):
             velocity = self.of("velocity", body, event)
-            rise, run = (Quantity("along", (velocity, each)) for each in _UNITS)
+            rise, run = (Quantity("along", (velocity, unit)) for unit in _UNITS)
             yield Binary("/", rise, run)
 
     def speed(self, event: int) -> Iterator[Expression]:
@@ -325,7 +326,7 @@ class _Reader(Moments):
     def velocity(self, event: int) -> Iterator[Expression]:
         """Velocities, their sizes, and their components along the line of centres."""
         if "magnitude" in self.features.heads:
-            yield from (self.of("speed", each, event) for each in self.bodies(event))
+            yield from (self.of("speed", body, event) for body in self.bodies(event))
             return
         if self.features.sense:
             yield from self.component(event)
@@ -427,7 +428,7 @@ class _Reader(Moments):
         heads = self.features.heads
         approach = "approach" in heads or ("relative" in heads and self.features.stage == "before")
         stage: Stage = event - 1 if approach else self.after(event)
-        velocities = [Quantity("velocity", (Name(each),), stage) for each in bodies]
+        velocities = [Quantity("velocity", (Name(body),), stage) for body in bodies]
         if not velocities:
             return
         line = self.line(event)
@@ -449,12 +450,12 @@ class _Reader(Moments):
 
     def mass_centre(self, event: int) -> Iterator[Expression]:
         """The velocity of the mass centre along the line of centres, and as a vector."""
-        masses = [Quantity("mass", (Name(each),)) for each in self.spheres]
+        masses = [Quantity("mass", (Name(sphere),)) for sphere in self.spheres]
         if len(masses) < 2:
             return
         whole: Expression = masses[0]
-        for each in masses[1:]:
-            whole = Binary("+", whole, each)
+        for mass in masses[1:]:
+            whole = Binary("+", whole, mass)
         velocity = Binary("/", Quantity("momentum", (), self.stage(event)), whole)
         for axis in (self.features.axis or self.line(event), Unit("i"), Unit("j")):
             yield Quantity("along", (velocity, axis))
@@ -464,19 +465,19 @@ class _Reader(Moments):
 
     def relative_size(self, event: int) -> Iterator[Expression]:
         """The size of the relative velocity of two spheres."""
-        velocities = [self.of("velocity", each, event) for each in self.bodies_met(event)]
+        velocities = [self.of("velocity", body, event) for body in self.bodies_met(event)]
         if len(velocities) == 2:
             yield Apply("abs", Binary("-", *velocities))
 
     def mass(self, event: int) -> Iterator[Expression]:
         """Masses; of two that meet the reduced mass, or the sum, where the words say so."""
-        masses = [Quantity("mass", (Name(each),)) for each in self.bodies_met(event)]
+        masses = [Quantity("mass", (Name(body),)) for body in self.bodies_met(event)]
         if len(masses) == 2 and (self.features.reduced or self.features.both):
             total = Binary("+", *masses)
             reduced = Binary("/", Binary("*", *masses), total)
             yield reduced if self.features.reduced else total
             return
-        yield from (Quantity("mass", (Name(each),)) for each in self.bodies(event))
+        yield from (Quantity("mass", (Name(body),)) for body in self.bodies(event))
 
     def change(self, event: int) -> Iterator[Expression]:
         """A change of velocity, or of a component of it."""
@@ -491,7 +492,7 @@ class _Reader(Moments):
 
     def energy(self, event: int) -> Iterator[Expression]:
         """Kinetic energies, and what is lost of them."""
-        named = [each for each in self.features.names if each in self.spheres]
+        named = [name for name in self.features.names if name in self.spheres]
         body = named[0] if len(named) == 1 and not self.features.both else None
         after, before = self.after(event), event - 1
         if self.features.heads & {"loss", "gain", "change"}:
@@ -534,19 +535,19 @@ class _Reader(Moments):
     def impulse(self, event: int) -> Iterator[Expression]:
         """The size of an impulse; the impulse on a body as a vector as well."""
         after = self.after(event)
-        named = [each for each in self.features.names if each in self.spheres]
+        named = [name for name in self.features.names if name in self.spheres]
         size = Quantity("impulse", (), after)
         vectors = [Quantity("impulse", (Name(each),), after) for each in named[:2]]
         yield size
         yield from vectors
         yield Negate(size)
-        for each in self.bodies_met(event) if self.features.target not in named else ():
-            yield Quantity("impulse", (Name(each),), after)
+        for body in self.bodies_met(event) if self.features.target not in named else ():
+            yield Quantity("impulse", (Name(body),), after)
 
     def momentum(self, event: int) -> Iterator[Expression]:
         """Momenta along the line of centres, and as vectors."""
         stage = self.stage(event)
-        named = [each for each in self.features.names if each in self.spheres]
+        named = [name for name in self.features.names if name in self.spheres]
         line = self.features.axis or self.line(event)
         if "change" in self.features.heads:
             yield from self.impulse(event)
@@ -572,15 +573,15 @@ class _Reader(Moments):
     def angle(self, event: int) -> Iterator[Expression]:
         """Angles to a wall, to the line of centres, to an axis, and between velocities."""
         features, line = self.features, self.line(event)
-        spheres = [each for each in features.names if each in self.spheres]
+        spheres = [name for name in features.names if name in self.spheres]
         if len(spheres) > 1 and features.direction is None and features.axis is None:
-            first, second = (self.of("velocity", each, event) for each in spheres[:2])
+            first, second = (self.of("velocity", sphere, event) for sphere in spheres[:2])
             yield Quantity("angle", (first, second))
         if features.between and not spheres and len(self.bodies_met(event)) == 2:
             yield self.angle_between(event)
             return
         if features.between and not (spheres or features.wall or features.direction):
-            between = [each for each in self.asked("angle") if _is_of_velocities(each)]
+            between = [tree for tree in self.asked("angle") if _is_of_velocities(tree)]
             if between and features.axis is None and not features.names:
                 yield from between
                 return
@@ -630,7 +631,7 @@ class _Reader(Moments):
 
     def angle_between(self, event: int) -> Expression:
         """The angle between the velocities of two spheres that meet."""
-        first, second = (self.of("velocity", each, event) for each in self.bodies_met(event))
+        first, second = (self.of("velocity", body, event) for body in self.bodies_met(event))
         return Quantity("angle", (first, second))
 
     def other_direction(self, event: int, line: Expression) -> Expression:
@@ -670,8 +671,8 @@ class _Reader(Moments):
 
     def ratios_asked(self) -> Iterator[Expression]:
         """The ratios for which the question asks, of the bodies that are named first."""
-        named = {each for each in self.features.names if each in self.spheres}
+        named = {name for name in self.features.names if name in self.spheres}
         asked = [
-            each for each in self.values_asked() if isinstance(each, Binary) and each.op == "/"
+            tree for tree in self.values_asked() if isinstance(tree, Binary) and tree.op == "/"
         ]
         yield from sorted(asked, key=lambda tree: not named <= _names_in(tree))

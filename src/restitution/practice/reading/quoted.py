@@ -72,7 +72,7 @@ def is_formula(tree: Expression, known: Collection[str]) -> bool:
     own = letters(tree)
     if not own - set(known) or any(map(is_phrase, own)):
         return False
-    return not any(isinstance(each, Quantity) or _is_datum(each) for each in walk(tree))
+    return not any(isinstance(node, Quantity) or _is_datum(node) for node in walk(tree))
 
 
 def _is_datum(tree: Expression) -> bool:
@@ -96,7 +96,7 @@ def is_quoted(before: Link, behind: Link, known: Collection[str]) -> bool:
 def beyond_formula(before: Link, behind: Link) -> Link:
     """What the start of a chain says of its end, the formula between them left out."""
     left = before.readings[0].left
-    readings = tuple(dict.fromkeys(replace(each, left=left) for each in behind.readings))
+    readings = tuple(dict.fromkeys(replace(reading, left=left) for reading in behind.readings))
     return replace(behind, readings=readings, start=before.start)
 
 
@@ -105,7 +105,10 @@ def without_quoted(script: Script, known: Collection[str]) -> Script:
 
     ``known`` are the letters of the question, and those that are declared.
     """
-    known = {*known, *(each.letter for line in script.lines for each in line.declarations)}
+    known = {
+        *known,
+        *(declaration.letter for line in script.lines for declaration in line.declarations),
+    }
     elsewhere = frozenset[str]().union(
         *(letters(side) for line in script.lines for side in _sides(line, known))
     )
@@ -118,7 +121,7 @@ def _sides(line: ScriptLine, known: Collection[str]) -> Iterator[Expression]:
         left, right = (link.readings[0].left, link.readings[0].right)
         if not (place and is_quoted(line.links[place - 1], link, known)):
             yield left
-        if not any(is_quoted(link, each, known) for each in line.links[place + 1 : place + 2]):
+        if not any(is_quoted(link, other, known) for other in line.links[place + 1 : place + 2]):
             yield right
         yield from link.readings[0].others
 

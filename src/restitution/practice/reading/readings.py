@@ -75,6 +75,6 @@ def _further(picks: dict[str, int], asked: dict[str, int]) -> Iterator[dict[str,
 def _is_absurd(tree: Expression) -> bool:
     """Whether a reading divides by a vector, which nobody means."""
     return any(
-        isinstance(each, Binary) and each.op == "/" and is_vector(each.right, frozenset())
-        for each in walk(tree)
+        isinstance(node, Binary) and node.op == "/" and is_vector(node.right, frozenset())
+        for node in walk(tree)
     )

@@ -82,7 +82,7 @@ def is_identity(tokens: Sequence[Token]) -> bool:
         first = not place or token.gap or tokens[place - 1].kind == "relation"
         if first and behind < len(tokens) and tokens[behind].kind == "relation":
             continue
-        if [each.kind for each in tokens[behind : behind + 2]] == ["^", "number"]:
+        if [token.kind for token in tokens[behind : behind + 2]] == ["^", "number"]:
             behind += 2
         if behind >= len(tokens) or tokens[behind].kind in ("+", "=", "relation", "/", ")"):
             return True
@@ -105,12 +105,12 @@ def finished(link: Link) -> Link:
     """A link without the marks that only reading needs."""
     readings = dict.fromkeys(
         Claim(
-            without_marks(each.left),
-            each.sign,
-            without_marks(each.right),
-            tuple(map(without_marks, each.others)),
+            without_marks(reading.left),
+            reading.sign,
+            without_marks(reading.right),
+            tuple(map(without_marks, reading.others)),
         )
-        for each in link.readings
+        for reading in link.readings
     )
     return replace(link, readings=tuple(readings))
 
@@ -119,7 +119,7 @@ def has_head(label: Token) -> bool:
     """Whether a label names more than a direction."""
     if label.kind == "name":
         return True
-    return any(HEADS.get(each, "direction") != "direction" for each in label.name.split())
+    return any(HEADS.get(word, "direction") != "direction" for word in label.name.split())
 
 
 def is_heading(label: Token) -> bool:
@@ -136,15 +136,15 @@ def is_function(tree: Expression) -> bool:
 
 def is_law(read: Sequence[tuple[Side, ...]]) -> bool:
     """Whether a relation has the same unknown letters in sums on both sides: a law, no value."""
-    sides = [letters(each[0].tree) for each in read[1:]]
+    sides = [letters(sides[0].tree) for sides in read[1:]]
     return bool(sides) and sides[0] == letters(read[0][0].tree) and len(sides[0]) > 1
 
 
 def turned(tree: Expression, angles: frozenset[str]) -> Expression:
     """A side beside an angle: its bare numbers are degrees."""
-    if any(isinstance(each, Pi | Degrees | Measured) for each in walk(tree)):
+    if any(isinstance(node, Pi | Degrees | Measured) for node in walk(tree)):
         return tree
-    if any(isinstance(each, Apply) for each in walk(tree)):
+    if any(isinstance(node, Apply) for node in walk(tree)):
         return tree
     return angular(tree, angles)
 
@@ -186,7 +186,7 @@ def claims(
     first, second = left.tree, right.tree
     if angle or is_angle(first, angles) or is_angle(second, angles):
         sides = turned(first, angles), turned(second, angles)
-        more = tuple(turned(each, angles) for each in others)
+        more = tuple(turned(tree, angles) for tree in others)
         yield Claim(sides[0], sign, sides[1], more)
         if sides == (first, second):
             return

@@ -13,7 +13,7 @@ _GREEK = tuple(sorted((*GREEK_BY_NAME, "lamda"), key=len, reverse=True))
 _USUAL = frozenset("muvweVUWMxyzktpqrsnfghIJTEFPRSdcabRlX")
 _FUNCTIONS = tuple(
     sorted(
-        (each for each in FUNCTION_NAMES if each not in ("rt", "mod", "sine", "tangent", "cosine")),
+        (name for name in FUNCTION_NAMES if name not in ("rt", "mod", "sine", "tangent", "cosine")),
         key=len,
         reverse=True,
     )
@@ -31,14 +31,14 @@ def is_mathematical(run: str, usage: Usage) -> bool:
     known = known | {"m", "u", "v", "w", "e", "i", "j"}
     if functions:
         longest = max((len(part) for part in _stretches(pieces)), default=0)
-        return longest <= 5 and (len(singles) <= 4 or all(each in known for each in singles))
+        return longest <= 5 and (len(singles) <= 4 or all(single in known for single in singles))
     if len(run) == 2 and run[1] in usage.spheres and run[0] in "uvwmUVWMIEJ":
         return True
     if len(run) == 2 and run.isupper() and run[1] in usage.spheres:
         return False  # a line OA
     if len(run) <= 3:
-        return all(each in known or each in _USUAL for each in singles)
-    return len(run) <= 6 and all(each in known for each in singles)
+        return all(single in known or single in _USUAL for single in singles)
+    return len(run) <= 6 and all(single in known for single in singles)
 
 
 def _pieces(run: str, usage: Usage) -> Iterator[tuple[str, str]]:

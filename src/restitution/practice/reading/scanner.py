@@ -422,7 +422,7 @@ class _Scanner:
         if self.token_list and self.token_list[-1].kind in ("function", "number"):
             return False
         following = re.match(r"[A-Za-z]{2,}", around)
-        declares = any(each.kind == "word" and each.name in DECLARES for each in self.token_list)
+        declares = any(token.kind == "word" and token.name in DECLARES for token in self.token_list)
         if low == "be" and declares and before != self.text[: self.offset]:
             return True  # let the velocity be ai + bj
         if run in ("i", "j", "a", "k", "s") and self._after_operand():

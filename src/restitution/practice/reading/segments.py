@@ -79,9 +79,13 @@ def segments(tokens: Sequence[Token], case: bool = False) -> list[Segment]:
     if pending:
         pieces.append(Segment(tuple(pending), tuple(before)))
         before = []
-    pieces = [_with_verdict(each, pieces, place, before) for place, each in enumerate(pieces)]
+    pieces = [_with_verdict(piece, pieces, place, before) for place, piece in enumerate(pieces)]
     pieces = list(_with_case(pieces, case))
-    return [each for each in map(_without_number, map(_without_swallowed, pieces)) if each.tokens]
+    return [
+        segment
+        for segment in map(_without_number, map(_without_swallowed, pieces))
+        if segment.tokens
+    ]
 
 
 def _with_verdict(
@@ -101,11 +105,11 @@ def _with_verdict(
 
 def _with_case(pieces: Sequence[Segment], opened: bool) -> Iterator[Segment]:
     """The segments, all of a case rejected where the last one is: ``or v = 2u, e = 4 too big``."""
-    opens = [(opened and not place) or "or" in each.before for place, each in enumerate(pieces)]
-    for place, each in enumerate(pieces):
+    opens = [(opened and not place) or "or" in piece.before for place, piece in enumerate(pieces)]
+    for place, piece in enumerate(pieces):
         end = next((n for n in range(place + 1, len(pieces)) if opens[n]), len(pieces))
-        rejected = any(opens[: place + 1]) and pieces[end - 1].rejected and each.has_relation
-        yield replace(each, rejected=True) if rejected else each
+        rejected = any(opens[: place + 1]) and pieces[end - 1].rejected and piece.has_relation
+        yield replace(piece, rejected=True) if rejected else piece
 
 
 def _without_number(segment: Segment) -> Segment:
@@ -144,7 +148,7 @@ def _begins_body(tokens: Sequence[Token], place: int, pending: Sequence[Token]) 
         return False
     behind = tokens[place + 1].kind
     ended = len(pending) > 1 and pending[-1].kind in (*_CLOSING, "measure")
-    stated = any(each.kind == "relation" for each in pending)
+    stated = any(token.kind == "relation" for token in pending)
     return ended and (behind in ("relation", ":") or (stated and behind in ("number", "function")))
 
 
@@ -153,7 +157,7 @@ def _begins_sentence(tokens: Sequence[Token], place: int, pending: Sequence[Toke
     token = tokens[place]
     spoken = place + 1 < len(tokens) and tokens[place + 1].kind == "word"
     ended = bool(pending) and pending[-1].kind in (*_CLOSING, "measure")
-    stated = any(each.kind == "relation" for each in pending)
+    stated = any(token.kind == "relation" for token in pending)
     return token.kind == "name" and token.gap > 0 and spoken and ended and stated
 
 
@@ -163,10 +167,10 @@ def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
         return False
     letters = tokens[place - 1].kind == tokens[place + 1].kind == "letter"
     if letters and place + 5 < len(tokens) + 1 and tokens[place + 2].kind == "relation":
-        behind = [each.kind for each in tokens[place + 3 : place + 6]]
+        behind = [token.kind for token in tokens[place + 3 : place + 6]]
         if behind == ["number", ":", "number"]:
             return True  # m_A : m_B = 3 : 4
-    if [each.kind for each in tokens[place - 1 : place + 2]] == ["number", ":", "number"]:
+    if [token.kind for token in tokens[place - 1 : place + 2]] == ["number", ":", "number"]:
         return True
     if tokens[place].gap or tokens[place + 1].gap:
         return False
@@ -179,9 +183,9 @@ def _is_proportion(tokens: Sequence[Token], place: int) -> bool:
 def _ends_a_title(tokens: Sequence[Token], place: int) -> bool:
     """Whether a colon stands behind prose and before a relation: ``product is -1: 3/b = 2``."""
     apart = not tokens[place].gap and tokens[place + 1].gap > 0
-    words = any(each.kind in ("word", "phrase") for each in tokens[:place])
-    before = any(each.kind == "relation" for each in tokens[:place])
-    behind = any(each.kind == "relation" for each in tokens[place:])
+    words = any(token.kind in ("word", "phrase") for token in tokens[:place])
+    before = any(token.kind == "relation" for token in tokens[:place])
+    behind = any(token.kind == "relation" for token in tokens[place:])
     case = before and tokens[place - 1].kind in ("number", "letter")  # a = u/5: 1 = 4 - 6e
     return apart and behind and (case or (words and not before))
 
@@ -194,7 +198,7 @@ def _is_factor(tokens: Sequence[Token], place: int, pending: Sequence[Token]) ->
     behind = tokens[place + 1].kind if place + 1 < len(tokens) else ""
     if behind in _OPERANDS:
         return False
-    if behind == "relation" and any(each.kind == "relation" for each in pending):
+    if behind == "relation" and any(token.kind == "relation" for token in pending):
         return False
     return pending[-1].kind in ("letter", "number", "percent")
 
@@ -209,8 +213,8 @@ def _loose_brackets(tokens: Sequence[Token]) -> set[int]:
         elif token.kind == ")" and open_at:
             first = open_at.pop()
             inside = tokens[first + 1 : place]
-            if any(each.kind in ("relation", "arrow") for each in inside) or (
-                any(each.kind == "word" for each in inside)
+            if any(token.kind in ("relation", "arrow") for token in inside) or (
+                any(token.kind == "word" for token in inside)
             ):
                 loose |= {first, place}
     return loose
@@ -227,7 +231,7 @@ def _without_swallowed(segment: Segment) -> Segment:
     end = 1
     while end < len(tokens) and tokens[end].gap == 0:
         end += 1
-    if end >= len(tokens) or end > 4 or any(each.kind == "relation" for each in tokens[:end]):
+    if end >= len(tokens) or end > 4 or any(token.kind == "relation" for token in tokens[:end]):
         return segment
     begins = tokens[end].kind in _OPERANDS or tokens[end].kind == "|"
     return replace(segment, tokens=tokens[end:]) if begins else segment
@@ -305,12 +309,12 @@ def _parting(tokens: Sequence[Token], first: int, place: int, second: int) -> Pa
             return "doubtful"  # along = 13 sin α = 12: no sine is 12
     if right[0].kind == "function":
         start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
-        same = {each.name for each in tokens[start:first] if each.kind == "letter"} == {
-            each.name for each in right if each.kind == "letter"
+        same = {token.name for token in tokens[start:first] if token.kind == "letter"} == {
+            token.name for token in right if token.kind == "letter"
         }
         both = tokens[start].kind == "function"
         return "doubtful" if both and not same else "likely"
-    letter = any(each.kind == "letter" for each in tokens[first + 1 : place])
+    letter = any(token.kind == "letter" for token in tokens[first + 1 : place])
     return "likely" if letter else "certain"
 
 
@@ -324,9 +328,9 @@ def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int
     right = tokens[place:second]
     if not (_is_simple(right) and _is_simple(tokens[start:first])):
         return False
-    own = {each.name for each in right if each.kind == "letter"}
-    other = {each.name for each in tokens[start:place] if each.kind == "letter"}
-    behind = {each.name for each in tokens[second:] if each.kind == "letter"}
+    own = {token.name for token in right if token.kind == "letter"}
+    other = {token.name for token in tokens[start:place] if token.kind == "letter"}
+    behind = {token.name for token in tokens[second:] if token.kind == "letter"}
     if right[0].kind == "function":
         return not own & behind
     return tokens[start].kind == "function" or not own & (other | behind)
@@ -348,10 +352,10 @@ def _is_solved_for(tokens: Sequence[Token], first: int, place: int, second: int)
         return True
     given = {each.name for each in value if each.kind == "letter"}
     plain = given <= {each.name for each in behind if each.kind == "letter"} - {own}
-    elsewhere = any(each.kind == "letter" and each.name == own for each in behind)
-    kinds = [each.kind for each in left if each.kind != "-"]
+    elsewhere = any(token.kind == "letter" and token.name == own for token in behind)
+    kinds = [token.kind for token in left if token.kind != "-"]
     multiple = kinds in (["number", "letter"], ["letter", "^", "number"])
-    return multiple and plain and not elsewhere and any(each.name == own for each in left)
+    return multiple and plain and not elsewhere and any(token.name == own for token in left)
 
 
 def _is_contradicted(
@@ -373,7 +377,7 @@ def _may_part(tokens: Sequence[Token], place: int) -> bool:
 
 def _is_simple(tokens: Sequence[Token]) -> bool:
     """Whether a side is a letter, or a sine, cosine or tangent of one: something to be found."""
-    kinds = [each.kind for each in tokens if each.kind not in ("(", ")")]
+    kinds = [token.kind for token in tokens if token.kind not in ("(", ")")]
     if kinds == ["letter"] or kinds == ["phrase"]:
         return True
     angles: tuple[list[str], ...] = ([], ["letter"], ["^", "number", "letter"])

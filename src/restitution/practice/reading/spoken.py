@@ -124,16 +124,16 @@ def _replaced(line: Plain, match: re.Match[str], text: str) -> Plain:
 
 def _component(match: re.Match[str], problem: Problem) -> str:
     """The component of a speed: of the sphere that has it at the start, where one has."""
-    if match[1] in {each.name for each in problem.spheres}:
+    if match[1] in {sphere.name for sphere in problem.spheres}:
         return match[0]
     speed = _tree(match[1])
-    owners = [each.name for each in problem.spheres if speed in _speeds(each.velocity)]
+    owners = [sphere.name for sphere in problem.spheres if speed in _speeds(sphere.velocity)]
     return f"component of {owners[0]} before " if len(owners) == 1 else "component "
 
 
 def _turned(match: re.Match[str], problem: Problem) -> str:
     """The deflection of the sphere that is named, or of one."""
-    spheres = {each.name for each in problem.spheres}
+    spheres = {sphere.name for sphere in problem.spheres}
     return f" deflection of {match[1]} = " if match[1] in spheres else " deflection = "
 
 
@@ -146,8 +146,8 @@ def _after(match: re.Match[str], problem: Problem) -> str:
     """The component along i or j that a number was at the start."""
     units = {
         unit
-        for each in problem.spheres
-        for size, unit in _components(each.velocity)
+        for sphere in problem.spheres
+        for size, unit in _components(sphere.velocity)
         if size == _tree(match[1])
     }
     return f"{units.pop()} component after is " if len(units) == 1 else " "
@@ -178,7 +178,7 @@ def _components(velocity: Expression | None) -> Iterator[tuple[Expression, str]]
 
 def _direction(match: re.Match[str], problem: Problem) -> str:
     """The direction of a sphere, of ``S dir:``."""
-    spheres = {each.name for each in problem.spheres}
+    spheres = {sphere.name for sphere in problem.spheres}
     return f"{match[1]}direction of {match[2]}" if match[2] in spheres else match[0]
 
 
@@ -190,7 +190,7 @@ def _other_axis(match: re.Match[str], _: Problem) -> str:
 
 def _speed_after(match: re.Match[str], problem: Problem) -> str:
     """The speed with which a sphere rebounds: of ``B rebounds with 2``."""
-    spheres = {each.name for each in problem.spheres}
+    spheres = {sphere.name for sphere in problem.spheres}
     return f"speed of {match[1]} after = " if match[1] in spheres else match[0]
 
 
@@ -215,13 +215,13 @@ def _at_the_end(match: re.Match[str], _: Problem) -> str:
 
 def _energy(match: re.Match[str], problem: Problem) -> str:
     """The energy that E is before its moment, where no body has that name."""
-    names = {each.name for each in problem.spheres} | {each.name for each in problem.walls}
+    names = {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
     return match[0] if "E" in names else "energy "
 
 
 def _angle(match: re.Match[str], problem: Problem) -> str:
     """The angle of what a sentence begins with to what it ends with."""
-    names = {each.name for each in problem.spheres} | {each.name for each in problem.walls}
+    names = {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
     known = {"wall", "LOC", "i", "j"} | names
     subject, value, other = match.groups()
     if not all(name in known or len(name) > 3 for name in (subject, other)):

@@ -68,12 +68,12 @@ def _ends_in_a_way(label: Token) -> bool:
 
 def _is_of_parts(label: Token) -> bool:
     """Whether a label names components, whose speed is no value of them."""
-    return {HEADS[each] for each in label.name.split() if each in HEADS} == {"component"}
+    return {HEADS[word] for word in label.name.split() if word in HEADS} == {"component"}
 
 
 def _is_power_of_phrase(segment: Segment) -> bool:
     """Whether a segment is the square of a quantity: ``speed^2: 9 + 16 = 25``."""
-    return [each.kind for each in segment.tokens] == ["phrase", "^", "number"]
+    return [token.kind for token in segment.tokens] == ["phrase", "^", "number"]
 
 
 def read_statements(
@@ -134,8 +134,8 @@ class _Reader(Chains):
         self.statements.links = tuple(map(finished, self.links))
         self.statements.values = tuple(map(without_marks, self.statements.values))
         self.statements.supposed = tuple(
-            replace(each, left=without_marks(each.left), right=without_marks(each.right))
-            for each in self.statements.supposed
+            replace(claim, left=without_marks(claim.left), right=without_marks(claim.right))
+            for claim in self.statements.supposed
         )
         if self.label is not None and self.label.kind == "name" and not self.links:
             self.statements.body = self.body_of(self.label)
@@ -149,7 +149,7 @@ class _Reader(Chains):
 
     def _without_declared(self) -> None:
         """Drops relations that only give a letter to a phrase which declares it."""
-        declared = {each.letter for each in self.declared.declarations}
+        declared = {declaration.letter for declaration in self.declared.declarations}
         self.links = [
             link
             for link in self.links
@@ -180,7 +180,9 @@ class _Reader(Chains):
         elif words & _ENDING or self._is_implied(words):
             self.supposes = False
         self.defines = "where" in words or (self.defines and not words - {",", "and"})
-        if not any(each.kind in (*_OPERANDS, "|", "phrase", "relation") for each in segment.tokens):
+        if not any(
+            token.kind in (*_OPERANDS, "|", "phrase", "relation") for token in segment.tokens
+        ):
             return
         if segment.is_phrase and self._is_label(segment, following):
             if "only" in following[0].before and not has_head(segment.tokens[0]):
@@ -191,7 +193,7 @@ class _Reader(Chains):
         if _is_power_of_phrase(segment) and self._is_label(segment, following):
             self.power = self.sides(segment.tokens)
             return
-        if sum(each.kind == "phrase" for each in segment.tokens) > 1 and not segment.has_relation:
+        if sum(token.kind == "phrase" for token in segment.tokens) > 1 and not segment.has_relation:
             self.titled = True  # mass x velocity: A 12i, B -3i
             return
         if segment.tokens[0].kind == "phrase":
@@ -212,7 +214,7 @@ class _Reader(Chains):
             return
         if self._opens_a_case(segment, following):
             self.case = tuple(self._claims_of(segment))
-            self.statements.values += tuple(each.right for each in self.case)
+            self.statements.values += tuple(claim.right for claim in self.case)
             return
         if is_identity(segment.tokens):
             return
@@ -238,7 +240,7 @@ class _Reader(Chains):
         if not set(segment.before) & _PARTING:
             self.waiting = self.before
         elif segment.before[-1] in STAGES and self.last_label:
-            words = [each for each in self.last_label.split() if each not in STAGES]
+            words = [word for word in self.last_label.split() if word not in STAGES]
             self.waiting = (Side(Letter(" ".join((*words, segment.before[-1])))),)
         self.before = ()
 
@@ -249,7 +251,7 @@ class _Reader(Chains):
         if stage not in STAGES or STAGES.keys().isdisjoint(words) or stage in words:
             return
         if segment.tokens[0].kind in ("number", "function", "(", "-"):
-            name = " ".join(stage if each in STAGES else each for each in words)
+            name = " ".join(stage if word in STAGES else word for word in words)
             self.label = replace(segment.tokens[0], kind="phrase", name=name, text=name)
 
     def supposed(self, segment: Segment) -> None:
@@ -285,14 +287,16 @@ class _Reader(Chains):
 
     def _is_implied(self, words: AbstractSet[str]) -> bool:
         """Whether a relation is what an inequality leads to: ``if v < 0 → 2 - k < 0``."""
-        leads = "then" in words or any(each.endswith((">", "→")) for each in words)
+        leads = "then" in words or any(word.endswith((">", "→")) for word in words)
         supposed = self.statements.supposed if self.supposes and leads else ()
         return bool(supposed) and all(each.sign != "=" for each in supposed)
 
     def _is_under_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a relation holds in the case before it: ``least when e = 0, v = u cos α``."""
         parted = segment.before in ((",",), (":",)) and segment.has_relation
-        further = any(_CONDITIONS & set(each.before) or "then" in each.before for each in following)
+        further = any(
+            _CONDITIONS & set(segment.before) or "then" in segment.before for segment in following
+        )
         return self.supposes and bool(self.condition) and parted and not further
 
     def _is_label(self, segment: Segment, following: Sequence[Segment]) -> bool:
@@ -322,10 +326,10 @@ class _Reader(Chains):
         tokens = segment.tokens
         if len(tokens) < 2 or tokens[0].kind != "name":
             return False
-        if any(each.kind == "unit" for each in tokens):
+        if any(token.kind == "unit" for token in tokens):
             # A 3i + j is a velocity, and A (5i + 3j).(2i + j) = 13 a component of it.
             first = sides_of(tokens)[0][0][1:]
-            product = segment.has_relation and any(each.kind == "dot" for each in first)
+            product = segment.has_relation and any(token.kind == "dot" for token in first)
             return product and tokens[1].kind == "(" and tokens[1].gap > 0
         loose = tokens[1].kind == "-" and tokens[1].gap > 0
         tight = loose and len(tokens) > 2 and not tokens[2].gap
@@ -375,7 +379,7 @@ class _Reader(Chains):
             self.link((Side(share),), "=", self.sides(tokens[:2]), tokens[:2])
             return
         tree = sides[0].tree
-        named = any(each.kind == "phrase" for each in tokens)  # parallel to i - 3j
+        named = any(token.kind == "phrase" for token in tokens)  # parallel to i - 3j
         alone = not (self.links or segment.before or named)
         if self.whose and alone and self._is_moving(tree):
             self.link((Side(Letter(self.whose)),), "=", sides, tokens)
@@ -384,7 +388,7 @@ class _Reader(Chains):
             if self.declared.another(tree, words):
                 return
             self.pending_letters.append(tree)
-        if [each.kind for each in tokens] == ["letter", "-", "phrase"] and tokens[1].gap:
+        if [token.kind for token in tokens] == ["letter", "-", "phrase"] and tokens[1].gap:
             self.declared.declare(Letter(tokens[0].name), tokens[2])
             return
         if not isinstance(sides[0].tree, Name) and tokens[0].kind != "phrase":
@@ -430,7 +434,7 @@ class _Reader(Chains):
 
     def _share(self, segment: Segment) -> Letter | None:
         """What a percentage alone is, where the question asks for one: ``60%``, ``60% lost``."""
-        first = [each.kind for each in segment.tokens[:2]] == ["number", "percent"]
+        first = [token.kind for token in segment.tokens[:2]] == ["number", "percent"]
         words = set(segment.before) - _CONCLUDING
         goes_on = bool(self.links) and not set(segment.before) & _ENDING
         if not first or goes_on or words:
@@ -447,7 +451,7 @@ class _Reader(Chains):
 
     def _amount(self, segment: Segment) -> Letter | None:
         """What words behind it make of a value: ``so 15J lost``, ``so 85.7° between``."""
-        kinds = [each.kind for each in segment.tokens]
+        kinds = [token.kind for token in segment.tokens]
         if kinds == ["number", "degrees"]:
             between = _BETWEEN_BEHIND.match(self.line.text, segment.tokens[1].end)
             return None if between is None else Letter("angle between")
@@ -459,7 +463,7 @@ class _Reader(Chains):
     def _is_of_a_time(self, segment: Segment) -> bool:
         """Whether a chain works out a number of seconds, and nothing says what it is."""
         first, *_ = sides_of(segment.tokens)[0]
-        numeric = bool(first) and all(each.kind in _OF_NUMBERS for each in first)
+        numeric = bool(first) and all(token.kind in _OF_NUMBERS for token in first)
         seconds = segment.tokens[-1].kind == "measure" and segment.tokens[-1].name == "s"
         return numeric and seconds and self.label is None and _asks_time(self.problem)
 
@@ -472,12 +476,12 @@ class _Reader(Chains):
 
     def velocities(self, tokens: Sequence[Token]) -> bool:
         """Velocities with the bodies before them: ``A 3i + 5j  B 2i - j``."""
-        places = [n for n, each in enumerate(tokens) if each.kind == "name"]
+        places = [n for n, token in enumerate(tokens) if token.kind == "name"]
         stretches = [tokens[a + 1 : b] for a, b in pairwise((*places, len(tokens)))]
         if not all(stretches):
             return False
-        read = [self.sides(each) for each in stretches]
-        if not all(is_vector(each[0].tree, self.usage.vectors) for each in read):
+        read = [self.sides(stretch) for stretch in stretches]
+        if not all(is_vector(sides[0].tree, self.usage.vectors) for sides in read):
             return False
         for place, stretch, sides in zip(places, stretches, read):
             if self.titled:
@@ -488,7 +492,7 @@ class _Reader(Chains):
 
     def _is_unknown_distance(self, label: Token) -> bool:
         """Whether a phrase says how far something is of which the question does not tell where."""
-        heads = {HEADS[each] for each in label.name.split() if each in HEADS}
+        heads = {HEADS[word] for word in label.name.split() if word in HEADS}
         return heads == {"distance"} and not read_phrase(label.name, self.problem)
 
     def _waiting(self, segment: Segment) -> tuple[tuple[Side, ...], Sign]:
@@ -527,6 +531,6 @@ class _Reader(Chains):
         if label.name in self.usage.spheres and own[0].tree == Letter(f"speed of {label.name}"):
             own = list(worths_of(label.name, sides[0].tree))
         elif own[0].tree == Letter(f"velocity of {label.name}"):
-            own += [Side(each) for each in places_of(label.name, self.problem)]
+            own += [Side(place) for place in places_of(label.name, self.problem)]
         own += self.became.get(label.name, ())
         self.link(tuple(own), "=", sides, tokens, label)

@@ -76,20 +76,20 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     of_question = letters_of_question(problem)
     text = "\n".join(lines)
     runs = _RUN.findall(text)
-    numeric = all(each.mass and not letters(each.mass) for each in problem.spheres)
-    metres = numeric or all(each.mass is None and each.position for each in problem.spheres)
+    numeric = all(sphere.mass and not letters(sphere.mass) for sphere in problem.spheres)
+    metres = numeric or all(sphere.mass is None and sphere.position for sphere in problem.spheres)
     alone = _alone(lines, metres)
     trigonometric = set(_in_functions(text))
     greek = {GREEK_SIGNS[sign] for sign in text if sign in GREEK_SIGNS}
     greek |= {each for each in GREEK if any(each in run.lower() for run in runs if len(each) > 2)}
-    spheres = frozenset(each.name for each in problem.spheres)
+    spheres = frozenset(sphere.name for sphere in problem.spheres)
     aliases = _aliases(of_question | greek, of_question, trigonometric, alone, text)
     aliases |= _subscripts(spheres, of_question | (alone - trigonometric), runs)
     angles = GREEK_ANGLES | _angles(problem) | (trigonometric - spheres - set("uvwme"))
     return Usage(
         spheres=spheres,
-        walls=frozenset(each.name for each in problem.walls),
-        points=frozenset(each.name for each in problem.points),
+        walls=frozenset(wall.name for wall in problem.walls),
+        points=frozenset(point.name for point in problem.points),
         letters=of_question,
         angles=frozenset(angles),
         vectors=frozenset(_vectors(text, spheres)),
@@ -159,9 +159,9 @@ def _angles(problem: Problem) -> set[str]:
 
 def _angle_letters(node: Expression) -> set[str]:
     if isinstance(node, Apply) and node.function in _TRIGONOMETRIC:
-        return {each.name for each in walk(node.argument) if isinstance(each, Letter)}
+        return {tree.name for tree in walk(node.argument) if isinstance(tree, Letter)}
     if isinstance(node, Polar):
-        return {each.name for each in walk(node.angle) if isinstance(each, Letter)}
+        return {tree.name for tree in walk(node.angle) if isinstance(tree, Letter)}
     return set()
 
 
@@ -231,7 +231,7 @@ def _subscripts(
     spheres: frozenset[str], letters: frozenset[str], runs: Sequence[str]
 ) -> dict[str, str]:
     """``va`` and ``vb`` where A and B are spheres, and no letter is called a or b."""
-    small = {each.lower(): each for each in spheres if len(each) == 1}
+    small = {sphere.lower(): sphere for sphere in spheres if len(sphere) == 1}
     pairs = [run for run in runs if len(run) == 2 and run[0] in "uvwmUV" and run[1] in small]
     of_both = len({run[1] for run in pairs}) > 1
     if any(run[1] in letters for run in pairs) or not of_both:

@@ -203,8 +203,8 @@ PROSE = frozenset(_ENGLISH.split())
 SHORT = frozenset(("a", "i", "an", "we", "me", "us", "am", "my", "he", "s", "be", "um", "k"))
 
 FUNCTION_NAMES: Mapping[str, str] = {
-    **{each: each for each in ("sin", "cos", "tan", "cot", "sec", "cosec", "sqrt", "abs")},
-    **{each: each for each in ("arcsin", "arccos", "arctan")},
+    **{ratio: ratio for ratio in ("sin", "cos", "tan", "cot", "sec", "cosec", "sqrt", "abs")},
+    **{ratio: ratio for ratio in ("arcsin", "arccos", "arctan")},
     "asin": "arcsin",
     "acos": "arccos",
     "atan": "arctan",

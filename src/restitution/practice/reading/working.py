@@ -64,7 +64,7 @@ def read_working(
     typed = [(n, line) for n, line in enumerate(lines, 1) if line.strip()][: MAX_LINES + 1]
     texts = with_angles([line[: MAX_LENGTH + 1] for _, line in typed[:MAX_LINES]], problem)
     of_question = {*letters_of_question(problem), *declared}
-    plains = [plain(without_steady_motion(each, of_question)) for each in texts]
+    plains = [plain(without_steady_motion(text, of_question)) for text in texts]
     usage = usage_of([each.text for each in plains], problem)
     plains = list(with_owners(plains, problem, {*usage.letters, *declared}))
     aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
@@ -130,7 +130,7 @@ class _Reader:
         scope, tokens = self._heading(tokens, line)
         if not tokens:
             return self._script_line(number, typed, "heading")
-        tokens = [_staged(each, scope.stage) for each in tokens]
+        tokens = [_staged(token, scope.stage) for token in tokens]
         whose = None if scope == self.scope and scope.event is None else self._whose(scope)
         if _WALL.match(line.text) or _ends_at(line, tokens):
             whose = None  # wall: 2i + j is its direction, hits at (2, 1) a place
@@ -148,11 +148,11 @@ class _Reader:
 
     def _whose(self, scope: Scope) -> str | None:
         """The velocity of which a heading speaks, in words: ``after W: 8i + 3j``."""
-        spheres = [each.name for each in self.problem.spheres]
+        spheres = [sphere.name for sphere in self.problem.spheres]
         if scope.event is not None:
             event = self.problem.events[scope.event - 1]
             met = (event.first, event.second) if isinstance(event, Impact) else (event.body,)
-            spheres = [each for each in spheres if each in met]
+            spheres = [sphere for sphere in spheres if sphere in met]
         body = scope.body or (spheres[0] if len(spheres) == 1 else None)
         return None if body is None else f"velocity of {body} {scope.stage or 'after'}"
 
@@ -225,7 +225,7 @@ class _Reader:
 def _staged(token: Token, stage: str | None) -> Token:
     """A phrase for a motion without a moment, at that of the heading: ``before: perp = 3``."""
     words = token.name.split()
-    heads = {HEADS[each] for each in words if each in HEADS}
+    heads = {HEADS[word] for word in words if word in HEADS}
     moving = heads <= _OF_A_MOMENT and (heads or not DIRECTIONS.keys().isdisjoint(words))
     if token.kind != "phrase" or stage is None or not moving or not STAGES.keys().isdisjoint(words):
         return token

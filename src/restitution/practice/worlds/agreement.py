@@ -136,7 +136,7 @@ def _difference(
 
 def is_angular(claim: Claim, world: World, meanings: Meanings, scope: Scope = ANYWHERE) -> bool:
     """Whether a claim compares angles."""
-    sides = (world.value(each, meanings, scope) for each in (claim.left, claim.right))
+    sides = (world.value(side, meanings, scope) for side in (claim.left, claim.right))
     return any(isinstance(side, Angle) for side in sides)
 
 
@@ -229,9 +229,9 @@ def _moved(
     """By how much the difference of the sides changes where a decimal is put at either end."""
     ends = [difference(claim, world, meanings, scope, degrees=degrees, put=each)[0] for each in put]
     with np.errstate(all="ignore"):
-        changes = [each - apart for each in ends]
+        changes = [end - apart for end in ends]
         if is_angular(claim, world, meanings, scope):
-            changes = [_within_a_turn(each) for each in changes]
+            changes = [_within_a_turn(change) for change in changes]
         moved = np.maximum(*map(np.abs, changes))
     return np.where(np.isfinite(moved), moved, 0.0)
 
@@ -431,6 +431,6 @@ def _magnitude(world: World) -> float:
     known = world._known.get("magnitude")
     if known is None:
         vectors = (*world.start.values(), *world.after.values())
-        sizes = [float(np.max(np.abs(each))) for v in vectors for each in v]
+        sizes = [float(np.max(np.abs(component))) for v in vectors for component in v]
         known = world._known["magnitude"] = max(1.0, *(x for x in sizes if np.isfinite(x)), 1.0)
     return float(known)

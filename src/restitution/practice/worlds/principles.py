@@ -355,31 +355,35 @@ class _Trial:
         """The kinds of quantities in a line, at an event and after it."""
         return {
             kind
-            for each in self.quantities
-            if (kind := _kind(each)) in _RESULTS or self._stage(each) >= event
+            for quantity in self.quantities
+            if (kind := _kind(quantity)) in _RESULTS or self._stage(quantity) >= event
             if kind is not None
         }
 
     def _stage(self, tree: Quantity) -> int:
         """After which event a quantity is meant; of a component, the velocity in it."""
-        inside = [each for each in walk(tree) if isinstance(each, Quantity)]
+        inside = [node for node in walk(tree) if isinstance(node, Quantity)]
         stages = [
-            self.now if each.stage is None else each.stage if isinstance(each.stage, int) else 0
-            for each in inside
-            if each.kind not in ("along", "across", "angle", "dot", "line_of_centres", "mass")
+            self.now
+            if quantity.stage is None
+            else quantity.stage
+            if isinstance(quantity.stage, int)
+            else 0
+            for quantity in inside
+            if quantity.kind not in ("along", "across", "angle", "dot", "line_of_centres", "mass")
         ]
         return max(stages, default=0)
 
     def _event(self) -> int | None:
-        stages = [self._stage(each) for each in self.quantities]
+        stages = [self._stage(quantity) for quantity in self.quantities]
         return max(stages, default=0) or None
 
     def _bodies(self, event: int | None) -> tuple[str, ...]:
         """The spheres that a line names, in the order of the event."""
         named = {
             node.name
-            for each in self.quantities
-            for node in walk(each)
+            for quantity in self.quantities
+            for node in walk(quantity)
             if isinstance(node, Name) and node.name in self.world.start
         }
         step = self.world.events[event - 1] if event else None
@@ -430,8 +434,8 @@ def _outermost(
 ) -> Iterator[Quantity]:
     if isinstance(tree, Quantity):
         if tree.kind == "dot":
-            for each in tree.arguments:
-                yield from _outermost(each, world, meanings, opened)
+            for argument in tree.arguments:
+                yield from _outermost(argument, world, meanings, opened)
         else:
             yield tree
         return
@@ -439,8 +443,8 @@ def _outermost(
         if tree.name not in opened:
             yield from _of_letter(tree.name, world, meanings, opened | {tree.name})
         return
-    for each in children(tree):
-        yield from _outermost(each, world, meanings, opened)
+    for node in children(tree):
+        yield from _outermost(node, world, meanings, opened)
 
 
 def _of_letter(

@@ -41,7 +41,7 @@ def altered_results(
     spoken = _spoken(claim, tried.world, meanings, scope)
     uses: list[Use] = []
     for variant, result in _results(tried.world):
-        if not any(result.quantity == each for each in spoken):
+        if not any(result.quantity == tree for tree in spoken):
             continue
         put = _put(claim, result, tried.world, meanings, scope)
         try:

@@ -189,7 +189,7 @@ def _scattered(base: World, number: int, step: Event, rng: np.random.Generator) 
     telling = Telling(base, degrees=False)
     names = _spheres(base, step)
     speeds = [np.abs(_parts(base, number, telling.velocity(name, number - 1))) for name in names]
-    size = np.maximum(np.max([each.max() for each in speeds]), 1e-3)
+    size = np.maximum(np.max([speed.max() for speed in speeds]), 1e-3)
     loose = {}
     for name in names:
         true = _parts(base, number, telling.velocity(name, number))
@@ -333,7 +333,7 @@ def _unlawful(
 ) -> Iterator[tuple[Block, Parts]]:
     """The states under each altered law of an impact."""
     events = events_of(base.problem)
-    event = next(each for each in events if each.number == number)
+    event = next(event for event in events if event.number == number)
     search = _Search(base, number, loose)
     seen: dict[Any, tuple[Array, Parts]] = {}
     for variant in variants_at(event, events):
@@ -379,9 +379,9 @@ def _is_of_two(relation: Relation) -> bool:
     if not isinstance(relation, Aligned):
         return False
     moving = [
-        each.arguments
-        for each in (relation.left, relation.right)
-        if isinstance(each, Quantity) and each.kind == "velocity"
+        side.arguments
+        for side in (relation.left, relation.right)
+        if isinstance(side, Quantity) and side.kind == "velocity"
     ]
     return len(moving) == 2 and moving[0] != moving[1]
 

@@ -65,17 +65,17 @@ def student_world(
     and laws clash, the facts win, unless ``laws_first``. None where there are no such values.
     """
     order = list(reversed(entries)) if latest else list(entries)
-    own = [each for each in order if not each.right] + [each for each in order if each.right]
+    own = [entry for entry in order if not entry.right] + [entry for entry in order if entry.right]
     own = own[:_LINES]
     equations = [
-        _of_entry(each) for each in own if each.claim.sign == "=" and not each.claim.others
+        _of_entry(entry) for entry in own if entry.claim.sign == "=" and not entry.claim.others
     ]
-    laws = [each for each in laws_of(base) if (each.law, each.event) not in broken]
+    laws = [law for law in laws_of(base) if (law.law, law.event) not in broken]
     facts = list(facts_of(base))
     rest = [*facts, *laws]
     if laws_first:
-        moving = [each for each in facts if each.law]
-        rest = [*(each for each in facts if not each.law), *laws, *moving]
+        moving = [fact for fact in facts if fact.law]
+        rest = [*(fact for fact in facts if not fact.law), *laws, *moving]
     return _solved(base, [*equations, *rest], unknown)
 
 
@@ -84,8 +84,8 @@ def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[st
 
     Nobody writes for a sphere that was at rest that its speed is its component.
     """
-    equations = [_of_entry(each) for each in entries if each.claim.sign == "="]
-    smooth = [each for each in laws_of(base) if each.law == "unchanged"] if equations else []
+    equations = [_of_entry(entry) for entry in entries if entry.claim.sign == "="]
+    smooth = [law for law in laws_of(base) if law.law == "unchanged"] if equations else []
     return _solved(scattered_world(base, unknown), [*equations, *smooth], unknown)
 
 
@@ -96,8 +96,8 @@ def world_without(
     unknown: Collection[str],
 ) -> World | None:
     """A world of scattered values in which lines, facts and all laws but the broken ones hold."""
-    lines = [_of_entry(each) for each in entries if each.claim.sign == "="]
-    laws = [each for each in laws_of(base) if (each.law, each.event) not in broken]
+    lines = [_of_entry(entry) for entry in entries if entry.claim.sign == "="]
+    laws = [law for law in laws_of(base) if (law.law, law.event) not in broken]
     return _solved(scattered_world(base, unknown), [*lines, *facts_of(base), *laws], unknown)
 
 
@@ -108,7 +108,7 @@ def lawful_world(
 
     Laws are named with their event and bodies.
     """
-    laws = (each for each in laws_of(base) if (each.law, each.event, each.bodies) in kept)
+    laws = (law for law in laws_of(base) if (law.law, law.event, law.bodies) in kept)
     return _solved(scattered_world(base, unknown), [*facts_of(base), *laws], unknown)
 
 
@@ -119,7 +119,7 @@ def told_world(base: World, unknown: Collection[str]) -> World | None:
 
 def smooth_world(base: World, unknown: Collection[str]) -> World | None:
     """A world of scattered values in which components across lines of centres do not change."""
-    laws = (each for each in laws_of(base) if each.law == "unchanged")
+    laws = (law for law in laws_of(base) if law.law == "unchanged")
     return _solved(scattered_world(base, unknown), list(laws), unknown)
 
 
@@ -128,10 +128,10 @@ def altered_world(base: World, variant: VariantAt, unknown: Collection[str] = ()
     altered = [_of_claim(Claim(law.sides[0], "=", law.sides[1])) for law in variant.laws]
     replaced = {(law.law, variant.event.number, law.bodies) for law in variant.laws}
     laws = [
-        each
-        for each in laws_of(base)
+        other
+        for other in laws_of(base)
         if not any(
-            (each.law, each.event) == (law, event) and set(each.bodies) <= set(bodies)
+            (other.law, other.event) == (law, event) and set(other.bodies) <= set(bodies)
             for law, event, bodies in replaced
         )
     ]
@@ -300,7 +300,7 @@ class _Unknowns:
 
 def _unknowns(world: World, unknown: Collection[str]) -> _Unknowns:
     names = tuple(sorted(name for name in unknown if name in world.letters))
-    starts = tuple(each.name for each in world.problem.spheres if each.velocity is None)
+    starts = tuple(sphere.name for sphere in world.problem.spheres if sphere.velocity is None)
     return _Unknowns(tuple(world.after), starts, names)
 
 

@@ -216,7 +216,7 @@ class Telling:
     def radius(self, name: str) -> Array | None:
         """The radius of the spheres; None where it is negligible."""
         own = (self.spheres[name], *self.spheres.values())
-        value = next((each.radius for each in own if each.radius is not None), None)
+        value = next((sphere.radius for sphere in own if sphere.radius is not None), None)
         return None if value is None else self.read(value)
 
     def hidden(self, key: str, phrase: str = "", sign: str = "") -> Array:
@@ -284,7 +284,7 @@ class Telling:
         event = quantities.event_of(self._as_story(), tree, now, name)
         if name is not None and name not in self.spheres:
             raise UnvaluedError("impulse(…) needs the name of a sphere")
-        moved = name or [each for each in event.bodies if each in self.spheres][-1]
+        moved = name or [body for body in event.bodies if body in self.spheres][-1]
         if isinstance(event.step, Arrival):
             vector = Vector(FIELD.zero, FIELD.zero)
         else:

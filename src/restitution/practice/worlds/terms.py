@@ -115,7 +115,7 @@ def terms_of(claim: Claim) -> tuple[tuple[Expression, ...], ...]:
     expansions = []
     for left, right in _forms(claim):
         try:
-            terms = (*_expanded(left), *(_negative(each) for each in _expanded(right)))
+            terms = (*_expanded(left), *(_negative(tree) for tree in _expanded(right)))
         except _TooManyError:
             continue
         if len(terms) <= _MOST:
@@ -139,17 +139,17 @@ def _forms(claim: Claim) -> Iterator[tuple[Expression, Expression]]:
 
 def _expanded(tree: Expression) -> list[Expression]:
     if isinstance(tree, Negate):
-        return [_negative(each) for each in _expanded(tree.operand)]
+        return [_negative(other) for other in _expanded(tree.operand)]
     if not isinstance(tree, Binary) or tree.op == "^":
         return [tree]
     left = _expanded(tree.left)
     if tree.op == "/":
-        return [Binary("/", each, tree.right) for each in left]
+        return [Binary("/", other, tree.right) for other in left]
     right = _expanded(tree.right)
     if tree.op == "+":
         terms = left + right
     elif tree.op == "-":
-        terms = left + [_negative(each) for each in right]
+        terms = left + [_negative(tree) for tree in right]
     else:
         terms = [_times(one, other) for one in left for other in right]
     if len(terms) > _MOST:
@@ -224,18 +224,18 @@ class _Match:
         self.cancelled = [np.ones(tried.rows), *(x[: tried.rows] for x in slots.cancelled)]
         self.near = 1e-6 if exact else 5e-3
         loose = tried.loose(slots.event)
-        self.true = [each[: tried.rows] for each in numbers]
-        self.free = [each[loose] for each in numbers]
-        kept = [each for each in slots.terms if np.any(np.abs(each[: tried.rows]) > _NOTHING)]
+        self.true = [number[: tried.rows] for number in numbers]
+        self.free = [number[loose] for number in numbers]
+        kept = [term for term in slots.terms if np.any(np.abs(term[: tried.rows]) > _NOTHING)]
         self.terms = [(each[: tried.rows], each[loose]) for each in kept]
         self.masks = range(1, 2 ** len(self.true))
         self.sums = [self._sum(self.true, mask) for mask in range(2 ** len(self.true))]
 
     def _sum(self, numbers: Sequence[Array], mask: int) -> Array:
         total = np.zeros_like(numbers[0])
-        for place, each in enumerate(numbers):
+        for place, number in enumerate(numbers):
             if mask >> place & 1:
-                total = total + each
+                total = total + number
         return total
 
     def fits(self, *, usual: bool) -> bool:

@@ -88,7 +88,7 @@ def without_cosines(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
 
 def _half_turns(numbers: Iterable[sp.Expr]) -> int:
     """The least n for which π/n measures all angles, and those by which surds are cosines."""
-    atoms = [each for x in numbers for each in x.atoms(sp.sin, sp.cos)]
+    atoms = [sine for x in numbers for sine in x.atoms(sp.sin, sp.cos)]
     turns = [_turn(atom) for atom in atoms]
     roots = {p.base for x in numbers for p in x.atoms(sp.Pow) if p.exp.is_Rational}
     known = [q for p, q in _SURDS.items() if any(r.is_Integer and r % p == 0 for r in roots)]
@@ -171,8 +171,8 @@ class _Circle:
             raise _OtherError
         both = [int(k) % self.order, -int(k) % self.order]
         total: _Sum = {}
-        for each in both:
-            total[each] = total.get(each, Fraction(0)) + Fraction(1, 2)
+        for number in both:
+            total[number] = total.get(number, Fraction(0)) + Fraction(1, 2)
         return total
 
     def cosine(self, x: sp.Expr) -> _Sum:

@@ -202,7 +202,7 @@ def angle(value: Angle, samples: Samples) -> sp.Expr:
             continue
         turns.add(round(float(gap)))
     if len(turns) > 1:  # for some letters it is more, for others not: the sum tells both
-        return sp.Add(*(_term(each, samples) for each in whole.args))
+        return sp.Add(*(_term(argument, samples) for argument in whole.args))
     return own if turns <= {0} else exact.tidy_angle(own + 2 * turns.pop() * sp.pi)
 
 
@@ -360,7 +360,7 @@ def _whole_numbers(whole: Any, parts: list[Any]) -> tuple[tuple[int, ...], int] 
     """Small whole numbers n with whole = n₁a₁ + n₂a₂ + … + m π/12, and m."""
     step = FIELD.pi / 12
     for numbers in itertools.product((0, 1, -1, 2, -2), repeat=len(parts)):
-        ratio = (whole - sum(n * each for n, each in zip(numbers, parts, strict=True))) / step
+        ratio = (whole - sum(n * part for n, part in zip(numbers, parts, strict=True))) / step
         nearest = round(float(ratio))
         if abs(nearest) <= 24 and not (ratio - nearest).sign:
             return numbers, nearest
@@ -379,7 +379,7 @@ def along_and_across(value: Vector, line: Vector, samples: Samples) -> sp.Expr:
     # √6 − √2 e as √2 (√3 − e): the root goes outside.
     scale, parts = min(
         ((s, [tidy(part * sp.sqrt(s)) for part in parts]) for s in (1, 2, 3)),
-        key=lambda pair: sum(exact.cost(each) for each in pair[1]),
+        key=lambda pair: sum(exact.cost(value) for value in pair[1]),
     )
     return plain(root((parts[0] ** 2 + parts[1] ** 2) / scale), samples)
 

@@ -96,10 +96,10 @@ def _extreme(
     if len(ends) == 1:
         return next(iter(ends))
     for end, drawn in seen:
-        values = [_end_at(each, drawn) for each in ends]
+        values = [_end_at(end, drawn) for end in ends]
         if (_end_at(end, drawn) - pick(values)).sign:
             raise UnsupportedError("the form of the range depends on the values of the data")
-    return End(form(*[each.value for each in ends]), all(each.closed for each in ends))
+    return End(form(*[end.value for end in ends]), all(end.closed for end in ends))
 
 
 def _end_at(end: End, drawn: Sample) -> Enclosed:

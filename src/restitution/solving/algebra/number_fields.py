@@ -36,7 +36,9 @@ def split_over_numbers(x: sp.Expr, symbol: sp.Symbol) -> list[sp.Expr]:
     field = Field([x], [symbol])
     whole = field_coefficients(field, x, symbol)
     if not any(m for part in whole for m in part if any(m)):
-        return [field.expression(each) for each in split(without_denominators(from_powers(whole)))]
+        return [
+            field.expression(value) for value in split(without_denominators(from_powers(whole)))
+        ]
     simple = _without_squares(field, whole)
     if simple is None:
         return [x]
@@ -96,11 +98,11 @@ def _moved(field: Field, a: Sequence[Element], by: Element) -> list[Element]:
     if by == 0:
         return list(a)
     total: list[Element] = []
-    for each in a:
+    for value in a:
         shifted = [*total, field.ring.zero]
         for n, part in enumerate(total):
             shifted[n + 1] = shifted[n + 1] + field.times(part, by)
-        shifted[-1] = shifted[-1] + each
+        shifted[-1] = shifted[-1] + value
         total = shifted
     return total
 

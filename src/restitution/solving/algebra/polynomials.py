@@ -262,9 +262,9 @@ class Field:
             return None
         modulus = self.ring.gens[index] ** relation.power - relation.value
         dense = []
-        for each in (a, modulus):
-            parts = [QQ(0)] * (1 + max(m[index] for m in each))
-            for m, c in each.items():
+        for value in (a, modulus):
+            parts = [QQ(0)] * (1 + max(m[index] for m in value))
+            for m, c in value.items():
                 parts[-1 - m[index]] = c
             dense.append(parts)
         afford(relation.power**3 * (1 + (bits(a) + bits(modulus)) / WORD))
@@ -510,8 +510,8 @@ def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
     what is no polynomial, and TooLargeError for what is too large.
     """
     factors_: dict[sp.Expr, Any] = {}
-    for each in sp.Mul.make_args(x):
-        base = each.base if each.is_Pow and each.exp.is_Integer and each.exp > 0 else each
+    for other in sp.Mul.make_args(x):
+        base = other.base if other.is_Pow and other.exp.is_Integer and other.exp > 0 else other
         field = Field([base])
         above, below = field.fraction(base)
         if not below.is_ground:
@@ -522,8 +522,8 @@ def factors(x: sp.Expr) -> tuple[sp.Expr, ...]:
             expression = field.expression(without_denominators(factor))
             if not expression.is_number:
                 factors_.setdefault(expression, key)
-    lone = sp.Mul(*[each for each in factors_ if not each.is_Add]).args
-    places = {each: place for place, each in enumerate(lone)}
+    lone = sp.Mul(*[factor for factor in factors_ if not factor.is_Add]).args
+    places = {value: place for place, value in enumerate(lone)}
     return tuple(
         sorted(factors_, key=lambda x: (factors_[x][:3], places.get(x, 0), factors_[x][3]))
     )

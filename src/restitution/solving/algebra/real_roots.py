@@ -65,7 +65,7 @@ def roots(equation: sp.Expr, x: sp.Symbol) -> list[sp.Expr]:
     equation = gathered(equation)
     values: list[sp.Expr] = []
     for factor in _factors_of(equation, x):
-        values += [each for each in _roots_of(factor, x) if each not in values]
+        values += [root for root in _roots_of(factor, x) if root not in values]
     return _in_degrees(equation, x, values)
 
 
@@ -80,7 +80,7 @@ def _in_degrees(equation: sp.Expr, x: sp.Symbol, values: list[sp.Expr]) -> list[
         angle = sp.Rational(round(2 * math.degrees(math.atan(number))), 360) * sp.pi
         c, s = sp.cos(angle), sp.sin(angle)
         powers = [c**n * s ** (len(parts) - 1 - n) for n in range(len(parts))]
-        total = sp.Add(*[each * power for each, power in zip(parts, powers, strict=True)])
+        total = sp.Add(*[part * power for part, power in zip(parts, powers, strict=True)])
         if gathered(sp.expand(total)) == 0:
             # It is a root: that which is nearest to it.
             gaps = [abs(other - math.tan(float(angle))) for other in numbers]
@@ -165,14 +165,14 @@ def _is_root(parts: Sequence[sp.Expr], value: sp.Expr) -> bool:
 
 def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
     if a.has(sp.CRootOf):
-        b, c = (rational_below(each / a) if each.is_number else each / a for each in (b, c))
+        b, c = (rational_below(value / a) if value.is_number else value / a for value in (b, c))
         a = sp.Integer(1)
     elif a.is_number and not a.is_Rational and not has_cosines(a):
         # Dividing first keeps surds out of the denominator under the root.
         over = plain_number(1 / a)
         b, c = (
-            sp.radsimp(sp.expand(each / a if over is None else each * over), max_terms=4)
-            for each in (b, c)
+            sp.radsimp(sp.expand(value / a if over is None else value * over), max_terms=4)
+            for value in (b, c)
         )
         a = sp.Integer(1)
     if b == 0 and has_cosines(a) and not (a.free_symbols | c.free_symbols):
@@ -192,7 +192,7 @@ def _quadratic(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> list[sp.Expr]:
     if a.free_symbols and definite(a) == 0 and turn != 0:
         # The leading coefficient may vanish, and one root is then that of b x + c.
         finite, other = -2 * c / (b + turn * d), (-b - turn * d) / (2 * a)
-        return [_tidy_root(each) for each in ((finite, other) if turn > 0 else (other, finite))]
+        return [_tidy_root(value) for value in ((finite, other) if turn > 0 else (other, finite))]
     return [_tidy_root((-b + d) / (2 * a)), _tidy_root((-b - d) / (2 * a))]
 
 

@@ -88,7 +88,7 @@ def definite(x: sp.Expr, positive: frozenset[sp.Expr] = frozenset(), weak: bool 
         above, below = field.fraction(x)
     except (PolynomialError, TooLargeError):
         return 0
-    one, other = (_definite(field, each, positive, weak) for each in (above, below))
+    one, other = (_definite(field, value, positive, weak) for value in (above, below))
     return one * other
 
 

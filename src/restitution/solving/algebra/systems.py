@@ -129,7 +129,7 @@ def _solved(
     tangents: dict[sp.Symbol, sp.Symbol] = {}
     scale: dict[sp.Symbol, int] = {}
     for symbol in sought:
-        if symbol not in angles or not any(each.has(symbol) for each in current):
+        if symbol not in angles or not any(value.has(symbol) for value in current):
             continue
         q = least_denominator(current, symbol)
         scale[symbol] = q
@@ -146,7 +146,7 @@ def _solved(
         pairs[symbol] = (c, s)
     # Roots and sizes of what is unknown are squared away.
     everything = set(sought) | {x for pair in pairs.values() for x in pair}
-    polynomials = [polynomial_of(each, everything) for each in current]
+    polynomials = [polynomial_of(value, everything) for value in current]
     for symbol, (c, s) in pairs.items():
         if any(polynomial.has(symbol) for polynomial in polynomials):
             raise UnsupportedError(
@@ -155,8 +155,8 @@ def _solved(
         if scale[symbol] == 1 and symbol in acute:
             t = sp.Symbol(f"tan_{symbol.name}", positive=True)
             rewritten = [by_tangent(polynomial, c, s, t) for polynomial in polynomials]
-            if all(each is not None for each in rewritten):
-                polynomials = [each for each in rewritten if each is not None]
+            if all(value is not None for value in rewritten):
+                polynomials = [value for value in rewritten if value is not None]
                 tangents[symbol] = t
                 generators.append(t)
                 continue
@@ -205,7 +205,7 @@ def _multiple_of(q: int, c: sp.Expr, s: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         return c, s
     x = sp.Dummy("cosine")
     whole = (sp.chebyshevt(q, x), s * sp.chebyshevu(q - 1, x))
-    multiple_c, multiple_s = (neat(sp.expand(each.xreplace({x: c}))) for each in whole)
+    multiple_c, multiple_s = (neat(sp.expand(value.xreplace({x: c}))) for value in whole)
     return multiple_c, multiple_s
 
 
@@ -249,7 +249,7 @@ def _reduce(
         return [(assignment, rest)]
     pivot = _pivot(simple, unknowns, known)
     kind, equation, x = pivot
-    others = [each for each in simple if each is not equation] + rest
+    others = [value for value in simple if value is not equation] + rest
     left = [u for u in unknowns if u != x]
     if kind == "roots":
         return _by_roots(equation, x, others, left, assignment, known)
@@ -438,9 +438,9 @@ def _pivot(
 def _only_even(equations: list[sp.Expr], x: sp.Symbol) -> bool:
     return all(
         c == 0 or power % 2 == 0
-        for each in equations
-        if each.has(x)
-        for power, c in enumerate(reversed(coefficients(each, x)))
+        for equation in equations
+        if equation.has(x)
+        for power, c in enumerate(reversed(coefficients(equation, x)))
     )
 
 
@@ -483,7 +483,7 @@ def _by_resultant(
         without.append(r)
     results = []
     for values, rest in _reduce(without, left, assignment, known):
-        candidates = [numerator(each.xreplace(values)) for each in (equation, *with_x)]
+        candidates = [numerator(value.xreplace(values)) for value in (equation, *with_x)]
         candidates = [candidate for candidate in candidates if candidate.has(x)] or candidates
         simplest = min(candidates, key=lambda e: degree(e, x) if e.has(x) else 99)
         if not simplest.has(x):

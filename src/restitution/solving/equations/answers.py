@@ -105,7 +105,9 @@ def value_layout(value: Exact, kind: ItemKind, angle: bool, percentage: bool) ->
 @lru_cache(maxsize=512)
 def answer_of(number: int, value: Exact, kind: ItemKind, angle: bool, percentage: bool) -> Answer:
     """The answer that a value makes. Raises ImpossibleError for a value that is not finite."""
-    if any(each.has(sp.nan, sp.zoo) for each in (value if isinstance(value, tuple) else (value,))):
+    if any(
+        other.has(sp.nan, sp.zoo) for other in (value if isinstance(value, tuple) else (value,))
+    ):
         raise ImpossibleError("it has no value: a division by zero, or a direction at rest")
     display_ = to_text(value_layout(value, kind, angle, percentage))
     if isinstance(value, tuple):

@@ -39,19 +39,19 @@ def named(setting: Setting, error: RestitutionError) -> RestitutionError:
     a physical reason to be impossible, or where there are too many facts to leave each of them out
     in turn.
     """
-    facts = [Fact(given, each) for given, _ in setting.facts for each in given.relations]
+    facts = [Fact(given, relation) for given, _ in setting.facts for relation in given.relations]
     if not facts or len(facts) > MOST_FACTS or _possible(setting, []) is not True:
         return error
     core = list(facts)
     for fact in facts:
-        rest = [each for each in core if each is not fact]
+        rest = [other for other in core if other is not fact]
         if _possible(setting, rest) is False:
             core = rest
     physical = isinstance(error, ImpossibleError)
     if physical and len(core) == 1:
         return error
-    words = [_words(setting.problem, each) for each in core]
-    clauses = [clause_of(setting.problem, each.given, each.relation) for each in core]
+    words = [_words(setting.problem, fact) for fact in core]
+    clauses = [clause_of(setting.problem, fact.given, fact.relation) for fact in core]
     place = core[-1].given.place
     line = None if place is None else place.line
     reason = _of_a_letter(setting.problem, core[0].relation) if len(core) == 1 else None

@@ -132,7 +132,7 @@ def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool
     def facts(at: Sample) -> Numeric:
         story = freed.tell(Numbers(at))
         wanted = (*story.equations, *freed.requirements(story))
-        return tuple(each.value for each in wanted if isinstance(each, Equation))
+        return tuple(condition.value for condition in wanted if isinstance(condition, Equation))
 
     def asked(at: Sample) -> Numeric:
         value = freed.tell(Numbers(at)).evaluator(now).value(tree)

@@ -53,9 +53,13 @@ def requirements(
     return requirements_
 
 
-def _never(each: Requirement) -> bool:
+def _never(condition: Requirement) -> bool:
     """Whether an exact equation is one between different numbers."""
-    return isinstance(each, Equation) and each.value.is_number and bool(each.value.is_nonzero)
+    return (
+        isinstance(condition, Equation)
+        and condition.value.is_number
+        and bool(condition.value.is_nonzero)
+    )
 
 
 def _requirements(
@@ -192,8 +196,8 @@ def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> 
     if relation.relation == "perpendicular to":
         return [Equation(dot, why, place, True)]
     if relation.relation in ("in the direction of", "opposite to"):
-        for each, tree in ((a, relation.left), (b, relation.right)):
-            if story.still(each):
+        for vector, tree in ((a, relation.left), (b, relation.right)):
+            if story.still(vector):
                 raise ImpossibleError(reason_of_rest(tree))
     requirements_: list[Requirement] = [Equation(cross, why, place, True)]
     if relation.relation == "in the direction of":
@@ -250,9 +254,9 @@ def _rebound(
     """
     away = event.oriented() if event.bodies[0] == behind else -event.oriented()
     walls = [
-        each
-        for each in story.happenings[:now]
-        if each.bodies[0] == ahead and each.bodies[-1] in story.walls
+        happening
+        for happening in story.happenings[:now]
+        if happening.bodies[0] == ahead and happening.bodies[-1] in story.walls
     ]
     if not walls or not _keep_to_their_line(story, event, ahead, behind, now):
         return
@@ -280,12 +284,14 @@ def _met_after_a_rebound(
     if relation.happens:
         if story.sign(approach) in (1, None) or len(rebounds) > 1:
             return [Condition(approach, ">", reason, "fact")]
-        return [Condition(each, ">", reason, "fact") for each in rebounds[0]]
+        return [Condition(value, ">", reason, "fact") for value in rebounds[0]]
     apart = [Condition(-approach, ">=", refused, "fact")]
     return [
         *apart,
         *(
-            AnyOf(tuple(Condition(-each, ">=", refused, "fact") for each in pair), refused, "fact")
+            AnyOf(
+                tuple(Condition(-value, ">=", refused, "fact") for value in pair), refused, "fact"
+            )
             for pair in rebounds
         ),
     ]
@@ -298,7 +304,7 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
     their order decides. Raises MissingError where only their places can tell.
     """
     since = story.happenings[event.number : now]
-    if not any({one, other} & set(each.bodies) for each in since):
+    if not any({one, other} & set(happening.bodies) for happening in since):
         return False
     if _keep_to_their_line(story, event, one, other, now):
         return False
@@ -307,7 +313,7 @@ def _leave_their_line(story: Story, event: Happening, one: str, other: str, now:
         return True
     if any(story.sign(_approach(story, event, one, other, n)) in (1, None) for n in stages):
         again = f"whether {one} and {other} collide again"
-        unknown = [each.bodies for each in (event, *since) if each.unknown_line]
+        unknown = [happening.bodies for happening in (event, *since) if happening.unknown_line]
         if unknown:
             lines = [f"the line of centres of {first} and {second}" for first, second in unknown]
             raise missing.needs(again, lines)
@@ -325,7 +331,7 @@ def _keep_to_their_line(story: Story, event: Happening, one: str, other: str, no
         story.rational((story.velocity(one, n) - story.velocity(other, n)).cross(centres))
         for n in range(event.number, now + 1)
     )
-    return all(story.field.is_zero(each) for each in across)
+    return all(story.field.is_zero(value) for value in across)
 
 
 def _placed(story: Story, event: Happening, now: int) -> bool:
@@ -369,7 +375,7 @@ def _met_by_places(
         # The distance at which they pass is |gap × approach|/|approach|.
         room = story.rational(4 * radius * radius * approach.dot(approach) - aside * aside)
         if relation.happens:
-            return [Condition(each, ">", reason, "fact") for each in (room, closing)]
+            return [Condition(value, ">", reason, "fact") for value in (room, closing)]
         touch = Condition(-room, ">=", reason, "fact")
     return [AnyOf((touch, Condition(-closing, ">=", reason, "fact")), refused, "fact")]
 
@@ -388,12 +394,12 @@ def _require_free_line(story: Story, now: int, name: str, wall: str) -> None:
         towards = met[-1].oriented() if met[-1].bodies[0] == name else -met[-1].oriented()
         against = [h for h in story.happenings[:now] if h.bodies == (other, wall)]
         if not against or not all(
-            story.field.is_zero(story.rational(each.cross(towards)))
-            for each in (velocity, against[-1].oriented())
+            story.field.is_zero(story.rational(vector.cross(towards)))
+            for vector in (velocity, against[-1].oriented())
         ):
             continue
         ahead = (against[-1].oriented().dot(towards), velocity.dot(towards))
-        if all(story.sign(story.rational(each)) == 1 for each in ahead) and (
+        if all(story.sign(story.rational(value)) == 1 for value in ahead) and (
             _keep_to_their_line(story, met[-1], name, other, now)
         ):
             raise MissingError(f"{other} is between {name} and {wall}, on one line with both")

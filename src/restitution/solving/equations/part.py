@@ -184,9 +184,9 @@ def work_out(setting: Setting) -> Outcome:
             continue
         wanted = setting.requirements(story)
         equations = [
-            sp.sympify(each.value, strict=True)
-            for each in (*story.equations, *wanted)
-            if isinstance(each, Equation)
+            sp.sympify(condition.value, strict=True)
+            for condition in (*story.equations, *wanted)
+            if isinstance(condition, Equation)
         ]
         deciding |= symbol_names(*equations)
         for assignment in solve_equations(
@@ -208,7 +208,7 @@ def work_out(setting: Setting) -> Outcome:
     if last is None or not trials:
         raise failed or (last and _missed(last[1])) or _clash(setting)
     trials = _without_touching(_distinct(trials))
-    left = tuple(each for each in equations if each != 0 and len(branches) == 1)
+    left = tuple(equation for equation in equations if equation != 0 and len(branches) == 1)
     return Outcome(setting, tuple(trials), *last, frozenset(deciding), tuple(decisions), left)
 
 
@@ -216,7 +216,7 @@ def _letters_of_zero(
     setting: Setting, letters_: Letters, equations: Sequence[sp.Expr]
 ) -> Iterator[Root]:
     """The letters of either sign that are a factor of the only equation, each as zero."""
-    open_ = [each for each in equations if each != 0]
+    open_ = [equation for equation in equations if equation != 0]
     if len(open_) != 1:
         return
     for factor in sp.Mul.make_args(sp.factor_terms(open_[0])):
@@ -259,11 +259,13 @@ def _same_values(a: Trial, b: Trial) -> bool:
 
 def _missed(story: Story) -> ImpossibleError | None:
     """Why a sphere does not come where it is told to come, if the data alone say so."""
-    for each in story.equations:
-        if each.kind == "path" and not each.fact:
-            value = sp.sympify(each.value, strict=True)
+    for equation in story.equations:
+        if equation.kind == "path" and not equation.fact:
+            value = sp.sympify(equation.value, strict=True)
             if value.is_number and not exact.is_zero(value):
-                return ImpossibleError(each.reason, None if each.place is None else each.place.line)
+                return ImpossibleError(
+                    equation.reason, None if equation.place is None else equation.place.line
+                )
     return None
 
 

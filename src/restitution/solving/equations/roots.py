@@ -141,7 +141,7 @@ def _substitute_linear(
         return symbol.name in setting.asked, symbol.name in terms
 
     # Of two angles alike the first letter stays.
-    names = sorted(current.free_symbols, key=lambda each: each.name, reverse=True)
+    names = sorted(current.free_symbols, key=lambda symbol: symbol.name, reverse=True)
     for symbol in sorted(names, key=rank):
         coefficient = current.coeff(symbol)
         rest = sp.expand(current - coefficient * symbol)
@@ -223,7 +223,7 @@ def solve_equations(
             raise missing.too_many(
                 letters_.phrases.get(s.name, s.name) for s in unknowns
             ) from error
-        leftover = [each for one in assignments for each in one.leftover]
+        leftover = [value for one in assignments for value in one.leftover]
         if assignments and all(_is_undefined(values, one) for one in assignments):
             leftover = values  # of a direction in two letters only their ratio can be found
         if not leftover:
@@ -245,7 +245,7 @@ def _is_undefined(equations: Sequence[sp.Expr], root: Root) -> bool:
     }
     if list(at.values()).count(sp.Integer(0)) < _PARTS:
         return False
-    return any(each.subs(at, simultaneous=True).has(sp.nan, sp.zoo) for each in equations)
+    return any(equation.subs(at, simultaneous=True).has(sp.nan, sp.zoo) for equation in equations)
 
 
 _PARTS = 2
@@ -258,7 +258,7 @@ def _ranked(
     chosen: frozenset[str],
 ) -> list[sp.Symbol]:
     """The unknowns in these equations, in the order in which to eliminate them."""
-    present = {s for each in equations for s in each.free_symbols}
+    present = {s for equation in equations for s in equation.free_symbols}
 
     def rank(symbol: sp.Symbol) -> tuple[int, str]:
         name = symbol.name
@@ -284,19 +284,19 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
         isinstance(step, Impact) and step.e is None for _, step in setting.problem.steps()
     )
     shown = {
-        each.name
+        operand.name
         for step in setting.shows
         if isinstance(step.relation, Compare)
-        for each in step.relation.operands
-        if isinstance(each, Letter)
+        for operand in step.relation.operands
+        if isinstance(operand, Letter)
     }
     equated = {
-        each.name
+        operand.name
         for given, _ in setting.facts
         for relation in given.relations
         if isinstance(relation, Compare) and any(has_quantity(t) for t in relation.operands)
-        for each in relation.operands
-        if isinstance(each, Letter)
+        for operand in relation.operands
+        if isinstance(operand, Letter)
     }
     in_shows = {
         name
@@ -349,7 +349,7 @@ def _wanted_in_answers(setting: Setting) -> set[str]:
         name
         for step in setting.shows
         if isinstance(step.relation, Compare)
-        and any(isinstance(each, Letter) for each in step.relation.operands)
+        and any(isinstance(operand, Letter) for operand in step.relation.operands)
         for tree in step.relation.operands
         if not isinstance(tree, Letter) and not has_quantity(tree)
         for name in letters(tree)

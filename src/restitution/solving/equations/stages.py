@@ -71,9 +71,9 @@ def _rank(symbol: sp.Symbol) -> int:
 
 def _staged(equations: list[sp.Expr], unknowns: Sequence[sp.Symbol], system: _System) -> list[Root]:
     current = [_without_signs(equation) for equation in equations]
-    current = [each for each in current if each != 0]
+    current = [value for value in current if value != 0]
     free = set(unknowns)
-    group = _smallest([frozenset(each.free_symbols & free) for each in current])
+    group = _smallest([frozenset(value.free_symbols & free) for value in current])
     if group is None:
         return _solved(current, unknowns, system)
     inside = {symbol for n in group for symbol in current[n].free_symbols & free}
@@ -81,7 +81,7 @@ def _staged(equations: list[sp.Expr], unknowns: Sequence[sp.Symbol], system: _Sy
     assignments = _solved([current[n] for n in group], block, system)
     if any(one.leftover or len(one.values) < len(block) for one in assignments):
         return _solved(current, unknowns, system)
-    rest = [each for n, each in enumerate(current) if n not in group]
+    rest = [value for n, value in enumerate(current) if n not in group]
     left = [x for x in unknowns if x not in inside]
     if all(x.name.startswith("_") for x in block):
         assignments = [one for one in assignments if _possible(one, block, system)] or assignments
@@ -100,7 +100,7 @@ def _staged(equations: list[sp.Expr], unknowns: Sequence[sp.Symbol], system: _Sy
             system.roles,
             tuple(_put(condition, put) for condition in system.conditions),
         )
-        for further in _staged([_put(each, put) for each in rest], left, narrowed):
+        for further in _staged([_put(value, put) for value in rest], left, narrowed):
             results.append(
                 Root(
                     {**one.values, **further.values},
@@ -125,9 +125,9 @@ def _later(
     """
     results = []
     for further in _staged(rest, left, system):
-        values = {name: _put(each, put) for name, each in further.values.items()}
+        values = {name: _put(value, put) for name, value in further.values.items()}
         pairs = {name: (_put(c, put), _put(s, put)) for name, (c, s) in further.angles.items()}
-        leftover = tuple(_put(each, put) for each in further.leftover)
+        leftover = tuple(_put(value, put) for value in further.leftover)
         if any(value.has(sp.zoo, sp.nan, sp.oo) for value in values.values()):
             return None
         if any(x.name in values and _is_negative(values[x.name]) for x in system.acute):
@@ -147,11 +147,11 @@ def by_nested_roots(values: Mapping[str, sp.Expr], start: str = "") -> bool:
     Of those whose names begin with ``start``. They are too unwieldy to be told again.
     """
     return any(name.startswith("_c_") for name in values) and any(
-        has_roots(each.base)
+        has_roots(power.base)
         for name, value in values.items()
         if name.startswith(start)
-        for each in value.atoms(sp.Pow)
-        if each.exp.is_Rational and not each.exp.is_Integer
+        for power in value.atoms(sp.Pow)
+        if power.exp.is_Rational and not power.exp.is_Integer
     )
 
 
@@ -229,11 +229,11 @@ def fixed_besides(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -
     """
     if not any(symbol.name.startswith("_c_") for symbol in unknowns):
         return frozenset()
-    current = [each for each in map(_without_signs, equations) if each != 0]
+    current = [value for value in map(_without_signs, equations) if value != 0]
     free = set(unknowns)
-    every = {symbol for each in current for symbol in each.free_symbols}
+    every = {symbol for value in current for symbol in value.free_symbols}
     most = _matched(current, free)
-    if most == len([each for each in current if each.free_symbols]):
+    if most == len([value for value in current if value.free_symbols]):
         return frozenset()
     return frozenset(x.name for x in every - free if _matched(current, free | {x}) > most)
 

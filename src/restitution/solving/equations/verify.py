@@ -73,7 +73,7 @@ def verify_value(value: Any, item: Value, branch: Branch, now: int) -> None:
             strict=True,
         )
         wrong = [
-            (number, each) for number, each in pairs if (number - at(each, branch.sample)).sign
+            (number, value) for number, value in pairs if (number - at(value, branch.sample)).sign
         ]
     except (UndefinedError, KeyError):
         return  # nothing to compare at this point

@@ -204,11 +204,11 @@ def _is_general(region: Region, values: sp.Set) -> bool:
 def _by_case(several: Sequence[Case], roles: Mapping[str, Role]) -> tuple[list[Form], Proof]:
     """The values in each case with what it asks of the data, and what they all rest on."""
     forms: list[Form] = []
-    for each in several:
-        bounds = bounds_of(each.letter, each.values, roles)
+    for case in several:
+        bounds = bounds_of(case.letter, case.values, roles)
         # A case that holds for all values of its letter asks nothing of it.
-        forms.append((to_set(each.pieces), () if bounds.text == each.letter else (bounds,)))
-    proofs: list[Proof] = [each.proof for each in several]
+        forms.append((to_set(case.pieces), () if bounds.text == case.letter else (bounds,)))
+    proofs: list[Proof] = [case.proof for case in several]
     return forms, next((proof for proof in proofs if proof != "algebra"), proofs[0])
 
 

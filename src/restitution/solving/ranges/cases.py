@@ -109,9 +109,9 @@ def _borders(region: Family, groups: Sequence[Sequence[sp.Expr]], name: str) -> 
     changing = [a - b for ends in groups for a, b in combinations(ends, 2)]
     changing += [end for ends in groups for end in ends]
     borders: list[sp.Expr] = []
-    for each in dict.fromkeys(part for x in changing for part in deciding(x)):
-        if each.has(symbol):
-            borders += [x for x in zeros([each], [symbol], region.roles, name) if x not in borders]
+    for value in dict.fromkeys(part for x in changing for part in deciding(x)):
+        if value.has(symbol):
+            borders += [x for x in zeros([value], [symbol], region.roles, name) if x not in borders]
     role = region.roles[name]
     ends_ = [x for x, is_in in zip((role.low, role.high), role.closed, strict=True) if is_in]
     return [*borders, *(x for x in ends_ if x is not None and x not in borders)]

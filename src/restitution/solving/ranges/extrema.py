@@ -94,7 +94,7 @@ def find_extremum(
             best = _best(own, value, name, sign)
         except DependsOnDataError:
             several = [] if len(trials) > 1 else cases(_Winners(own, value, name, sign))
-            if not several or any(each.pieces[0][0].value.is_infinite for each in several):
+            if not several or any(case.pieces[0][0].value.is_infinite for case in several):
                 raise
             return _in_cases(own, item, several, angle)
         if best is not None:
@@ -102,7 +102,7 @@ def find_extremum(
     if not candidates:
         raise ContradictionError("no values satisfy all that is told")
     trial, ((candidate, reached, _, data), further) = max(
-        candidates, key=lambda each: sign * each[1][0][2]
+        candidates, key=lambda candidate: sign * candidate[1][0][2]
     )
     if candidate.value.is_infinite:
         grows = "grows" if candidate.value == sp.oo else "falls"
@@ -113,7 +113,7 @@ def find_extremum(
     proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
     if reached and not place.is_infinite:
         limits = (*defined(outcome, trial, (forms.bound(place), answer.value)), *limits)
-    known = {each.text for each in limits}
+    known = {limit.text for limit in limits}
     elsewhere = _elsewhere(own, values[id(trial)], name, (candidate, reached), data, sign)
     limits = (*limits, *(each for each in elsewhere if each.text not in known))
     assert answer.layout is not None
@@ -148,7 +148,7 @@ def _answer(
     )
     where: Layout = there if reached else replace(there, signs=("→", *there.signs[1:]))
     if further:
-        others = (display_named(symbol, each, angle=role.kind == "angle") for each in further)
+        others = (display_named(symbol, value, angle=role.kind == "angle") for value in further)
         where = Phrase((where, *others), " or ")
     most = display(value, angle=angle, percentage=item.percentage)
     layout = Phrase((most, Words("when" if reached else "approached as"), where))
@@ -178,7 +178,7 @@ def _in_cases(outcome: Outcome, item: Extremum, several: list[Case], angle: bool
         limits = () if bounds.text == case.letter else (bounds,)
         answers.append(with_condition(answer, answer.layout, limits))
     line = None if item.place is None else item.place.line
-    proofs: list[Proof] = [each.proof for each in several]
+    proofs: list[Proof] = [case.proof for case in several]
     proof = next((each for each in proofs if each != "algebra"), proofs[0])
     return ItemResult(item, line, item.text, "extremum", tuple(answers), proof=proof)
 
@@ -337,8 +337,8 @@ class _Winners:
         self.role, self.roles = REAL, self._region.roles
         self.data, self.given = self._region.data, self._region.given
         self.formula = self._region.formula
-        values = [each.value for each in self._candidates]
-        places = [each.where[name] for each in self._candidates]
+        values = [candidate.value for candidate in self._candidates]
+        places = [candidate.where[name] for candidate in self._candidates]
         self.critical_groups = [
             [end for end in ends if not end.has(self._region.symbol)] for ends in (values, places)
         ]
@@ -379,7 +379,7 @@ class _Winners:
         claim = Relation(self._sign * (best.value - self._value), ">=" if best.closed else ">")
         parts = self.formula.parts if isinstance(self.formula, All) else (self.formula,)
         letter = self._region.letter
-        of_data = [each for each in parts if letters_of(each) and letter not in letters_of(each)]
+        of_data = [part for part in parts if letters_of(part) and letter not in letters_of(part)]
         there = joined((self.formula, Relation(self._value - best.value, "=")))
         around = Oracle(self.roles, (*more, *of_data))
         try:
@@ -395,7 +395,7 @@ class _Winners:
     def _occurs(self, pieces: Sequence[Piece], facts: Sequence[Formula]) -> bool:
         """Whether the extremum is this one at all data that are tried, usual and extreme ones."""
         rng = random.Random(41)
-        asked = Admission(self.roles, tuple(Demand(each, "", "fact") for each in facts), ())
+        asked = Admission(self.roles, tuple(Demand(fact, "", "fact") for fact in facts), ())
         seen = 0
         for number in range(_TRIED):
             drawn = sample(self.data(), self.roles, rng, number % 3 == 2)
@@ -417,10 +417,10 @@ class _Winners:
 
 def _told(facts: Sequence[Formula]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
     """The letters of which an equation among facts tells the value."""
-    for each in facts:
-        if isinstance(each, Relation) and each.operator == "=":
-            for symbol in each.value.free_symbols:
-                x = sp.expand(symbol - each.value)
+    for fact in facts:
+        if isinstance(fact, Relation) and fact.operator == "=":
+            for symbol in fact.value.free_symbols:
+                x = sp.expand(symbol - fact.value)
                 if not x.has(symbol):
                     yield symbol, x
                     break

@@ -212,7 +212,7 @@ class Image:
                     break
             else:
                 borders.append((number, end, reached))
-        return sorted(borders, key=lambda each: each[0])
+        return sorted(borders, key=lambda border: border[0])
 
     def _seen(self, drawn: Sample) -> list[Seen]:
         """Values that do occur, and where: at many random points, and at those that are known."""
@@ -337,9 +337,9 @@ class Image:
         symbol = role.symbol(_NAME)
         # What is asked of the data alone holds whether or not a value occurs.
         of_data = tuple(
-            each
-            for each in (formula.parts if isinstance(formula, All) else (formula,))
-            if letters_of(each) and not letters_of(each) & set(self.free)
+            other
+            for other in (formula.parts if isinstance(formula, All) else (formula,))
+            if letters_of(other) and not letters_of(other) & set(self.free)
         )
         try:
             outer = Oracle(roles, (*more, formula)).decide(inside_of(value, pieces))
@@ -387,11 +387,11 @@ def _tangent_of(
     parts: list[Piece] = []
     for piece in pieces:
         own = [exact.tidy_angle((end.value - whole) * factor) for end in piece]
-        tangents = [_tangent_at(each, end.closed) for each, end in zip(own, piece, strict=True)]
+        tangents = [_tangent_at(value, end.closed) for value, end in zip(own, piece, strict=True)]
         ends = [
-            End(each, end.closed)
-            for each, end in zip(tangents, piece, strict=True)
-            if each is not None
+            End(value, end.closed)
+            for value, end in zip(tangents, piece, strict=True)
+            if value is not None
         ]
         if len(ends) < 2:
             return None

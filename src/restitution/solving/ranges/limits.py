@@ -43,9 +43,9 @@ def breaks(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) ->
     return list(
         dict.fromkeys(
             point
-            for each in numerators
-            if each.has(symbol)
-            for point in zeros([each], [symbol], roles, symbol.name)
+            for value in numerators
+            if value.has(symbol)
+            for point in zeros([value], [symbol], roles, symbol.name)
         )
     )
 
@@ -55,7 +55,7 @@ def turning(expression: sp.Expr, symbol: sp.Symbol, roles: Mapping[str, Role]) -
     bars = sorted((bar for bar in expression.atoms(sp.Abs) if bar.has(symbol)), key=str)
     points: list[sp.Expr] = []
     # A sign is constant but where it jumps, which is a break.
-    expression = expression.xreplace({each: sp.Dummy() for each in expression.atoms(sp.sign)})
+    expression = expression.xreplace({atom: sp.Dummy() for atom in expression.atoms(sp.sign)})
     for bar in bars:
         points += zeros(
             [sp.together(bar.args[0]).as_numer_denom()[0]], [symbol], roles, symbol.name
@@ -116,7 +116,7 @@ def limits(
         value = limit(expression, symbol, point, point == role.high)
         return [] if value is None else [(value, {})]
     both = ((limit(expression, symbol, point, side < 0), side) for side in (1, -1))
-    return [(each, {symbol.name: side}) for each, side in both if each is not None]
+    return [(value, {symbol.name: side}) for value, side in both if value is not None]
 
 
 def _is_beyond(point: sp.Expr, role: Role) -> bool:
@@ -161,7 +161,7 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
         return None if ahead is None or side is None else (1 - ahead) * side * sp.pi / 2
     top, bottom = sp.together(x).as_numer_denom()
     try:
-        value, under = (each.xreplace({symbol: point}) for each in (top, bottom))
+        value, under = (value.xreplace({symbol: point}) for value in (top, bottom))
         value, under = sp.expand(value), sp.expand(under)
         if under.free_symbols and sp.expand(sp.fraction(sp.together(under))[0]) == 0:
             under = sp.S.Zero

@@ -74,8 +74,8 @@ def _has_values(trial: Trial) -> bool:
     """Whether what a solution asks of the letters has a value: with no mass, some has none."""
     if trial.admission is None:
         return True
-    values = [each.value for d in trial.admission.demands for each in relations(d.formula)]
-    return not any(each.has(sp.nan, sp.zoo) for each in (*values, *trial.admission.equations))
+    values = [relation.value for d in trial.admission.demands for relation in relations(d.formula)]
+    return not any(value.has(sp.nan, sp.zoo) for value in (*values, *trial.admission.equations))
 
 
 @dataclass
@@ -112,7 +112,7 @@ class Region:
         for trial in self.trials:
             demands = self._demands(trial)
             if demands is not None:
-                atoms += [each.value for d in demands for each in relations(d.formula)]
+                atoms += [relation.value for d in demands for relation in relations(d.formula)]
                 continue
             solved_letters = Letters(self.setting.roles, trial.root.values, trial.root.angles)
             story = self.setting.tell(solved_letters)
@@ -191,8 +191,8 @@ class Region:
         points: list[sp.Expr] = [x for x in (self.role.low, self.role.high) if x is not None]
         free = {self.setting.roles[name].symbol(name) for name in self.free}
         atoms = [*atoms, *self._at_ends(atoms)]
-        plain = [each for each in atoms if not each.free_symbols & free]
-        mixed = [each for each in atoms if each.free_symbols & free]
+        plain = [atom for atom in atoms if not atom.free_symbols & free]
+        mixed = [atom for atom in atoms if atom.free_symbols & free]
         for atom in plain:
             if atom.has(self.symbol):
                 points += self._zeros([atom], [self.symbol])
@@ -207,7 +207,7 @@ class Region:
                         points += self._zeros([one, other], [*symbols, self.symbol])
         unique: list[sp.Expr] = []
         for point in points:
-            if not any(point == each for each in unique):
+            if not any(point == value for value in unique):
                 unique.append(point)
         return unique
 
@@ -217,7 +217,7 @@ class Region:
         for name in self.free:
             role = self.roles[name]
             symbol = role.symbol(name)
-            for atom in [each for each in reached if each.has(symbol)]:
+            for atom in [value for value in reached if value.has(symbol)]:
                 for end in (role.low, role.high):
                     own = at_infinity(atom, symbol) if end is None else at_end(atom, symbol, end)
                     if own is not None:
@@ -284,8 +284,8 @@ class Region:
                 for step in (ASIDE, -ASIDE):
                     try:
                         aside, nearer = (
-                            with_solved(trial, {**values, name: values[name] + each})
-                            for each in (step, step / 4)
+                            with_solved(trial, {**values, name: values[name] + number})
+                            for number in (step, step / 4)
                         )
                     except UndefinedError:
                         continue
@@ -401,8 +401,8 @@ class Region:
 
     @cached_property
     def _base(self) -> Admission:
-        given = [each for each in self.given if self.letter not in letters_of(each)]
-        demands = tuple(Demand(each, "", "fact") for each in given)
+        given = [formula for formula in self.given if self.letter not in letters_of(formula)]
+        demands = tuple(Demand(formula, "", "fact") for formula in given)
         return Admission(self.roles, demands, ())
 
     def _in_base(self, drawn: Sample) -> bool:
@@ -495,6 +495,6 @@ class Region:
 def with_solved(trial: Trial, values: Sample) -> Sample:
     """Values of the free letters with those of the letters that were solved for."""
     numbers = dict(values)
-    for name, each in trial.root.values.items():
-        numbers[name] = at(each, numbers)
+    for name, value in trial.root.values.items():
+        numbers[name] = at(value, numbers)
     return numbers

@@ -46,9 +46,9 @@ def zeros(
         and bool(roles[s.name].high <= sp.pi / 2)
     )
     bare = any(
-        each.xreplace({f: sp.Integer(1) for f in each.atoms(sp.Function)}).has(s)
+        equation.xreplace({f: sp.Integer(1) for f in equation.atoms(sp.Function)}).has(s)
         for s in angles
-        for each in equations
+        for equation in equations
     )
     if bare:
         angles = acute = frozenset()
@@ -109,7 +109,7 @@ def told_apart(x: sp.Expr) -> tuple[sp.Expr, ...]:
         return ()
     above, along = own[0].args
     across = above * sp.cos(rest / slope) + along * sp.sin(rest / slope)
-    return tuple(part for each in (across, above) for part in deciding(each))
+    return tuple(part for value in (across, above) for part in deciding(value))
 
 
 @lru_cache(maxsize=1024)

@@ -82,9 +82,9 @@ class Admission:
     @cached_property
     def _program(self) -> tuple[tuple[sp.Expr, ...], Program]:
         values = dict.fromkeys(
-            each.value
+            relation.value
             for formula in (*(d.formula for d in self.demands), *self.assumed)
-            for each in relations(formula)
+            for relation in relations(formula)
         )
         every = tuple(values)
         return every, Program.of((*every, *self.equations))
@@ -110,7 +110,7 @@ class Admission:
             near[n] = own
         program.search(point, near, range(len(every)))
         signs = dict(zip(every, near, strict=False))
-        if not all(holds_with(each, signs) for each in self.assumed):
+        if not all(holds_with(formula, signs) for formula in self.assumed):
             raise LookupError("another telling")
         for demand in self.demands:
             holds = holds_with(demand.formula, signs)
@@ -152,13 +152,15 @@ class Admission:
         left out. An impossible coefficient is blamed only where nothing else is wrong.
         """
         alone = Oracle(self.roles, self.assumed)
-        by_blame = sorted(self.demands, key=lambda each: each.kind == "coefficient")
-        refused = next((each for each in by_blame if alone.decide(negation(each.formula))), None)
+        by_blame = sorted(self.demands, key=lambda demand: demand.kind == "coefficient")
+        refused = next(
+            (demand for demand in by_blame if alone.decide(negation(demand.formula))), None
+        )
         if refused is not None or len(by_blame) > MOST_DEMANDS or not self._clash(by_blame):
             return refused
         core = by_blame
-        for each in reversed(by_blame):
-            rest = [other for other in core if other is not each]
+        for demand in reversed(by_blame):
+            rest = [other for other in core if other is not demand]
             core = rest if self._clash(rest) else core
         return core[-1]
 
@@ -230,8 +232,8 @@ def _divisors(value: sp.Expr) -> list[sp.Expr]:
         for node in value.atoms(sp.Pow)
         if node.exp.is_positive and not node.exp.is_Integer
     )
-    below = (sp.fraction(sp.together(each))[1] for each in (value, *radicands))
-    return sorted({each for each in below if each.free_symbols}, key=sp.default_sort_key)
+    below = (sp.fraction(sp.together(radicand))[1] for radicand in (value, *radicands))
+    return sorted({value for value in below if value.free_symbols}, key=sp.default_sort_key)
 
 
 def _below_radicands(value: sp.Expr) -> list[sp.Expr]:
@@ -241,7 +243,7 @@ def _below_radicands(value: sp.Expr) -> list[sp.Expr]:
         for node in value.atoms(sp.Pow)
         if node.exp.is_negative and node.exp.is_Rational and node.exp.q == 2
     )
-    return sorted({each for each in below if each.free_symbols}, key=sp.default_sort_key)
+    return sorted({value for value in below if value.free_symbols}, key=sp.default_sort_key)
 
 
 def _is_multiple(value: sp.Expr) -> bool:
@@ -252,11 +254,11 @@ def _is_multiple(value: sp.Expr) -> bool:
 
 def _within(value: sp.Expr, angle: tuple[sp.Expr, sp.Expr] | None, role: Role) -> Iterable[Formula]:
     if angle is not None and role.low == 0 and role.high == sp.pi / 2:
-        c, s = (sp.sympify(each, strict=True) for each in angle)
+        c, s = (sp.sympify(value, strict=True) for value in angle)
         yield Relation(c, ">=" if role.closed[1] else ">")
         if not role.closed[1]:
             # Where the tangent has no value, the cosine is zero: 1/√(1 + (a/b)²) = |b|/√(a² + b²).
-            yield from (Relation(each, "!=") for each in _below_radicands(c))
+            yield from (Relation(radicand, "!=") for radicand in _below_radicands(c))
         yield Relation(s, ">=" if role.closed[0] else ">")
         return
     if role.low is not None:

@@ -76,8 +76,10 @@ class AlteredLaws:
     def residuals(self) -> tuple[tuple[Residual, bool], ...]:
         """What vanishes after the impact, and whether it is linear in the components after."""
         number = self.altered.number
-        altered = [(self._of_trees(each), _is_linear(each, number)) for each in self._equations]
-        return (*((each, True) for each in self._laws()), *altered)
+        altered = [
+            (self._of_trees(equation), _is_linear(equation, number)) for equation in self._equations
+        ]
+        return (*((law, True) for law in self._laws()), *altered)
 
     @property
     def _equations(self) -> tuple[AlteredEquation, ...]:
@@ -85,7 +87,8 @@ class AlteredLaws:
 
     def _replaced(self, law: str, body: str | None = None) -> bool:
         return any(
-            each.law == law and (body is None or body in each.bodies) for each in self._equations
+            equation.law == law and (body is None or body in equation.bodies)
+            for equation in self._equations
         )
 
     def _laws(self) -> list[Residual]:
@@ -166,8 +169,8 @@ class AlteredLaws:
         Raises ImpossibleError where there are none, UnsupportedError where no square root gives
         them.
         """
-        linear = [each for each, is_linear in self.residuals if is_linear]
-        rest = [each for each, is_linear in self.residuals if not is_linear]
+        linear = [function for function, is_linear in self.residuals if is_linear]
+        rest = [function for function, is_linear in self.residuals if not is_linear]
         if not rest:
             return self._eliminated(linear, {})
         if len(rest) > 1:
@@ -193,12 +196,12 @@ class AlteredLaws:
             constant = residual(at_zero)
             inside = names
             if isinstance(residual, _OfTrees):
-                inside = [each for each in names if each in residual.components]
+                inside = [name for name in names if name in residual.components]
             row = [
                 residual(unit) - constant if name in inside else zero
                 for name, unit in zip(names, units, strict=True)
             ]
-            rows.append([self.state.rational(each) for each in (*row, -constant)])
+            rows.append([self.state.rational(value) for value in (*row, -constant)])
         values = _elimination(rows, self.state)
         if values is None:
             raise ImpossibleError("the altered equations do not determine the motion")
@@ -207,7 +210,7 @@ class AlteredLaws:
     def _root(self, line: _Line, residual: Residual, free: tuple[str, str]) -> Scalar:
         """The value of the free component at which a residual vanishes, as the module says."""
         number = self.altered.number
-        (equation,) = (each for each in self._equations if not _is_linear(each, number))
+        (equation,) = (equation for equation in self._equations if not _is_linear(equation, number))
         kinds = {node.kind for side in (equation.left, equation.right) for node in _nodes(side)}
         if "energy" in kinds:
             return self._conserving(line, residual, free)
@@ -237,7 +240,9 @@ class AlteredLaws:
         fit = [
             root
             for root, checks in self._roots_of_speeds(line, equation)
-            if all(self._is_not_negative(each) for each in (*checks, self._separation(line, root)))
+            if all(
+                self._is_not_negative(check) for check in (*checks, self._separation(line, root))
+            )
         ]
         if not fit:
             raise ImpossibleError("the altered equations have no solution for these speeds")
@@ -298,7 +303,7 @@ class AlteredLaws:
         fourth = values[0] - 4 * values[1] + 6 * values[2] - 4 * values[3] + values[4]
         third = values[4] - 2 * values[3] + 2 * values[1] - values[0]
         is_zero = self.state.field.is_zero
-        if not all(is_zero(self.state.rational(each)) for each in (fourth, third)):
+        if not all(is_zero(self.state.rational(value)) for value in (fourth, third)):
             raise UnsupportedError("the altered equations need a root of the fourth degree")
         a, b, c = _coefficients(values[1:4])
         a, b = self.state.rational(a), self.state.rational(b)
@@ -348,7 +353,7 @@ class AlteredLaws:
         square = self.c.dot(self.c)
         given = {**across, (first, "along"): self.known[first, "along"] - square}
         after = {first: self.state.neat(self.before[first] - self.c)}
-        rows = [each for each, _ in self.residuals[len(self.spheres) :]]
+        rows = [function for function, _ in self.residuals[len(self.spheres) :]]
         if others:
             (second,) = others
             if not self._replaced("restitution"):

@@ -156,10 +156,10 @@ def _apart(state: State) -> None:
             if wall.radius is not None and not _rests_on(state, wall.centre):
                 _clear_of_circle(state, sphere, wall, radius)
     for one, other in combinations(placed, 2):
-        p, q = (state.read_vector(each.position, each.name) for each in (one, other))
+        p, q = (state.read_vector(sphere.position, sphere.name) for sphere in (one, other))
         square = sp.expand((q - p).dot(q - p))
         if sp.expand(4 * radius * radius - square).is_positive:
-            centres = " and ".join(to_text(display_point(*each)) for each in (p, q))
+            centres = " and ".join(to_text(display_point(*vector)) for vector in (p, q))
             message = (
                 f"{one.name} and {other.name} overlap at the start: their centres, at {centres}, "
                 f"are {to_text(display(state.field.sqrt(square)))} apart, "
@@ -203,7 +203,9 @@ def _no_more_than_zero(value: sp.Expr) -> bool:
 
 
 def _is_zero(v: Vector) -> bool:
-    return all(each == 0 or (not each.free_symbols and neat(each) == 0) for each in v)
+    return all(
+        component == 0 or (not component.free_symbols and neat(component) == 0) for component in v
+    )
 
 
 def _rests_on(state: State, value: Any) -> bool:

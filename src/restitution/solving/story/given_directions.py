@@ -153,14 +153,14 @@ def _without_size(vector: Expression) -> Expression:
 
 
 def _is_vector(tree: Expression) -> bool:
-    return any(isinstance(each, Unit | Pair) for each in walk(tree))
+    return any(isinstance(node, Unit | Pair) for node in walk(tree))
 
 
 def _without_empty(steps: Iterable[Step]) -> Iterator[Step]:
     """The steps without facts of which nothing is left."""
-    for each in steps:
-        if not isinstance(each, Given) or each.relations:
-            yield each
+    for step in steps:
+        if not isinstance(step, Given) or step.relations:
+            yield step
 
 
 __all__ = ["with_given_directions"]

@@ -91,7 +91,7 @@ def _of_who_met(state: State, key: tuple[str, str]) -> Vector | None:
         spheres = set(event.bodies) & set(state.spheres)
         together |= spheres if spheres & together else set()
     sides = (state.contact_lines.get((each, wall)) for each in sorted(together))
-    return next((each for each in sides if each is not None), None)
+    return next((side for side in sides if side is not None), None)
 
 
 def _nearer(state: State, number: int, name: str, u: Vector, c: Vector, reason: str) -> None:

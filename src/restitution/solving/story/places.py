@@ -120,7 +120,7 @@ def time_to_wall(state: State, number: int, name: str, wall: Wall) -> Scalar | N
         if state.field.exact and where.x.is_number and where.y.is_number:
             reason = _off_the_wall(name, wall.name, where, shares) or reason
         state.conditions += [
-            Condition(each, ">", reason, "place", end_of=wall.name) for each in shares
+            Condition(share, ">", reason, "place", end_of=wall.name) for share in shares
         ]
     _nothing_first(state, name, wall, known[0], velocity, flight, number)
     time = known[1] + flight
@@ -133,7 +133,7 @@ def _off_the_wall(name: str, wall: str, where: Vector, shares: tuple[sp.Expr, ..
     least = min(shares)
     if least > 0:
         return ""
-    there = ", ".join(to_text(from_sympy(tidy(each))) for each in where)
+    there = ", ".join(to_text(from_sympy(tidy(value))) for value in where)
     if least == 0:
         return f"{name} meets {wall} only at its end ({there}), and not between its ends"
     between = f"{name} does not meet {wall} between its ends"
@@ -316,7 +316,7 @@ def _facts_of_letters(state: State) -> Iterator[Condition]:
             for relation in step.relations if isinstance(step, Given) else ():
                 if not isinstance(relation, Compare) or any(map(has_quantity, relation.operands)):
                     continue
-                values = [state.read(each, "a fact") for each in relation.operands]
+                values = [state.read(operand, "a fact") for operand in relation.operands]
                 for (a, b), sign in zip(pairwise(values), relation.operators, strict=True):
                     if sign in ("<", "<="):
                         yield Condition(b - a, ">" if sign == "<" else ">=", "", "fact")
@@ -334,8 +334,8 @@ def meeting_time(state: State, number: int) -> Scalar | None:
 
 def _apart(state: State, start: Scalar, gap: Vector, approach: Vector) -> str:
     """When two spheres have equal coordinates, where that is never at once; empty with letters."""
-    numbers = [sp.sympify(each, strict=True) for each in (start, *gap, *approach)]
-    if not state.field.exact or any(each.free_symbols for each in numbers):
+    numbers = [sp.sympify(value, strict=True) for value in (start, *gap, *approach)]
+    if not state.field.exact or any(number.free_symbols for number in numbers):
         return ""
     when: list[str] = []
     for name, distance, speed in zip("xy", gap, approach, strict=True):

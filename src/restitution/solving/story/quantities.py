@@ -135,14 +135,18 @@ def quantity(state: State, tree: Quantity, now: int) -> Value:
             one, other = (point_of(state, argument, tree, now) for argument in arguments)
             return state.size(one - other)
         case "dot":
-            a, b = (state.evaluator(now).vector(each) for each in arguments)
+            a, b = (state.evaluator(now).vector(argument) for argument in arguments)
             return a.dot(b)
     raise UnsupportedError(f"the quantity {kind} is not known here", *line_and_column(tree.place))
 
 
 def _without_a_line(state: State, event: Happening) -> str:
     """That an event has no line of centres, and how that of the last impact before it is named."""
-    earlier = [each for each in state.happenings[: event.number - 1] if each.centres is not None]
+    earlier = [
+        happening
+        for happening in state.happenings[: event.number - 1]
+        if happening.centres is not None
+    ]
     if not earlier:
         return "this event has no line of centres"
     return (
@@ -158,8 +162,8 @@ def angle_between(
 
     Raises ImpossibleError where one of them is zero, with the reason that belongs to it.
     """
-    for each, reason in zip((a, b), reasons, strict=True):
-        if state.field.is_zero(each.x) and state.field.is_zero(each.y):
+    for vector, reason in zip((a, b), reasons, strict=True):
+        if state.field.is_zero(vector.x) and state.field.is_zero(vector.y):
             raise ImpossibleError(reason)
     x, y = a.dot(b), state.field.abs(a.cross(b))
     return Angle(x, y, lambda: state.field.arctan2(y, x))
@@ -195,8 +199,10 @@ def _tangent_at_its_hit(state: State, wall: Expression, velocity: Expression) ->
         case Name(name), Quantity("velocity", (Name(body),), int(stage)) if name in state.walls:
             if not isinstance(state.walls[name].shape, Circle):
                 return None
-            hits = [each for each in state.happenings if {name, body} <= set(each.bodies)]
-            before = [each for each in hits if each.number <= stage]
+            hits = [
+                happening for happening in state.happenings if {name, body} <= set(happening.bodies)
+            ]
+            before = [happening for happening in hits if happening.number <= stage]
             hit = before[-1] if before else next(iter(hits), None)
             return None if hit is None or hit.centres is None else hit.centres.turned_left()
     return None
@@ -315,9 +321,9 @@ def _position_when(state: State, name: str, t: Scalar, now: int, later: bool) ->
     if not places or any(where is None for _, where, _ in places):
         return _missing_place(state, name)
     chosen = places[-1] if later else places[0]
-    for each in () if later else places[1:]:
-        if _is_reached(state, name, each, t):
-            chosen = each
+    for place in () if later else places[1:]:
+        if _is_reached(state, name, place, t):
+            chosen = place
     n, where, when = chosen
     moved: Vector = where + state.velocity(name, n) * (t - when)
     return moved

@@ -190,7 +190,7 @@ class State(ABC):
             evaluator = self.evaluator(now)
             return getattr(evaluator, kind)(tree)
         if kind != "scalar" and isinstance(tree, tuple | list) and len(tree) == 2:
-            return Vector(*(self.read(each, what) for each in tree))
+            return Vector(*(self.read(component, what) for component in tree))
         if isinstance(tree, sp.Expr) and self.field.exact:
             return tree
         if isinstance(tree, int | float):
@@ -344,9 +344,9 @@ class State(ABC):
             if id(tree) not in asked:
                 within = {id(time) for time in times}
                 outside |= {
-                    each.name
-                    for each in walk(tree)
-                    if isinstance(each, Letter) and id(each) not in within
+                    node.name
+                    for node in walk(tree)
+                    if isinstance(node, Letter) and id(node) not in within
                 }
         return frozenset(inside - outside)
 

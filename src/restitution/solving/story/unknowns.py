@@ -77,7 +77,7 @@ class Letters:
             self.ground = Oracle(ChainMap(dict(self.roles), self.hidden_roles))
         proved = self.ground.sign(x)
         if proved is None and given:
-            facts = [formula_of(each) for each in given]
+            facts = [formula_of(condition) for condition in given]
             proved = self.ground.with_facts(dict.fromkeys(facts)).sign(x)
         return proved
 

@@ -82,7 +82,7 @@ def _with_side(problem: Problem, sphere: Sphere) -> Sphere:
     """The sphere, with an angle from the direction of a wall on whose right it is."""
     match sphere.velocity:
         case Polar(size, angle, None, Name(name)) if sphere.position is not None:
-            wall = next((each for each in problem.walls if each.name == name), None)
+            wall = next((wall for wall in problem.walls if wall.name == name), None)
         case _:
             return sphere
     shape = None if wall is None else wall.shape
@@ -212,7 +212,7 @@ def _acts_along(problem: Problem, event: Event, line: Vector) -> bool:
                 evaluator.direction(event.along).cross(line)
             )
         case Impact(second=name):
-            wall = next(each for each in problem.walls if each.name == name)
+            wall = next(wall for wall in problem.walls if wall.name == name)
             shape = wall.shape
             along = _along(problem, shape) if isinstance(shape, Line | Segment) else None
             return along is not None and _is_zero(evaluator.vector(along).dot(line))

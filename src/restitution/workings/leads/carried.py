@@ -94,7 +94,7 @@ class Carried:
                 else:
                     values[own.number] = own
         # A component that stays is named beside the other one of that velocity alone.
-        values |= {each.number: each for each in _others(beside, tuple(values.values()))}
+        values |= {line.number: line for line in _others(beside, tuple(values.values()))}
         self._named |= {(part, number) for number in values}
         self._waiting |= values
         return bool(values)
@@ -138,27 +138,27 @@ class Carried:
 
     def _are_components(self, lines: Sequence[Line]) -> bool:
         """Whether lines of one part say components, by these names."""
-        parts = {self._ends.part(each) for each in lines}
-        return len(parts) == 1 and all(tuple(_resolved(each)) for each in lines)
+        parts = {self._ends.part(line) for line in lines}
+        return len(parts) == 1 and all(tuple(_resolved(line)) for line in lines)
 
     def _put(self, sentence: Sentence, lines: list[Line]) -> tuple[Sentence, list[Line]]:
         """A sentence that names what is put in with the part from which that is; and the rest."""
         put = dict(sentence.slots)["letters"]
         assert isinstance(put, tuple)
-        there = [each for each in lines if self._name(each) in put]
+        there = [line for line in lines if self._name(line) in put]
         if not there:
             return sentence, lines
-        names = [self._name(each) for each in there]
+        names = [self._name(line) for line in there]
         whole = (*self._sources_of(there), *(each for each in put if each not in names))
         slots = ((name, whole if name == "letters" else slot) for name, slot in sentence.slots)
-        rest = [each for each in lines if each not in there]
+        rest = [line for line in lines if line not in there]
         return replace(sentence, slots=tuple(slots)), rest
 
     def _sources_of(self, lines: Sequence[Line]) -> Iterator[Sentence]:
         """What stands in which part, part by part."""
         parts: dict[str | None, list[Line]] = {}
-        for each in lines:
-            parts.setdefault(self._ends.part(each), []).append(each)
+        for line in lines:
+            parts.setdefault(self._ends.part(line), []).append(line)
         for label, own in parts.items():
             values = tuple(self._values(own))
             if label is None:
@@ -168,7 +168,7 @@ class Carried:
 
     def _values(self, lines: Sequence[Line]) -> Iterator[Slot]:
         """What lines say the value of: components of a velocity as one, numbers by an equation."""
-        resolved = [velocity for each in lines for velocity in _resolved(each)]
+        resolved = [velocity for line in lines for velocity in _resolved(line)]
         for velocity in dict.fromkeys(resolved):
             if resolved.count(velocity) > 1:
                 yield say("carried.components", velocity=self._naming.layout(velocity))
@@ -208,10 +208,10 @@ def _is_a_value(line: Line) -> bool:
 
 def _others(beside: Sequence[Line], lines: Sequence[Line]) -> Iterator[Line]:
     """The components of velocities that have another one among lines."""
-    velocities = {velocity for each in lines for velocity in _resolved(each)}
-    for each in beside:
-        if not velocities.isdisjoint(_resolved(each)):
-            yield each
+    velocities = {velocity for line in lines for velocity in _resolved(line)}
+    for line in beside:
+        if not velocities.isdisjoint(_resolved(line)):
+            yield line
 
 
 def _resolved(line: Line) -> Iterator[Expression]:

@@ -56,7 +56,7 @@ _ACROSS = {True: "resolved.before-across-at-wall", False: "resolved.before-acros
 
 def _axis_of(vector: Expression) -> Unit | None:
     """**i** or **j**, where a vector is a multiple of it alone."""
-    units = {each for each in walk(vector) if isinstance(each, Unit)}
+    units = {node for node in walk(vector) if isinstance(node, Unit)}
     return units.pop() if len(units) == 1 else None
 
 
@@ -136,7 +136,7 @@ class ComponentLeads(LinesAround):
             body, wall = event.bodies
             circular = wall in self._naming.circles
             name: SentenceId = "resolved.direct-radius" if circular else "resolved.direct"
-            if any(_is_speed(each) for each in map(self._cited, line.premises)):
+            if any(_is_speed(other) for other in map(self._cited, line.premises)):
                 name = "resolved.direct-speed"
             return _components(name, body=body, wall=wall)
         struck = struck_at_rest(self._derivation, self._naming, line)
@@ -274,13 +274,13 @@ class ComponentLeads(LinesAround):
         tie = tie_of(line.relation.only[0])
         if tie is None:
             return None
-        cited = [each.relation for each in map(self._cited, line.premises) if each is not None]
+        cited = [other.relation for other in map(self._cited, line.premises) if other is not None]
         facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
         cited += [fact.relation for fact in facts if fact is not None]
         vectors = {
             own.only[0].left: own.only[-1].right for own in cited if isinstance(own, Relation)
         }
-        axes = [_axis_of(vectors[each]) if each in vectors else None for each in tie[:2]]
+        axes = [_axis_of(vectors[tree]) if tree in vectors else None for tree in tie[:2]]
         if None in axes or axes[0] == axes[1]:
             return None
         slots = {

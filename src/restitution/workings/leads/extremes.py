@@ -125,7 +125,7 @@ def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression
     None without one, and of one that says no more than the place.
     """
     try:
-        left, right = (in_letters(each, positive=True) for each in (place.left, place.right))
+        left, right = (in_letters(side, positive=True) for side in (place.left, place.right))
         for above in _above(derivation, line):
             for tree in trees_of(above):
                 for node in walk(tree):
@@ -184,10 +184,10 @@ def value_compared(derivation: Derivation, naming: Naming, line: Line) -> Senten
         behind = [derivation.line(ref) for ref in answer.premises if isinstance(ref, int)]
         places = [
             naming.relation(Relation(((reached[0],),)))
-            for each in behind
-            if each is not None
-            and isinstance(each.relation, Relation)
-            and (reached := value_reached(each.relation.options)) is not None
+            for line in behind
+            if line is not None
+            and isinstance(line.relation, Relation)
+            and (reached := value_reached(line.relation.options)) is not None
         ]
         if places:
             there = naming.relation(equation(own, value))
@@ -241,7 +241,7 @@ def _angle_there(derivation: Derivation, line: Line, place: Link) -> Link | None
             end, tangent = in_letters(place.right), in_letters(links[-1].right, positive=True)
         except RestitutionError:
             continue
-        symbols = [each for each in tangent.free_symbols if each.name == place.left.name]
+        symbols = [symbol for symbol in tangent.free_symbols if symbol.name == place.left.name]
         if len(symbols) != 1 or angle == place.left:
             continue
         sense = "+" if end == 0 else "-"

@@ -93,8 +93,8 @@ def _left_at(derivation: Derivation, line: Line, place: Quantity) -> Event | Non
     It is told by the one difference of two times on which the line rests, or that stands in it.
     """
     if place.kind != "position":
-        (place, *_) = (each for each in place.arguments if isinstance(each, Quantity))
-    events = {each.number: each for each in derivation.events}
+        (place, *_) = (argument for argument in place.arguments if isinstance(argument, Quantity))
+    events = {event.number: event for event in derivation.events}
     own = None
     if not isinstance(place.stage, int):
         own = events.get(line.move.event or 0)
@@ -109,8 +109,8 @@ def _left_at(derivation: Derivation, line: Line, place: Quantity) -> Event | Non
 def _times_of(derivation: Derivation, line: Line) -> Iterator[tuple[int, int]]:
     """Between which events the times are on which a line rests, or that it has."""
     cited = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-    relations = [each.relation for each in cited if each is not None]
-    trees = [each.only[0].left for each in relations if isinstance(each, Relation)]
+    relations = [line.relation for line in cited if line is not None]
+    trees = [relation.only[0].left for relation in relations if isinstance(relation, Relation)]
     if isinstance(line.relation, Relation):
         trees += [node for tree in trees_of(line.relation) for node in walk(tree)]
     for tree in trees:
@@ -142,7 +142,7 @@ def _several_ways(
         case _:
             return None
     body = line.move.bodies[0]
-    if not any(body in each.bodies and early < each.number < late for each in naming.impacts):
+    if not any(body in impact.bodies and early < impact.number < late for impact in naming.impacts):
         return None
     if early or late < derivation.events[-1].number:
         return say("flight.several-ways")
@@ -172,13 +172,13 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
             return say("chord.again")
         tangential = isinstance(left, Quantity) and left.kind == "across"
         return say("chord.along-tangent" if tangential else "chord.along-radius")
-    own = (each for each in derivation.lines if each.move.record == "chord")
+    own = (line for line in derivation.lines if line.move.record == "chord")
     sensed = any(
-        isinstance(each.relation, Relation)
-        and isinstance(each.relation.only[0].left, Quantity)
-        and each.relation.only[0].left.kind == "across"
-        and not is_zero(each.relation.only[-1].right)
-        for each in own
+        isinstance(line.relation, Relation)
+        and isinstance(line.relation.only[0].left, Quantity)
+        and line.relation.only[0].left.kind == "across"
+        and not is_zero(line.relation.only[-1].right)
+        for line in own
     )
     return say("chord.title-sense", wall=wall) if sensed else say("chord.title")
 
@@ -195,8 +195,8 @@ def _length_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     """The title of the length of a chord: of a diameter, or by its angle with the radius."""
     if not _is_diameter(line):
         return say("chord.length")
-    earlier = (each for each in derivation.lines if each.number < line.number)
-    if any(_is_diameter(each) and each.move.bodies == line.move.bodies for each in earlier):
+    earlier = (other for other in derivation.lines if other.number < line.number)
+    if any(_is_diameter(other) and other.move.bodies == line.move.bodies for other in earlier):
         return say("chord.through", body=line.move.bodies[0])
     return say("chord.diameter", body=line.move.bodies[0], wall=wall)
 
@@ -214,10 +214,10 @@ def _is_diameter(line: Line) -> bool:
 def _is_on_a_diameter(derivation: Derivation, line: Line) -> bool:
     """Whether a line above gives the length of the chord of a line, which is a diameter."""
     return any(
-        _is_diameter(each) and (each.move.event, each.move.bodies) == (event, line.move.bodies)
+        _is_diameter(other) and (other.move.event, other.move.bodies) == (event, line.move.bodies)
         for event in (line.move.event,)
-        for each in derivation.lines
-        if each.number < line.number
+        for other in derivation.lines
+        if other.number < line.number
     )
 
 
@@ -233,10 +233,12 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
         case Relation(((Link(Quantity("distance", ends), "=", Binary("*")), *_),)) if (
             not line.move.event and not _is_a_coordinate(derivation, line)
         ):
-            places = [each for each in ends if isinstance(each, Quantity)]
+            places = [end for end in ends if isinstance(end, Quantity)]
             if not places:
                 return say("distance.coordinates")
-            first = min(places, key=lambda each: each.stage if isinstance(each.stage, int) else 0)
+            first = min(
+                places, key=lambda place: place.stage if isinstance(place.stage, int) else 0
+            )
             match first.arguments:
                 case (Name(body),):
                     return say("flight.title-of", body=body)
@@ -247,16 +249,18 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
 
 def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
     """Whether a distance is a coordinate that a line gives: no time is among its premises."""
-    premises = [derivation.line(each) for each in line.premises if isinstance(each, int)]
+    premises = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
     subjects = [
-        each.relation.options[0][0].left
-        for each in premises
-        if each is not None and isinstance(each.relation, Relation)
+        ref.relation.options[0][0].left
+        for ref in premises
+        if ref is not None and isinstance(ref.relation, Relation)
     ]
-    places = [each for each in subjects if isinstance(each, Quantity) and each.kind == "along"]
+    places = [
+        subject for subject in subjects if isinstance(subject, Quantity) and subject.kind == "along"
+    ]
     return any(
         isinstance(e.arguments[0], Quantity) and e.arguments[0].kind == "position" for e in places
-    ) and not any(is_time(each) or is_duration(each) for each in subjects)
+    ) and not any(is_time(subject) or is_duration(subject) for subject in subjects)
 
 
 def _alone_displaced(derivation: Derivation, line: Line) -> Unit | None:
@@ -290,12 +294,12 @@ def _apart_along_the_line(derivation: Derivation, line: Line) -> Sentence | None
 
     None where they do not move across it, or not with the same component.
     """
-    event = next((each for each in derivation.events if each.number == line.move.event), None)
+    event = next((event for event in derivation.events if event.number == line.move.event), None)
     cited = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
     values = [
-        each.relation.only[-1].right
-        for each in cited
-        if each and isinstance(each.relation, Relation) and each.move.record == "unchanged"
+        line.relation.only[-1].right
+        for line in cited
+        if line and isinstance(line.relation, Relation) and line.move.record == "unchanged"
     ]
     if event is None or len(values) != 2 or values[0] != values[1] or is_zero(values[0]):
         return None

@@ -77,17 +77,17 @@ class GivenLeads(Leads):
         if line.move.record in ("perpendicular", "parallel"):
             # What else is given is a value that is put in.
             facts = [
-                each
-                for each in facts
-                for own in (self._opened(each.relation.only[0]),)
+                fact
+                for fact in facts
+                for own in (self._opened(fact.relation.only[0]),)
                 if tie_of(own) is not None or past_a_right_angle(own) is not None
             ]
         if line.move.record in ("sum", "difference"):
             # An angle of the data is a value too.
-            facts = [each for each in facts if any(map(has_quantity, trees_of(each.relation)))]
+            facts = [fact for fact in facts if any(map(has_quantity, trees_of(fact.relation)))]
         if len(facts) != 1:
             return ()
-        self._given |= {each.id for each in facts}
+        self._given |= {fact.id for fact in facts}
         sentence = fact_in_words(self._naming, facts[0])
         along = self._moving_along(line)
         if along is not None and line.move.record == "tan":
@@ -128,12 +128,12 @@ class GivenLeads(Leads):
             if self.title(line) is not None:
                 own = facts[0].relation.options[0][0].left
                 of_the_motion = {
-                    each.relation.only[0].right
-                    for each in self._derivation.facts
-                    if each.id.partition(" ")[0] == "let"
+                    fact.relation.only[0].right
+                    for fact in self._derivation.facts
+                    if fact.id.partition(" ")[0] == "let"
                 }
                 if own not in of_the_motion and not any(
-                    own in walk(each) for each in trees_of(line.relation)
+                    own in walk(tree) for tree in trees_of(line.relation)
                 ):
                     return ()  # a value of the data, which is put in
                 self._behind[line.number] = say("derived.as", reasons=(sentence,))
@@ -223,13 +223,13 @@ class GivenLeads(Leads):
         event = self._naming.events.get(line.move.event or 0)
         if event is None or not event.wall:
             return None
-        above = (each for each in self._derivation.lines if each.number < line.number)
+        above = (other for other in self._derivation.lines if other.number < line.number)
         stays = any(
-            (each.move.record, each.move.event) == ("unchanged", event.number) for each in above
+            (line.move.record, line.move.event) == ("unchanged", event.number) for line in above
         )
         match line.relation:
             case Relation(((Link(Binary("-"), "="), *_),)) if not stays:
-                walls = {each.name: each for each in self._naming.problem.walls}
+                walls = {wall.name: wall for wall in self._naming.problem.walls}
                 own = walls[event.bodies[-1]]
                 return None if isinstance(own.shape, Circle) else own.name
         return None
@@ -283,7 +283,7 @@ class GivenLeads(Leads):
         """The direction that the statement gives a wall; any other direction as it is."""
         links = (fact.relation.options[0][0] for fact in self._derivation.facts)
         own = Quantity("direction", (axis,))
-        return next((each.right for each in links if each.left == own), axis)
+        return next((link.right for link in links if link.left == own), axis)
 
     def _and_its_sense(self, line: Line, fact: Sentence | lay.Layout) -> Sentence | None:
         """A given angle to a line, of which the tangent has a component of a certain sign below.
@@ -332,7 +332,7 @@ class GivenLeads(Leads):
                         return (say("given.multiple", fact=words, **slots),)
                     return (say("given.and", fact=words),)
                 case Link(Apply("sin" | "cos" | "tan", Letter()) as ratio, "=") if any(
-                    ratio in walk(each) for each in trees_of(line.relation)
+                    ratio in walk(tree) for tree in trees_of(line.relation)
                 ):
                     if isinstance(line.relation, Relation) and ratio not in walk(
                         line.relation.options[0][-1].right
@@ -366,9 +366,9 @@ class GivenLeads(Leads):
     def _opened(self, link: Link) -> Link:
         """A relation of a letter that the statement has for a quantity, said of the quantity."""
         named = {
-            each.relation.only[0].right: each.relation.only[0].left
-            for each in self._derivation.facts
-            if each.kind == "data" and len(each.relation.options) == 1
+            fact.relation.only[0].right: fact.relation.only[0].left
+            for fact in self._derivation.facts
+            if fact.kind == "data" and len(fact.relation.options) == 1
         }
         is_named = isinstance(link.left, Letter) and link.left in named
         return replace(link, left=named[link.left]) if is_named else link

@@ -85,8 +85,8 @@ class Introductions:
         if 2 * len(parts) != len(meanings) or any(len(part) != 2 for part in parts.values()):
             return ()
         sums = {
-            velocity: Binary("+", *(Binary("*", each[axis], Unit(axis)) for axis in ("i", "j")))
-            for velocity, each in parts.items()
+            velocity: Binary("+", *(Binary("*", part[axis], Unit(axis)) for axis in ("i", "j")))
+            for velocity, part in parts.items()
         }
         return tuple(
             lay.Relation((self._naming.layout(velocity), self._naming.layout(total)), ("=",))
@@ -118,8 +118,8 @@ class Introductions:
     def _turned(axis: Expression, sense: Expression) -> bool | None:
         """Whether a sense is against the axis; None where it is another direction."""
         own, back = (
-            (each.operand, True) if isinstance(each, Negate) else (each, False)
-            for each in (axis, sense)
+            (tree.operand, True) if isinstance(tree, Negate) else (tree, False)
+            for tree in (axis, sense)
         )
         return own[1] != back[1] or own[1] if own[0] == back[0] else None
 

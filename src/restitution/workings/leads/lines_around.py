@@ -76,15 +76,15 @@ class LinesAround:
         events = [e for e in self._derivation.events[: event.number] if e.kind != "arrival"]
         spheres = {body for e in events for body in (e.bodies[:1] if e.wall else e.bodies)}
         along = self._vector("axis", str(event.number))
-        names = [("axis", str(each.number)) for each in events if not each.wall]
+        names = [("axis", str(event.number)) for event in events if not event.wall]
         names += [("velocity", body) for body in spheres]
         # A wall that is struck by what moves along a line is perpendicular to it, unless it slants.
-        walls = [self._vector("axis", str(each.number)) for each in events if each.wall]
+        walls = [self._vector("axis", str(event.number)) for event in events if event.wall]
         return (
             along is not None
             and all(
                 own is not None and sp.expand(own.cross(along)) == 0
-                for own in (self._vector(*each) for each in names)
+                for own in (self._vector(*name) for name in names)
             )
             and all(
                 own is not None and 0 in (sp.expand(own.cross(along)), sp.expand(own.dot(along)))
@@ -151,7 +151,7 @@ class LinesAround:
     def _is_out_of_it(self, body: str) -> bool:
         """Whether a body has no part in the impact under whose heading the next line stands."""
         now = self._naming.events.get(self._naming.now or 0)
-        latest = (n for n, each in self._naming.events.items() if body in each.bodies)
+        latest = (n for n, event in self._naming.events.items() if body in event.bodies)
         return now is not None and max(latest, default=now.number) < now.number
 
     @staticmethod
@@ -201,9 +201,9 @@ class LinesAround:
         if mover is None or len(others) != 1:
             return None
         letters = {
-            each.relation.letter: each.relation.quantity
-            for each in self._derivation.lines
-            if isinstance(each.relation, Meaning)
+            line.relation.letter: line.relation.quantity
+            for line in self._derivation.lines
+            if isinstance(line.relation, Meaning)
         }
         for each in filter(None, map(self._cited, line.premises)):
             own = each.relation

@@ -36,12 +36,14 @@ def angle_of_offset(fact: Fact, known: Mapping[str, sp.Expr], naming: Naming) ->
             sine = worth(sine_)
         case _:
             return None
-    sine = sine.subs({each: known[each.name] for each in sine.free_symbols if each.name in known})
+    sine = sine.subs(
+        {symbol: known[symbol.name] for symbol in sine.free_symbols if symbol.name in known}
+    )
     sine = tidy(sp.cancel(sine))
     if not sine.is_number:
         return None
     one, other = naming.events[int(fact.id.partition(" ")[2])].bodies
-    ratios = (tree_of(each) for each in (abs(sine), tidy(sp.sqrt(1 - sine**2))))
+    ratios = (tree_of(value) for value in (abs(sine), tidy(sp.sqrt(1 - sine**2))))
     sides = dict(zip(("sine", "cosine"), map(naming.layout, ratios), strict=True))
     return say("offset.angle", path=_path(naming, one, other, origin), **sides)
 

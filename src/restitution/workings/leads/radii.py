@@ -22,8 +22,8 @@ def _is_of_time(line: Line) -> bool:
     assert isinstance(line.relation, Relation)
     left = line.relation.only[0].left
     return all(
-        isinstance(each, Quantity) and each.kind == "time"
-        for each in ((left.left, left.right) if isinstance(left, Binary) else (left,))
+        isinstance(tree, Quantity) and tree.kind == "time"
+        for tree in ((left.left, left.right) if isinstance(left, Binary) else (left,))
     )
 
 

@@ -44,10 +44,10 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
 
 def _stands(derivation: Derivation, line: Line, velocity: Expression) -> bool:
     """Whether a velocity stands as a vector above a line, or is one of the data."""
-    for each in derivation.lines:
-        match each.relation:
+    for other in derivation.lines:
+        match other.relation:
             case Relation(((Link(left, "="), *_),)) if left == velocity:
-                if each.number < line.number and each.shown == "line":
+                if other.number < line.number and other.shown == "line":
                     return True
     match velocity:
         case Quantity("velocity", (Name(body),), 0):
@@ -65,7 +65,7 @@ def _by_components(derivation: Derivation, line: Line, velocity: Expression) -> 
     for ref in line.premises:
         own = derivation.line(ref) if isinstance(ref, int) else None
         match None if own is None else own.relation:
-            case Relation((links,)) if all(each.sign == "=" for each in links):
+            case Relation((links,)) if all(link.sign == "=" for link in links):
                 subject: Expression | None = links[0].left
             case _:
                 continue

@@ -55,8 +55,8 @@ def _approaching(
     Its sign is not known then, and the velocities of the data tell the sense.
     """
     facts = [derivation.fact(" ".join(("velocity", body))) for body in event.bodies]
-    sides = [each.relation.only[-1].right for each in facts if each is not None]
-    names = {name for each in derivation.facts if each.kind == "data" for name in _letters(each)}
+    sides = [fact.relation.only[-1].right for fact in facts if fact is not None]
+    names = {name for fact in derivation.facts if fact.kind == "data" for name in _letters(fact)}
     if len(sides) != 2 or event.number != 1 or letters(impulse) <= names:
         return None
     one, other = sides

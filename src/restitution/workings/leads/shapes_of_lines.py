@@ -32,8 +32,8 @@ def ratio_below(speed: Expression) -> str:
     """The sine or cosine of an angle in degrees by which a component is divided; empty without."""
     match speed:
         case Binary("/", _, below):
-            for each in (below.left, below.right) if isinstance(below, Binary) else (below,):
-                match each:
+            for tree in (below.left, below.right) if isinstance(below, Binary) else (below,):
+                match tree:
                     case Apply("sin" | "cos" as ratio, Degrees()):
                         return ratio
     return ""
@@ -57,11 +57,11 @@ def read_off_lines(derivation: Derivation, line: Line) -> tuple[tuple[str, int],
         case _:
             return ()
     moving = tuple(
-        (each.arguments[0].name, each.stage)
-        for each in arguments
-        if isinstance(each, Quantity) and each.kind == "velocity" and each.stage
-        if isinstance(each.stage, int)
-        if isinstance(each.arguments[0], Name)
+        (argument.arguments[0].name, argument.stage)
+        for argument in arguments
+        if isinstance(argument, Quantity) and argument.kind == "velocity" and argument.stage
+        if isinstance(argument.stage, int)
+        if isinstance(argument.arguments[0], Name)
     )
     at_sight = straight or (line.move.record == "perpendicular" and len(moving) < len(arguments))
     return () if at_sight else moving

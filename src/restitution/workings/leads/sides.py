@@ -59,7 +59,7 @@ class Sides:
                 case "assemble", Binary("+" | "-", left, right):
                     units = tuple(map(_unit, (left, right)))
                     if all(units):
-                        return tuple(each for each in units if each is not None)
+                        return tuple(unit for unit in units if unit is not None)
         return ()
 
 
@@ -69,7 +69,7 @@ def _unit(term: Expression) -> Expression | None:
         case Negate(operand):
             return _unit(operand)
         case Binary("*", _, Binary("+" | "-") as vector) if any(
-            isinstance(each, Unit) for each in walk(vector)
+            isinstance(node, Unit) for node in walk(vector)
         ):
             return vector
     return None

@@ -133,9 +133,9 @@ class SourceLeads(LinesAround):
                 # What a line says anew of its own letter is not put into it.
                 subject = None if isinstance(line.relation, Meaning) else _subject(line.relation)
                 letters = tuple(
-                    self._named(self._replaced(each, line))
-                    for each in source.letters
-                    if spoken.isdisjoint(walk(each)) and each != subject
+                    self._named(self._replaced(letter, line))
+                    for letter in source.letters
+                    if spoken.isdisjoint(walk(letter)) and letter != subject
                 )
                 is_claim = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
                 moves = self._moves(source.facts)
@@ -189,7 +189,7 @@ class SourceLeads(LinesAround):
 
     def _of_its_case(self, line: Line) -> lay.Layout:
         """Which of several solutions holds where a line stands."""
-        case = next(each for each in self._derivation.cases if line.number in each.lines)
+        case = next(case for case in self._derivation.cases if line.number in case.lines)
         own = self._derivation.line(case.line)
         assert own is not None
         assert isinstance(own.relation, Relation)
@@ -221,7 +221,7 @@ class SourceLeads(LinesAround):
             return True
         if loss.kind == "total_energy_lost":
             return own.stage == 0
-        bodies = {each.name for each in own.arguments if isinstance(each, Name)}
+        bodies = {argument.name for argument in own.arguments if isinstance(argument, Name)}
         between = (e for e in self._derivation.events if own.stage < e.number < loss.stage)
         return own.stage < loss.stage and not any(bodies & set(e.bodies) for e in between)
 
@@ -233,7 +233,7 @@ class SourceLeads(LinesAround):
         """What an equation is used for: of tan²α = e that may be e, where the line has tan²α."""
         if isinstance(line.relation, Meaning):
             return tree
-        inside = {node for each in trees_of(line.relation) for node in walk(each)}
+        inside = {node for tree in trees_of(line.relation) for node in walk(tree)}
         for own in map(self._cited, line.premises) if tree in inside else ():
             match own.relation if own is not None else None:
                 case Relation(((Link(left, "=", Letter() as other),),)) if left == tree:
@@ -242,7 +242,7 @@ class SourceLeads(LinesAround):
 
     def _numbers(self, source: Source) -> tuple[Sentence, ...]:
         """The numbers of the equations from which a line comes, in their order."""
-        numbers = [self._sources.numbers[each] for each in source.numbered]
+        numbers = [self._sources.numbers[number] for number in source.numbered]
         if source.kind != "divide":
             numbers.sort()
         return tuple(say("derived.number", number=str(number)) for number in numbers)
@@ -250,7 +250,7 @@ class SourceLeads(LinesAround):
     def _stand_in(self, source: Source) -> bool:
         """Whether what is put in stands in the equation into which it is."""
         line = self._derivation.line(source.numbered[0])
-        own = [each.name for each in source.letters if isinstance(each, Letter)]
+        own = [letter.name for letter in source.letters if isinstance(letter, Letter)]
         if line is None or len(own) < len(source.letters):
             return True
         nodes = (node for tree in trees_of(line.relation) for node in walk(tree))
@@ -258,7 +258,7 @@ class SourceLeads(LinesAround):
 
     def _spoken_of(self, source: Source) -> frozenset[Expression]:
         """The quantities of which the given facts speak that are put in: no word more is needed."""
-        facts = [fact for each in source.facts if (fact := self._derivation.fact(each))]
+        facts = [fact for ref in source.facts if (fact := self._derivation.fact(ref))]
         return frozenset(
             node
             for fact in facts
@@ -328,4 +328,4 @@ def _subject(relation: Relation) -> Expression | None:
 def _numbers_first(value: sp.Expr) -> Expression:
     """A sum as its terms come from a vector equation: what has no letter, and then the rest."""
     known, rest = sp.expand(value).as_independent(*value.free_symbols, as_Add=True)
-    return total(tree_of(each) for each in (known, rest) if each != 0)
+    return total(tree_of(value) for value in (known, rest) if value != 0)

@@ -39,7 +39,7 @@ class Staying:
         self._figures = figures
         self._lines = {line.number: line for line in derivation.lines}
         self._facts = {fact.id: fact for fact in derivation.facts}
-        self._cases = {n: each.number for each in derivation.cases for n in each.lines}
+        self._cases = {n: case.number for case in derivation.cases for n in case.lines}
 
     def stays(self, line: Line) -> bool:
         """Whether a line tells of a component that stays, and no more than that."""
@@ -52,7 +52,7 @@ class Staying:
             isinstance(relation, Relation)
             and len(relation.options) == 1
             and isinstance(relation.only[0].left, Quantity)
-            and all(each.sign == "=" for each in relation.only)
+            and all(link.sign == "=" for link in relation.only)
             and len(chains(relation.only)) == 1
         )
 
@@ -127,8 +127,8 @@ class Staying:
         values: list[tuple[str, lay.Layout]] = []
         for line in lines:
             assert isinstance(line.relation, Relation)
-            trees = [self._figures(each.right) for each in line.relation.only]
-            sides = [self._naming.layout(each) for each in trees]
+            trees = [self._figures(link.right) for link in line.relation.only]
+            sides = [self._naming.layout(tree) for tree in trees]
             unit = self._measures.unit(line.relation.only[0].left)
             if is_plain(sides[-1]) and sides[-1] != lay.Number("0"):
                 sides[-1] = with_unit(sides[-1], unit)

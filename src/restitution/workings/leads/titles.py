@@ -85,12 +85,12 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """What a velocity along a line rests on, where no line says what it has across that."""
         if line.move.record != "assemble":
             return ()
-        above = [each for each in map(self._cited, line.premises) if each is not None]
+        above = [other for other in map(self._cited, line.premises) if other is not None]
         return tuple(
             ref
-            for each in above
-            if each.shown == "silent" and each.move.record in ("parallel", "perpendicular")
-            for ref in each.premises
+            for line in above
+            if line.shown == "silent" and line.move.record in ("parallel", "perpendicular")
+            for ref in line.premises
         )
 
     def behind(self, line: Line) -> tuple[Sentence, ...]:
@@ -136,9 +136,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         relations = (each.relation for each in (*lines, *facts) if each is not None)
         kinds = {
             node.kind
-            for each in relations
-            if isinstance(each, Relation)
-            for node in walk(each.options[0][0].left)
+            for relation in relations
+            if isinstance(relation, Relation)
+            for node in walk(relation.options[0][0].left)
             if isinstance(node, Quantity)
         }
         if self._naming.bold.has_unit(line.move.event or 0) and "velocity" in kinds:
@@ -200,7 +200,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             case "product", _ if wall := self._along_which(line):
                 return say("derived-product.along", wall=wall)
             case "opposite-impulses", Quantity("impulse", (Name(body),)) if self._weighs(line):
-                (other,) = (each for each in bodies if each != body)
+                (other,) = (other for other in bodies if other != body)
                 return say("derived-opposite.change", one=body, other=other)
             case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
                 at_a_wall = event is not None and event.wall and not self._by_speeds(line)
@@ -251,13 +251,13 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if name == "derived-speed.title" and self._naming.has_letter_of_the_question(first.left):
             name = "derived-speed.title-of"
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
-        return say(name, **{each: slots[each][0] for each in slots_of(name)})
+        return say(name, **{slot: slots[slot][0] for slot in slots_of(name)})
 
     def _along_which(self, line: Line) -> str | None:
         """The wall to which a velocity is at right angles by a scalar product; None of another."""
-        for each in self._derivation.lines:
-            if line.number in each.premises and each.move.record == "perpendicular":
-                walls = [ref.split() for ref in each.premises if isinstance(ref, str)]
+        for other in self._derivation.lines:
+            if line.number in other.premises and other.move.record == "perpendicular":
+                walls = [ref.split() for ref in other.premises if isinstance(ref, str)]
                 names = [name for kind, name in walls if kind == "wall"]
                 if len(names) == 1:
                     return names[0]
@@ -277,17 +277,17 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         numbers = [ref for ref in line.premises if isinstance(ref, int)]
         lines = [own for ref in numbers if (own := self._derivation.line(ref))]
         event = self._naming.events.get(line.move.event or 0)
-        relations = [each for each in lines if isinstance(each.relation, Relation)]
+        relations = [line for line in lines if isinstance(line.relation, Relation)]
         if line.move.record == "tan" and len(relations) > 1:
             return False  # its components are put in
         return (
             event is not None
             and not event.wall
             and any(
-                isinstance(each.relation, Relation)
-                and each.move.record == "unchanged"
-                and is_zero(each.relation.options[0][-1].right)
-                for each in relations
+                isinstance(relation.relation, Relation)
+                and relation.move.record == "unchanged"
+                and is_zero(relation.relation.options[0][-1].right)
+                for relation in relations
             )
         )
 
@@ -371,9 +371,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         numbers = [ref for ref in line.premises if isinstance(ref, int)]
         lines = [own for ref in numbers if (own := self._derivation.line(ref))]
         links = [
-            each.relation.only[0]
-            for each in lines
-            if isinstance(each.relation, Relation) and len(each.relation.options) == 1
+            line.relation.only[0]
+            for line in lines
+            if isinstance(line.relation, Relation) and len(line.relation.options) == 1
         ]
         vectors = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
         # The vector holds a letter: along one that is known the components are numbers.
@@ -550,7 +550,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _beside_normal(self, line: Line) -> bool:
         """Whether a line gives the direction of a wall by its normal, which stands above."""
-        own = [each for each in map(self._cited, line.premises) if each is not None]
+        own = [other for other in map(self._cited, line.premises) if other is not None]
         return any(e.move.record == "wall-direction" and e.shown == "silent" for e in own)
 
     def _from_centre_to_centre(self, line: Line) -> tuple[str, ...] | None:
@@ -566,25 +566,25 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _worked_out(self, fact: Fact, line: Line) -> Sentence:
         """That an offset is known by now, from which the line of centres follows."""
-        cited = [each for each in map(self._cited, line.premises) if each is not None]
+        cited = [other for other in map(self._cited, line.premises) if other is not None]
         known = {
-            each.relation.options[0][0].left
-            for each in cited
-            if isinstance(each.relation, Relation)
+            line.relation.options[0][0].left
+            for line in cited
+            if isinstance(line.relation, Relation)
         }
         facts = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
         values = tuple(
-            self._naming.relation(each.relation)
-            for each in facts
-            if each.kind == "given" and len(each.relation.options) == 1
-            if isinstance(each.relation.only[0].left, Letter)
+            self._naming.relation(fact.relation)
+            for fact in facts
+            if fact.kind == "given" and len(fact.relation.options) == 1
+            if isinstance(fact.relation.only[0].left, Letter)
         )
         if values:
             return say("derived.since", facts=values)
         angles = [e for e in walk(fact.relation.only[0].right) if isinstance(e, Apply)]
-        names = {node for each in angles for node in walk(each) if isinstance(node, Letter)}
+        names = {node for angle in angles for node in walk(angle) if isinstance(node, Letter)}
         names = names & known or names
-        letters = tuple(map(self._naming.layout, sorted(names, key=lambda each: each.name)))
+        letters = tuple(map(self._naming.layout, sorted(names, key=lambda name: name.name)))
         return say("derived.put", letters=letters) if letters else say("so")
 
     def _by_cosine(self, angle: Letter) -> Sentence:
@@ -610,25 +610,25 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             case _:
                 return None
         inside = {node.right for node in walk(below) if isinstance(node, Binary) and node.op == "/"}
-        for each in inside:
-            if isinstance(each, Letter | Apply) and tidy(
-                worth(top) - worth(rest) * worth(each)
+        for tree in inside:
+            if isinstance(tree, Letter | Apply) and tidy(
+                worth(top) - worth(rest) * worth(tree)
             ).equals(0):
-                return say("derived.divided", factor=self._naming.layout(each))
+                return say("derived.divided", factor=self._naming.layout(tree))
         return None
 
     def _of_a_known_offset(self, fact: Fact, line: Line) -> Sentence | None:
         """The angle of an offset that was found, if the line of centres stands in no letters."""
         assert isinstance(line.relation, Relation)
         known: dict[str, Any] = {}
-        for each in self._derivation.lines[: line.number - 1]:
-            if not isinstance(each.relation, Relation) or len(each.relation.options) != 1:
+        for other in self._derivation.lines[: line.number - 1]:
+            if not isinstance(other.relation, Relation) or len(other.relation.options) != 1:
                 continue
-            if each.relation.only[0].left == line.relation.only[0].left:
+            if other.relation.only[0].left == line.relation.only[0].left:
                 return None
-            left = each.relation.only[0].left
-            if each.number in line.premises and isinstance(left, Letter):
-                known[left.name] = worth(each.relation.only[-1].right)
+            left = other.relation.only[0].left
+            if other.number in line.premises and isinstance(left, Letter):
+                known[left.name] = worth(other.relation.only[-1].right)
         return angle_of_offset(fact, known, self._naming)
 
     def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
@@ -641,7 +641,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _squares(self, line: Line) -> bool:
         """Whether a line rests on a right angle between a velocity and a fixed direction."""
-        lets = (each.relation for each in map(self._cited, line.premises) if each is not None)
+        lets = (other.relation for other in map(self._cited, line.premises) if other is not None)
         return any(
             isinstance(let, Meaning)
             and isinstance(let.quantity, Quantity)
@@ -664,15 +664,15 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             case Relation(((Link(_, _, Letter() as letter), Link()),)) if (
                 self._reasons.is_own_range(line)
             ):
-                above = [each for each in map(self._cited, line.premises) if each is not None]
-                holds = any(each.move.id in ("put", "rearrange", "cancel") for each in above)
+                above = [other for other in map(self._cited, line.premises) if other is not None]
+                holds = any(line.move.id in ("put", "rearrange", "cancel") for line in above)
                 facts = [self._derivation.fact(str(ref)) for ref in line.premises]
                 if any(fact is not None and fact.kind == "range" for fact in facts):
                     yield say("given.data")  # what is given of the letter bounds it
                 else:
                     before = any(
-                        each.item == line.item and each.number < line.number
-                        for each in self._derivation.lines
+                        other.item == line.item and other.number < line.number
+                        for other in self._derivation.lines
                     )
                     free = "range.every" if before else "range.every-free"
                     name = "range.every-holds" if holds else free

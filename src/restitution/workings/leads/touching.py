@@ -103,9 +103,9 @@ def touching_beside(
             return None
     cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
     lefts = [
-        each.relation.only[0].left
-        for each in cited
-        if each and isinstance(each.relation, Relation) and len(each.relation.options) == 1
+        line.relation.only[0].left
+        for line in cited
+        if line and isinstance(line.relation, Relation) and len(line.relation.options) == 1
     ]
     axes = {
         left.arguments[1]

@@ -88,7 +88,7 @@ def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
         and {
             node.argument
             for node in after
-            if node.argument not in {each.argument for each in before}
+            if node.argument not in {function.argument for function in before}
         }
         <= rests
     )
@@ -190,7 +190,7 @@ class TurnLeads(LinesAround):
             case _:
                 return None
         sine, cosine = Apply("sin", whole), Apply("cos", whole)
-        if not {sine, cosine} <= {each for side in trees_of(base.relation) for each in walk(side)}:
+        if not {sine, cosine} <= {node for side in trees_of(base.relation) for node in walk(side)}:
             return None
         right = Binary("/", sine, Binary("+", Number(Fraction(1)), cosine))
         formula = self._naming.relation(Relation(((Link(half, "=", right),),)))
@@ -260,12 +260,12 @@ class TurnLeads(LinesAround):
                     return say("turned-wall.straight-as", **slots)
             return say(name, body=body, wall=event.bodies[1])
         cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-        named = [each.relation for each in cited if each and isinstance(each.relation, Meaning)]
+        named = [line.relation for line in cited if line and isinstance(line.relation, Meaning)]
         for node in (*walk(first.left), *walk(first.right)):
             if isinstance(node, Letter) and node.name in self._naming.meanings:
                 named.append(self._naming.meanings[node.name])
-        for each in named:
-            match each.quantity:
+        for meaning in named:
+            match meaning.quantity:
                 case Quantity("angle", (Quantity("velocity"), Unit() as axis)):
                     return self._pushed(line, axis)
         form = self._form_of(first)
@@ -274,7 +274,7 @@ class TurnLeads(LinesAround):
             standing = self._standing(line)
             still, mover = standing.get("along"), standing.get("across")
             if still is not None and form in _BESIDE:
-                (other,) = (each for each in line.move.bodies if each != still)
+                (other,) = (body for body in line.move.bodies if body != still)
                 return say(_BESIDE[form], one=still, other=other)
             if form == "straight" and still and mover and still != mover:
                 return say("between.right-of", one=mover, other=still)
@@ -286,7 +286,7 @@ class TurnLeads(LinesAround):
                 )
             match first.right:
                 case Binary("-", left, _) if one is not None and left == STRAIGHT_ANGLE:
-                    (other,) = (each for each in line.move.bodies if each != one)
+                    (other,) = (body for body in line.move.bodies if body != one)
                     return say("between.line-back", one=one, other=other)
             return say(_BETWEEN[form], bodies=line.move.bodies)
         if form in _OR_ACROSS and (at := self._reasons.right_angle_among(line)) is not None:
@@ -336,7 +336,7 @@ class TurnLeads(LinesAround):
             axis_ = self._naming.layout(axis)
             return say("between.from", bodies=line.move.bodies, axis=axis_)
         names = {"body": body, "axis": self._naming.layout(axis)}
-        met = {" ".join(("velocity", each)) for each in event.bodies if each != body}
+        met = {" ".join(("velocity", other)) for other in event.bodies if other != body}
         assert isinstance(line.relation, Relation)
         later = line.relation.options[0][0]
         if not isinstance(later.left, Letter) or met.isdisjoint(map(str, line.premises)):
@@ -400,8 +400,8 @@ class TurnLeads(LinesAround):
         angles = [
             meaning.quantity
             for side in (link.left, link.right)
-            for each in walk(side)
-            if isinstance(each, Letter) and (meaning := self._naming.meanings.get(each.name))
+            for node in walk(side)
+            if isinstance(node, Letter) and (meaning := self._naming.meanings.get(node.name))
         ]
         match angles:
             case [
@@ -415,15 +415,15 @@ class TurnLeads(LinesAround):
                 return None
         walls = [
             side
-            for each in angles
-            if isinstance(each, Quantity) and each.kind == "angle"
-            for side in each.arguments
+            for angle in angles
+            if isinstance(angle, Quantity) and angle.kind == "angle"
+            for side in angle.arguments
             if isinstance(side, Name)
         ]
         moving = [
             side
-            for each in angles
-            for side in (each.arguments if isinstance(each, Quantity) else ())
+            for angle in angles
+            for side in (angle.arguments if isinstance(angle, Quantity) else ())
             if isinstance(side, Quantity)
         ]
         if not walls and moving:
@@ -452,11 +452,11 @@ def _sums_in(base: Line | Fact) -> set[tuple[str, str]]:
     if not isinstance(base.relation, Relation):
         return set()
     return {
-        (each.function, each.argument.op)
+        (node.function, node.argument.op)
         for tree in trees_of(base.relation)
-        for each in walk(tree)
-        if isinstance(each, Apply) and isinstance(each.argument, Binary)
-        if each.function in ("sin", "cos", "tan") and each.argument.op in ("+", "-")
+        for node in walk(tree)
+        if isinstance(node, Apply) and isinstance(node.argument, Binary)
+        if node.function in ("sin", "cos", "tan") and node.argument.op in ("+", "-")
     }
 
 

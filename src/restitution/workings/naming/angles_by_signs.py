@@ -29,7 +29,7 @@ def signs_behind(derivation: Derivation, line: Line) -> tuple[tuple[Quantity, Or
     if line.move.id != "compare" or not isinstance(line.relation, Relation):
         return ()
     angles = [side for side in trees_of(line.relation) if has_quantity(side)]
-    if not all(isinstance(each, Quantity) and each.kind in ANGLES for each in angles):
+    if not all(isinstance(angle, Quantity) and angle.kind in ANGLES for angle in angles):
         return ()
     weak = all(link.sign in ("<=", ">=") for link in line.relation.options[0])
     signs: list[tuple[Quantity, Order]] = []

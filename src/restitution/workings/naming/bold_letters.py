@@ -119,9 +119,9 @@ class BoldLetters:
         self._events = {event.number: event for event in events}
         self._movers = {
             body
-            for each in events
-            for place, body in enumerate(each.bodies)
-            if not (place and each.wall)
+            for event in events
+            for place, body in enumerate(event.bodies)
+            if not (place and event.wall)
         }
         if self.directions is None:
             self.directions = {n: _direction(self.derivation, n) for n in self._events}
@@ -184,7 +184,7 @@ class BoldLetters:
             return lay.Bold("u", "" if alone and several else body)
         if not several and f"v_{body}" not in self.taken:
             return lay.Bold("v", body)
-        impacts = [n for n, each in self._events.items() if each.kind != "arrival"]
+        impacts = [n for n, event in self._events.items() if event.kind != "arrival"]
         order = str(1 + sorted(impacts).index(number)) if number in impacts else str(number)
         if alone:
             return lay.Bold("v", order)
@@ -232,7 +232,7 @@ class BoldLetters:
         """Whether a body comes to an event with a velocity of two components."""
         if body not in self._movers:
             return False
-        if any(n < number and body in each.bodies for n, each in self._events.items()):
+        if any(n < number and body in event.bodies for n, event in self._events.items()):
             return True
         fact = self.derivation.fact(" ".join(("velocity", body)))
         if fact is None:
@@ -300,9 +300,9 @@ class BoldLetters:
                 ) if direction == axis:
                     value = _value(line.relation.only[-1].right, self.roles, values)
                     components.append(-value if stage == event.number else value)
-        return any(each != 0 for each in components) and all(
-            each.is_nonnegative or oracle.proves(compared(each, ">=", sp.Integer(0)))
-            for each in components
+        return any(component != 0 for component in components) and all(
+            component.is_nonnegative or oracle.proves(compared(component, ">=", sp.Integer(0)))
+            for component in components
         )
 
     def _introduce(self, number: int, kinds: list[str], direction: Vector) -> None:
@@ -332,7 +332,7 @@ class BoldLetters:
             # A line of centres that is worked out leads from the first sphere to the second.
             name = _FROM_THE_FIRST[which]
             slots |= {"first": event.bodies[0], "second": event.bodies[1]}
-        order = 1 + sum(n < number and each.kind != "kick" for n, each in self._events.items())
+        order = 1 + sum(n < number and event.kind != "kick" for n, event in self._events.items())
         earlier = number < self._now and f"ordinal.{order}" in SENTENCES
         if name == "units.along-spheres" and earlier:
             impact = say("event.impact", order=say(f"ordinal.{order}"))
@@ -381,9 +381,12 @@ class BoldLetters:
 def _with_ratios(direction: Vector, ratios: Mapping[sp.Expr, sp.Expr]) -> Vector:
     """A direction with the numbers of its sines and cosines, where all are known."""
     put = Vector(
-        *(tidy(sp.sympify(each, strict=True).xreplace(dict(ratios))) for each in direction)
+        *(
+            tidy(sp.sympify(component, strict=True).xreplace(dict(ratios)))
+            for component in direction
+        )
     )
-    return put if all(each.is_number for each in put) else direction
+    return put if all(value.is_number for value in put) else direction
 
 
 def _values_of_letters(derivation: Derivation) -> dict[str, sp.Expr]:
@@ -405,7 +408,7 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
     axis = Quantity("line_of_centres", (), number)
     # Components are taken in the sense of the line that they cite, or of the last above them;
     # below them it may stand again, with a letter put in that was sought.
-    apart = {own for each in derivation.cases for own in each.lines}
+    apart = {own for case in derivation.cases for own in case.lines}
     if any(_gives(line, axis) for line in derivation.lines if line.number in apart):
         return None  # it is another one in each case
     lines = [line for line in derivation.lines if line.number not in apart]
@@ -414,16 +417,16 @@ def _direction(derivation: Derivation, number: int) -> Vector | None:
     cited = lines[first].premises if first < len(lines) else ()
     above = sorted(lines[:first], key=lambda line: (line.number not in cited, -line.number))
     sources: list[Line | Fact] = [
-        each
-        for each in (*above, *reversed(lines[first:]))
-        if not isinstance(each.relation, Meaning)
+        line
+        for line in (*above, *reversed(lines[first:]))
+        if not isinstance(line.relation, Meaning)
     ]
     fact = derivation.fact(" ".join(("axis", str(number))))
-    for each in (*sources, *(() if fact is None else (fact,))):
-        assert isinstance(each.relation, Relation)
-        match each.relation.options:
+    for value in (*sources, *(() if fact is None else (fact,))):
+        assert isinstance(value.relation, Relation)
+        match value.relation.options:
             case ((Link(left, "=" | "parallel to"), *_),) if left == axis:
-                direction = _in_numbers(each.relation.only[-1].right)
+                direction = _in_numbers(value.relation.only[-1].right)
                 if direction is not None:
                     return direction
     return _beside_i(derivation, axis) or _beside_a_path(derivation, axis)
@@ -494,7 +497,7 @@ def _in_numbers(tree: Expression) -> Vector | None:
     if not isinstance(value, Vector) or not all(value):
         return None
     size = sp.sqrt(tidy(sp.expand(value.dot(value))))
-    return Vector(*(tidy(each / size) for each in value))
+    return Vector(*(tidy(component / size) for component in value))
 
 
 def _at(tree: Expression) -> Vector | None:
@@ -506,9 +509,9 @@ def _at(tree: Expression) -> Vector | None:
         angle = in_letters(tree)
     except RestitutionError:
         return None
-    unit_vector = Vector(*(tidy(each) for each in (sp.cos(angle), sp.sin(angle))))
+    unit_vector = Vector(*(tidy(component) for component in (sp.cos(angle), sp.sin(angle))))
     plain = angle.free_symbols or not any(
-        each.has(sp.Add, sp.sin, sp.cos, sp.pi) for each in unit_vector
+        value.has(sp.Add, sp.sin, sp.cos, sp.pi) for value in unit_vector
     )
     return unit_vector if plain and all(unit_vector) else None
 
@@ -539,7 +542,7 @@ def _is_nested(tree: Expression) -> bool:
     """Whether a root stands in a root."""
     if not isinstance(tree, Apply) or tree.function != "sqrt":
         return False
-    return any(isinstance(each, Apply) for each in walk(tree.argument))
+    return any(isinstance(node, Apply) for node in walk(tree.argument))
 
 
 def _tree_of_unit(direction: Vector) -> Expression:
@@ -554,7 +557,7 @@ def _whole(direction: Vector) -> tuple[Vector, sp.Expr]:
     length = sp.fraction(sp.together(direction.x))[1]
     if not length.free_symbols or sp.fraction(sp.together(direction.y))[1] != length:
         return whole_direction(direction)
-    return Vector(*(tidy(each * length) for each in direction)), length
+    return Vector(*(tidy(component * length) for component in direction)), length
 
 
 __all__ = ["BoldLetters", "Used", "unit_vector"]

@@ -132,7 +132,7 @@ class Ends:
 
         Of what is found and shown in one line that of what is found.
         """
-        return min(self._at(line), key=lambda each: each.shown, default=None)
+        return min(self._at(line), key=lambda end: end.shown, default=None)
 
     def again(self, label: str | None, lines: Sequence[Line]) -> dict[int, list[ItemEnd]]:
         """The ends of items that an earlier item has answered, by the number of lines above them.
@@ -141,17 +141,17 @@ class Ends:
         said again.
         """
         order = {item: n for n, item in enumerate(self._parts)}
-        numbers = [each.number for each in lines]
+        numbers = [line.number for line in lines]
         places: dict[int, list[ItemEnd]] = {}
         for ends in self._ends.values():
-            first, *others = sorted(ends, key=lambda each: order[each.item])
+            first, *others = sorted(ends, key=lambda end: order[end.item])
             for end in others:
                 if end.part != label or end.shown or first.shown or end.line not in numbers:
                     continue
                 last = max(
                     n
-                    for n, each in enumerate(lines, 1)
-                    if each.item is not None and order[each.item] <= order[end.item]
+                    for n, line in enumerate(lines, 1)
+                    if line.item is not None and order[line.item] <= order[end.item]
                 )
                 apart = last > numbers.index(end.line) + 1
                 if apart and end.answer == first.answer and end not in places.get(last, ()):
@@ -161,9 +161,9 @@ class Ends:
     def is_required(self, line: Line) -> bool:
         """Whether a line is, as it stands, what was to be shown in its part."""
         return any(
-            each.shown and self._parts.get(each.item) == self.part(line)
-            for each in self._at(line)
-            if self._claim(each) is None
+            end.shown and self._parts.get(end.item) == self.part(line)
+            for end in self._at(line)
+            if self._claim(end) is None
         )
 
     def _at(self, line: Line) -> Sequence[ItemEnd]:
@@ -219,7 +219,7 @@ class Ends:
 
     def claims(self, line: Line) -> Iterator[Sentence]:
         """What was to be shown, where a line only says by what it holds."""
-        claims = (self._claim(each) for each in self._at(line) if each.shown)
+        claims = (self._claim(end) for end in self._at(line) if end.shown)
         yield from dict.fromkeys(claim for claim in claims if claim is not None)
 
     def _claim(self, end: ItemEnd) -> Sentence | None:

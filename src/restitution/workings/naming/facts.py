@@ -32,9 +32,9 @@ def meeting_of(naming: Naming, fact: Fact) -> Meets | None:
     for _, step in naming.problem.steps():
         if isinstance(step, Given) and step.place == fact.place:
             facts = [
-                each
-                for each in naming.derivation.facts
-                if each.kind == "given" and each.place == fact.place
+                other
+                for other in naming.derivation.facts
+                if other.kind == "given" and other.place == fact.place
             ]
             if fact in facts and len(facts) == len(step.relations):
                 relation = step.relations[facts.index(fact)]

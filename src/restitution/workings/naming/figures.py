@@ -50,9 +50,9 @@ def has_plain_angles(tree: Expression) -> bool:
 
 def _ratios_of_numbers(tree: Expression) -> list[Apply]:
     return [
-        each
-        for each in walk(tree)
-        if isinstance(each, Apply) and each.function in _RATIOS and not letters(each)
+        node
+        for node in walk(tree)
+        if isinstance(node, Apply) and node.function in _RATIOS and not letters(node)
     ]
 
 
@@ -75,8 +75,8 @@ def in_letters_with_figures(tree: Expression) -> Expression | None:
         not letters(tree)
         or not number.is_real
         or not all(
-            each.is_Symbol or (each.is_Pow and each.base.is_Symbol and each.exp.is_Integer)
-            for each in sp.Mul.make_args(rest)
+            factor.is_Symbol or (factor.is_Pow and factor.base.is_Symbol and factor.exp.is_Integer)
+            for factor in sp.Mul.make_args(rest)
         )
     ):
         return None

@@ -90,8 +90,8 @@ class _Seen:
             case Quantity("along" | "across" as kind, (_, Quantity("line_of_centres", (), int(n)))):
                 if self._has_unit(n):
                     self.units.add((n, kind))
-        for each in children(tree):
-            self.look(each, part)
+        for node in children(tree):
+            self.look(node, part)
 
 
 __all__ = ["foreseen"]

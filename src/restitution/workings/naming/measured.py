@@ -121,8 +121,8 @@ def terms_as_decimals(tree: Expression) -> Expression:
     nodes = walk(root)
     if has_quantity(root) or letters(root) or any(isinstance(e, Apply | Unit) for e in nodes):
         return tree
-    for each in nodes:
-        match each:
+    for node in nodes:
+        match node:
             case Binary("/", Number(above), Number(below)) if not _ends(above / below):
                 return tree
     return rebuilt(tree, _term_as_decimal)
@@ -174,7 +174,7 @@ def _coefficient(tree: Expression) -> tuple[Fraction, Expression | None]:
 def _is_rational(tree: Expression) -> bool:
     """Whether a tree has letters, and no root and no ratio of a number."""
     return bool(letters(tree)) and not any(
-        isinstance(each, Apply) and not letters(each) for each in walk(tree)
+        isinstance(node, Apply) and not letters(node) for node in walk(tree)
     )
 
 
@@ -203,7 +203,7 @@ def vector_worth(tree: Expression) -> Vector | None:
     """The value of a vector in letters that are positive; None where a line cannot say it."""
     try:
         value = in_letters(tree, positive=True)
-        return Vector(*(tidy(each) for each in value))
+        return Vector(*(tidy(component) for component in value))
     except (RestitutionError, TypeError):
         return None
 
@@ -239,7 +239,7 @@ def is_plain(value: lay.Layout) -> bool:
         case lay.Product(factors, ""):
             return all(map(is_plain, factors)) and not any(map(_has_bold, factors[:-1]))
         case lay.Sum(terms):
-            parts = [each for _, each in terms]
+            parts = [layout for _, layout in terms]
             vector = len(parts) == 1 or all(map(_along_an_axis, parts))
             return all(map(is_plain, parts)) and (vector or _is_surd(parts))
     return False
@@ -257,13 +257,13 @@ def _has_bold(layout: lay.Layout) -> bool:
         case lay.Product(factors):
             return any(map(_has_bold, factors))
         case lay.Sum(terms):
-            return any(_has_bold(each) for _, each in terms)
+            return any(_has_bold(layout) for _, layout in terms)
     return False
 
 
 def _is_surd(parts: Sequence[lay.Layout]) -> bool:
     """Whether no two terms can be added: one of them at most is no multiple of a root."""
-    roots = {str(each) for part in parts for each in _roots(part)}
+    roots = {str(root) for part in parts for root in _roots(part)}
     return sum(not [*_roots(part)] for part in parts) <= 1 and len(roots) >= len(parts) - 1
 
 
@@ -351,7 +351,7 @@ def as_answer(
     except RestitutionError:
         return ()
     if isinstance(value, Vector):
-        x, y = (sp.sympify(each, strict=True) for each in (value.x, value.y))
+        x, y = (sp.sympify(component, strict=True) for component in (value.x, value.y))
         shown = lay.display_point(x, y) if place else lay.display_vector(x, y, decimals=decimals)
         exact = _is_decimal(x) and _is_decimal(y)
     elif isinstance(value, sp.Expr):
@@ -369,7 +369,7 @@ def as_answer(
 def _without_zeros(layout: Any) -> Any:
     """An exact decimal as it is: 0.65 and no 0.650, which would be rounded."""
     if isinstance(layout, tuple):
-        return tuple(_without_zeros(each) for each in layout)
+        return tuple(_without_zeros(value) for value in layout)
     if isinstance(layout, lay.Number):
         digits = layout.digits
         return lay.Number(digits.rstrip("0").rstrip(".")) if "." in digits else layout
@@ -424,7 +424,7 @@ def _is_rounded_alone(value: Any, shown: lay.Layout, tree: Expression) -> bool:
 
 
 def _rounded_vector(x: Any, y: Any) -> lay.Layout | None:
-    parts = [sp.sympify(each, strict=True) for each in (x, y)]
+    parts = [sp.sympify(value, strict=True) for value in (x, y)]
     if any(part.free_symbols for part in parts):
         return None
     if all(_terminates(part) or _rounded(part, False) is None for part in parts):

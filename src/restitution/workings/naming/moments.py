@@ -77,8 +77,8 @@ class Moments:
 
     def _is_struck_alone(self, event: Event) -> bool:
         """Whether no other body receives an impulse from outside."""
-        kicks = (each for each in self.events.values() if each.kind == "kick")
-        return all(each.bodies == event.bodies for each in kicks)
+        kicks = (event for event in self.events.values() if event.kind == "kick")
+        return all(other.bodies == event.bodies for other in kicks)
 
     def _order(self, event: Event) -> int:
         """Which of the impacts an event is, counted from 1."""

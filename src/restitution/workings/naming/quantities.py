@@ -64,7 +64,7 @@ class Naming(Moments):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self.vectors = frozenset(name for name, each in self.meanings.items() if each.vector)
+        self.vectors = frozenset(name for name, meaning in self.meanings.items() if meaning.vector)
         shared = self.shared
         self.terms: Terms = shared.terms if shared else terms_of(self.derivation, self.problem)
         self._used = set(self.terms.letters)
@@ -80,7 +80,9 @@ class Naming(Moments):
         )
         if self.foresees:
             self.bold.used = foreseen(self.derivation, self.bold.has_unit)
-        times = {each for each in self.terms.often if each.kind == "time" and each.stage}
+        times = {
+            quantity for quantity in self.terms.often if quantity.kind == "time" and quantity.stage
+        }
         #: The letters by which the statement calls times.
         self._of_the_statement = dict(_named_times(self.derivation))
         #: The letters by which the question calls speeds.
@@ -91,9 +93,9 @@ class Naming(Moments):
         self._numbered_times = self.several or len(times) > 1
         self.introduced_early: set[str] = set()
         self._letters = {
-            each.quantity: name
-            for name, each in self.meanings.items()
-            if isinstance(each.quantity, Quantity) and each.quantity in self.terms.inside
+            meaning.quantity: name
+            for name, meaning in self.meanings.items()
+            if isinstance(meaning.quantity, Quantity) and meaning.quantity in self.terms.inside
         }
 
     # --- for the writer -------------------------------------------------------------------------
@@ -149,9 +151,9 @@ class Naming(Moments):
     def bodies(self) -> dict[str, str]:
         """The bodies of the story, and what each is; and walls that may be struck after it."""
         return {wall.name: "wall" for wall in self.problem.walls} | {
-            body: "wall" if each.wall and n else "sphere"
-            for each in self.events.values()
-            for n, body in enumerate(each.bodies)
+            body: "wall" if event.wall and n else "sphere"
+            for event in self.events.values()
+            for n, body in enumerate(event.bodies)
         }
 
     def introduced(self) -> tuple[Sentence, ...]:
@@ -187,8 +189,8 @@ class Naming(Moments):
             fact = self.derivation.fact(name)
             if fact is not None and fact.relation.only[0].sign == "=":
                 axes.append(fact.relation.only[0].right)
-            for each in axes:
-                self._own[replace(tree, arguments=(vector, each))] = lay.letter(letter)
+            for other in axes:
+                self._own[replace(tree, arguments=(vector, other))] = lay.letter(letter)
 
     def name(self, tree: Quantity | Binary) -> lay.Layout | None:
         """What a quantity is called among letters; a quotient has no name."""
@@ -209,11 +211,11 @@ class Naming(Moments):
             case Quantity("angle" | "deflection" | "direction") if tree in self._letters:
                 return self._early(tree)
             case Quantity("deflection", _, _) if tree in terms.inside or terms.often[tree] > 1:
-                turns = {each for each in terms.often if each.kind == "deflection"}
+                turns = {quantity for quantity in terms.often if quantity.kind == "deflection"}
                 turns -= {meaning.quantity for meaning in self.meanings.values()}
                 return self._lettered(tree, "delta", str(tree.stage) if len(turns) > 1 else "")
             case Quantity("angle", _, _) if tree in terms.inside:
-                free = (each for each in _ANGLES if each not in self._used)
+                free = (angle for angle in _ANGLES if angle not in self._used)
                 return self._lettered(tree, next(free, _ANGLES[0]))
             case Quantity("dot", _, _):
                 return None
@@ -350,12 +352,12 @@ class Naming(Moments):
     def _of_other_times(self, tree: Quantity) -> bool:
         """Whether the working speaks of the same quantity at another time."""
         return any(
-            each.arguments == tree.arguments
+            quantity.arguments == tree.arguments
             and (
-                each.kind == f"total_{tree.kind}"
-                or (each.kind == tree.kind and each.stage != tree.stage)
+                quantity.kind == f"total_{tree.kind}"
+                or (quantity.kind == tree.kind and quantity.stage != tree.stage)
             )
-            for each in self.terms.often
+            for quantity in self.terms.often
         )
 
     def of_letter(self, meaning: Meaning) -> Sentence:
@@ -468,7 +470,7 @@ class Naming(Moments):
 
     def _both_radii(self, body: str, wall: str, distance: Expression) -> Expression | None:
         """How far the centre of a ball is from that of a circular wall; None without a radius."""
-        shape = next(each.shape for each in self.problem.walls if each.name == wall)
+        shape = next(other.shape for other in self.problem.walls if other.name == wall)
         radius = next(sphere.radius for sphere in self.problem.spheres if sphere.name == body)
         if not isinstance(shape, Circle) or not isinstance(radius, Expression) or not worth(radius):
             return None
@@ -631,7 +633,7 @@ class Naming(Moments):
     @staticmethod
     def _timeless(tree: Expression) -> Expression:
         return rebuilt(
-            tree, lambda each: replace(each, stage=None) if isinstance(each, Quantity) else each
+            tree, lambda tree: replace(tree, stage=None) if isinstance(tree, Quantity) else tree
         )
 
 

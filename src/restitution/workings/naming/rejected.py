@@ -103,7 +103,7 @@ def _made_negative(
                 return None
             try:
                 value, worth = (
-                    in_letters(each[-1].right, positive=True) for each in (dropped, links)
+                    in_letters(chain[-1].right, positive=True) for chain in (dropped, links)
                 )
             except (RestitutionError, TypeError):
                 return None
@@ -142,7 +142,7 @@ def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ..
     cited = [ref for ref in line.premises if isinstance(ref, int)]
     if line.move.id != "reject" or len(cited) != 2:
         return None
-    roots, other = (derivation.line(each) for each in cited)
+    roots, other = (derivation.line(number) for number in cited)
     if line.premises[0] != cited[0]:
         return None
     assert isinstance(line.relation, Relation)
@@ -150,11 +150,11 @@ def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ..
         return None
     if not isinstance(roots.relation, Relation) or not isinstance(other.relation, Relation):
         return None
-    dropped = [each for each in roots.relation.options if each not in line.relation.options]
+    dropped = [option for option in roots.relation.options if option not in line.relation.options]
     own = other.relation.options
-    if len(dropped) != 1 or len(own) != 1 or any(each.sign != "=" for each in own[0]):
+    if len(dropped) != 1 or len(own) != 1 or any(link.sign != "=" for link in own[0]):
         return None
-    nodes = (node for each in own[0] for node in walk(Binary("-", each.left, each.right)))
+    nodes = (node for link in own[0] for node in walk(Binary("-", link.left, link.right)))
     unknown = letters(dropped[0][0].left)
     if not any(
         isinstance(node, Apply) and node.function == "sqrt" and letters(node) & unknown
@@ -172,7 +172,7 @@ def made_by_a_root(
     Empty where these equations do not tell, or are not linear in them.
     """
     equations = list(equations_of(derivation, line))
-    own = {each.relation.letter for each in derivation.lines if isinstance(each.relation, Meaning)}
+    own = {line.relation.letter for line in derivation.lines if isinstance(line.relation, Meaning)}
     if not isinstance(dropped[0].left, Letter) or not isinstance(bound.left, Letter | Apply):
         return ()
     root, last = dropped[0].left.name, getattr(bound.left, "name", "_ratio")
@@ -192,24 +192,24 @@ def made_by_a_root(
     names = sorted(symbol_names(*put) & (own | {last}) - {root})
     unknowns = [sp.Symbol(name, positive=True) for name in names if name != last]
     unknowns.append(sp.Symbol(last, positive=True))
-    signed = {each: sp.Dummy(each.name) for each in unknowns}
-    put = [gap for gap in (each.xreplace(signed) for each in put) if gap != 0]
+    signed = {value: sp.Dummy(value.name) for value in unknowns}
+    put = [gap for gap in (value.xreplace(signed) for value in put) if gap != 0]
     if len(put) != len(unknowns) or last not in names:
         return ()
     values = _solved(put, list(signed.values()))
-    if not values or any(each.free_symbols & set(signed.values()) for each in values):
+    if not values or any(value.free_symbols & set(signed.values()) for value in values):
         return ()
     if _BEYOND[bound.sign](values[-1], limit) != sp.true:
         return ()
     try:
-        trees = [tree_of(each) for each in values]
+        trees = [tree_of(value) for value in values]
     except UnwrittenError:
         return ()
-    lefts: list[Expression] = [Letter(each.name) for each in unknowns[:-1]]
+    lefts: list[Expression] = [Letter(value.name) for value in unknowns[:-1]]
     relations = [
         Relation(((Link(left, "=", tree),),))
         for left, tree in zip((*lefts, bound.left), trees, strict=True)
-        if left not in {each for each, _ in equations}  # it stands there already
+        if left not in {tree for tree, _ in equations}  # it stands there already
     ]
     if values[-1].free_symbols and relations:
         beyond = Link(trees[-1], bound.sign, bound.right)
@@ -224,7 +224,7 @@ def _solved(gaps: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[sp.E
     """
     try:
         (solution,) = sp.linsolve(gaps, list(unknowns))
-        return [tidy(each) for each in solution]
+        return [tidy(value) for value in solution]
     except (ValueError, sp.polys.polyerrors.PolynomialError):
         pass
     found: dict[sp.Symbol, sp.Expr] = {}
@@ -250,7 +250,7 @@ def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expressio
         relation = None if above is None else above.relation
         if isinstance(relation, Relation) and len(relation.options) == 1:
             links = relation.only
-            if all(each.sign == "=" for each in links):
+            if all(link.sign == "=" for link in links):
                 yield links[0].left, links[-1].right
 
 

@@ -128,9 +128,9 @@ class Sources:
     def __init__(self, derivation: Derivation) -> None:
         self._derivation = derivation
         shown = [
-            each
-            for each in derivation.lines
-            if each.shown != "silent" and isinstance(each.relation, Relation)
+            line
+            for line in derivation.lines
+            if line.shown != "silent" and isinstance(line.relation, Relation)
         ]
         parts = derivation.asked
         # What stands in another part is not just above.
@@ -140,17 +140,17 @@ class Sources:
             if parts.get(before.item or "") == parts.get(line.item or "")
         }
         self._vectors = {
-            each.number
-            for each in shown
-            if any(is_vector(tree) for tree in trees_of(each.relation))
+            line.number
+            for line in shown
+            if any(is_vector(tree) for tree in trees_of(line.relation))
         }
-        self._lines = {each.number: each for each in shown}
+        self._lines = {line.number: line for line in shown}
         self._ended = {end.line for end in derivation.items}
-        self._cases = {n: each.line for each in derivation.cases for n in each.lines}
+        self._cases = {n: case.line for case in derivation.cases for n in case.lines}
         self._of = {line.number: self._source(line) for line in shown}
-        sources = [each for each in self._of.values() if each]
-        named = {ref for each in sources for ref in (*each.numbered, *each.reasons)}
-        order = [each.number for each in shown if each.number in named]
+        sources = [source for source in self._of.values() if source]
+        named = {ref for source in sources for ref in (*source.numbered, *source.reasons)}
+        order = [line.number for line in shown if line.number in named]
         self.numbers: Mapping[int, int] = {number: n for n, number in enumerate(order, 1)}
         for line in shown:
             source = self._of[line.number]
@@ -166,9 +166,9 @@ class Sources:
         parts, numbered = self._derivation.asked, source.numbered
         part = parts.get(line.item or "")
         far = tuple(
-            each
-            for each in source.values
-            if each in self.numbers and parts.get(self._lines[each].item or "") != part
+            value
+            for value in source.values
+            if value in self.numbers and parts.get(self._lines[value].item or "") != part
         )
         if far != source.values or not (far and numbered):
             return source  # beside letters that are put in, it is put in by its letter too
@@ -193,7 +193,7 @@ class Sources:
             return False
         value = line.relation.only[-1].right
         above = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-        links = (each.relation for each in above if each is not None)
+        links = (line.relation for line in above if line is not None)
         return any(
             isinstance(own, Relation)
             and isinstance(own.options[0][0].left, Letter)
@@ -243,7 +243,7 @@ class Sources:
             return Source("add", numbered, reasons=reasons) if numbered or reasons else None
         if move == "inverse":
             # In which quadrant the angle lies, the signs of the components tell without a word.
-            cited = [each for each in cited if self._is_ratio_of(line, each)] or cited
+            cited = [number for number in cited if self._is_ratio_of(line, number)] or cited
             if not cited and (facts := self._given(line.premises)):
                 return Source("put", facts=facts)
         if cited == [self._cases.get(line.number)]:
@@ -260,7 +260,7 @@ class Sources:
         assert isinstance(line.relation, Relation)
         match line.relation.options[0][0].left:
             case Binary("/", above, below) if is_time(above) and is_time(below):
-                lefts = {self._left(each): each for each in cited}
+                lefts = {self._left(number): number for number in cited}
                 if above in lefts and below in lefts:
                     return lefts[above], lefts[below]
         return None
@@ -285,7 +285,7 @@ class Sources:
         cited = [
             equation for equation in self._equations(line.premises[1:]) if equation in self._lines
         ]
-        laws = tuple(each for each in cited if self._lines[each].move.id == "law")
+        laws = tuple(number for number in cited if self._lines[number].move.id == "law")
         return laws or tuple(cited[:1])
 
     def _is_ratio_of(self, angle: Line, number: int) -> bool:
@@ -340,8 +340,8 @@ class Sources:
         """The letters and quantities that are put in, of which lines say the values."""
         return tuple(
             letter
-            for each in values
-            if (own := self._derivation.line(each)) is not None
+            for value in values
+            if (own := self._derivation.line(value)) is not None
             for letter in self._subjects(own, target)
         )
 
@@ -350,11 +350,11 @@ class Sources:
         assert isinstance(line.relation, Relation)
         if any(has_quantity(link.right) for links in line.relation.options for link in links):
             return False  # it relates times to each other
-        lines = [line, *(self._lines[each] for each in cited if each in self._lines)]
+        lines = [line, *(self._lines[number] for number in cited if number in self._lines)]
         return len(lines) == len(line.premises) + 1 and all(
-            is_time(each.relation.options[0][0].left)
-            for each in lines
-            if isinstance(each.relation, Relation)
+            is_time(line.relation.options[0][0].left)
+            for line in lines
+            if isinstance(line.relation, Relation)
         )
 
     def _is_made_of(self, line: Line, cited: list[int]) -> bool:
@@ -364,7 +364,7 @@ class Sources:
         if not isinstance(left, Binary) or line.relation.options[0][0].sign != "=":
             return False
         parts = set(walk(left)) - {left}
-        above = [self._lines[each].relation for each in cited if each in self._lines]
+        above = [self._lines[number].relation for number in cited if number in self._lines]
         subjects = [
             each.only[0].left for each in above if isinstance(each, Relation) and _gives_value(each)
         ]
@@ -393,7 +393,7 @@ class Sources:
                 sides = {one, other}
             case _:
                 return False
-        lines = [own for each in cited if (own := self._derivation.line(each)) is not None]
+        lines = [own for number in cited if (own := self._derivation.line(number)) is not None]
         subjects = {
             e.relation.only[0].left
             for e in lines
@@ -404,15 +404,15 @@ class Sources:
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
         target = first if isinstance(first, int) and first in cited else None
-        values = tuple(each for each in cited if each != target)
+        values = tuple(number for number in cited if number != target)
         letters = self._letters(values, target)
         facts = self._given(line.premises)
         if self._is_sum_of_times(line, cited):
             return Source("times")
         if not facts and self._is_made_of(line, cited):
             return Source("made")
-        ties = [each for each in cited if not self._has_quantity(each)]
-        others = [each for each in cited if each not in ties]
+        ties = [number for number in cited if not self._has_quantity(number)]
+        others = [number for number in cited if number not in ties]
         if not facts and ties and self._is_made_of(line, others):
             return Source("add", tuple(ties))  # letters are put in by the way
         if not facts and self._are_equal(line, cited):

@@ -31,8 +31,8 @@ def terms_of(derivation: Derivation, problem: Problem) -> Terms:
     """The terms of the working of a problem."""
     typed = list(trees(problem))
     shown = (item.answer for item in derivation.items if item.shown)
-    whole = [*typed, *(tree for each in shown for tree in trees_of(each))]
-    compared = (each.operands for each in comparisons(problem))
+    whole = [*typed, *(tree for relation in shown for tree in trees_of(relation))]
+    compared = (comparison.operands for comparison in comparisons(problem))
     shares = {share for operands in compared for share in shares_in(operands)}
     names = {*derivation.meanings}.union(*map(letters, typed))
     often: Counter[Quantity] = Counter()
@@ -43,11 +43,11 @@ def terms_of(derivation: Derivation, problem: Problem) -> Terms:
             names |= letters(tree)
             if has_quantity(tree):
                 own |= set(_quantities(tree))
-                ratios = (each.argument for each in walk(tree) if isinstance(each, Apply))
-                inside.update(node for each in ratios for node in _quantities(each))
+                ratios = (node.argument for node in walk(tree) if isinstance(node, Apply))
+                inside.update(node for ratio in ratios for node in _quantities(ratio))
         if line.shown != "silent":
             often.update(own)
-    forms = Forms(each for each in whole if each not in shares)
+    forms = Forms(tree for tree in whole if tree not in shares)
     return Terms(forms, frozenset(names), often, frozenset(inside))
 
 

@@ -33,18 +33,20 @@ def walls_ahead(
     """
     place = _place_at(line)
     above = None if place is None else _way(derivation, line)
-    if place is None or above is None or any(each.radius for each in problem.spheres):
+    if place is None or above is None or any(sphere.radius for sphere in problem.spheres):
         return
     body, end = place
     start, stage = above
-    after = [n for n, each in enumerate(problem.events, 1) if n > stage and body in bodies_of(each)]
+    after = [
+        n for n, event in enumerate(problem.events, 1) if n > stage and body in bodies_of(event)
+    ]
     for wall in () if after else problem.walls:
         level = level_of(wall)
         if level is None:
             continue
         axis, at = level
         first, last = start[axis], end[axis]
-        if not all(each.is_number for each in (first, last, at)) or first == last:
+        if not all(value.is_number for value in (first, last, at)) or first == last:
             continue
         ahead = bool(at > first) if last > first else bool(at < first)
         if ahead and (last < at if last > first else last > at):
@@ -57,18 +59,20 @@ def wall_reached(derivation: Derivation, letter: Expression) -> tuple[str, str] 
 
     Then that coefficient is not zero. None where no such wall comes next.
     """
-    events = {each.number: each for each in derivation.events}
+    events = {event.number: event for event in derivation.events}
     for number, event in events.items():
         own = derivation.fact(" ".join(("e", str(number))))
         if not event.wall or own is None or own.relation.only[-1].right != letter:
             continue
         body = event.bodies[0]
-        after = (each for n, each in sorted(events.items()) if n > number and body in each.bodies)
+        after = (
+            event for n, event in sorted(events.items()) if n > number and body in event.bodies
+        )
         other = next(after, None)
         if other is None or not other.wall:
             continue
         axes = [derivation.fact(" ".join(("axis", str(n)))) for n in (number, other.number)]
-        normals = [coordinates(each.relation.only[-1].right) for each in axes if each is not None]
+        normals = [coordinates(axis.relation.only[-1].right) for axis in axes if axis is not None]
         if len(normals) == 2 and None not in normals and _are_opposite(*normals):
             return body, other.bodies[1]
     return None
@@ -97,7 +101,7 @@ def _place_at(line: Line) -> tuple[str, Vector] | None:
     if parts is None:
         return None
     try:
-        x, y = (sp.sympify(in_letters(each), strict=True) for each in parts)
+        x, y = (sp.sympify(in_letters(part), strict=True) for part in parts)
     except RestitutionError:
         return None
     return body, Vector(x, y)
@@ -120,7 +124,7 @@ def _way(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
                 except RestitutionError:
                     return None
                 if isinstance(start, Vector):
-                    x, y = (sp.sympify(each, strict=True) for each in start)
+                    x, y = (sp.sympify(value, strict=True) for value in start)
                     return Vector(x, y), own.move.event
     return None
 

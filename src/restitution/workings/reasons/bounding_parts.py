@@ -66,9 +66,9 @@ def _scaled(factor: sp.Expr, ratio: Apply) -> Expression:
 
 def is_bound_by(whole: Expression, node: Expression, most: Expression, bound: Expression) -> bool:
     """Whether a bound is a whole with the greatest value of a part of it, for letters of 2/3."""
-    put = rebuilt(whole, lambda each: most if each == node else each)
+    put = rebuilt(whole, lambda tree: most if tree == node else tree)
     try:
-        one, other = (evaluate(each, lambda _: sp.Rational(2, 3)) for each in (put, bound))
+        one, other = (evaluate(tree, lambda _: sp.Rational(2, 3)) for tree in (put, bound))
         return sign(sp.sympify(one - other, strict=True)) == 0
     except (RestitutionError, TypeError, ValueError):
         return False

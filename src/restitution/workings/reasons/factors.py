@@ -74,18 +74,18 @@ def cosine_divided(derivation: Derivation, line: Line) -> Letter | None:
 def _cosine(above: Relation, line: Relation) -> Letter | None:
     """The angle by whose squared cosine one relation was divided to be the other."""
     ratios = [_ratios(own) for own in (above, line)]
-    angles = {each.argument for each in ratios[1] if each.function == "tan"}
-    if len(angles) != 1 or any(each.function == "tan" for each in ratios[0]):
+    angles = {function.argument for function in ratios[1] if function.function == "tan"}
+    if len(angles) != 1 or any(function.function == "tan" for function in ratios[0]):
         return None
     (angle,) = angles
-    own = {each.function for each in ratios[1] if each.argument == angle}
+    own = {function.function for function in ratios[1] if function.argument == angle}
     if not isinstance(angle, Letter) or own != {"tan"}:
         return None
     symbol = sp.Symbol(angle.name, positive=True)
     tangent, cosine = sp.Dummy(positive=True), sp.Dummy(positive=True)
     put = {sp.sin(symbol): tangent * cosine, sp.cos(symbol): cosine, sp.tan(symbol): tangent}
     try:
-        before, after = (_residual(each).xreplace(put) for each in (above, line))
+        before, after = (_residual(relation).xreplace(put) for relation in (above, line))
         ratio = sp.cancel(before / after)
     except (RestitutionError, ZeroDivisionError, TypeError, sp.PolynomialError):
         return None
@@ -98,9 +98,9 @@ def _with_letters_for_tangents(
     *relations: Relation,
 ) -> tuple[tuple[Relation, ...], dict[Expression, Expression]]:
     """The same with letters for the tangents of angles of which nothing else stands there."""
-    nodes = {each for own in relations for each in _ratios(own)}
-    mixed = {each.argument for each in nodes if each.function != "tan"}
-    alone = [each for each in nodes if each.argument not in mixed]
+    nodes = {ratio for own in relations for ratio in _ratios(own)}
+    mixed = {node.argument for node in nodes if node.function != "tan"}
+    alone = [node for node in nodes if node.argument not in mixed]
     put: dict[Expression, Expression] = {e: Letter(f"tangent_{n}") for n, e in enumerate(alone)}
     whole = tuple(
         Relation(
@@ -126,7 +126,7 @@ def _ratios(relation: Relation) -> list[Apply]:
 def _residual(relation: Relation) -> sp.Expr:
     """Left minus right. Raises RestitutionError where a quantity of the motion stands in it."""
     link = relation.only[0]
-    left, right = (in_letters(each, positive=True) for each in (link.left, relation.only[-1].right))
+    left, right = (in_letters(side, positive=True) for side in (link.left, relation.only[-1].right))
     return sp.sympify(left - right, strict=True)
 
 

@@ -44,7 +44,7 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
         case "inverse":
             seen = list(_quadrant(derivation, line))
             yield from seen or _obtuse(derivation, line)
-            if any(_is_of_a_cotangent(_relation(derivation, each)) for each in line.premises):
+            if any(_is_of_a_cotangent(_relation(derivation, ref)) for ref in line.premises):
                 yield from _half_plane(derivation, line)
         case "complete":
             yield from _roots(derivation, line)
@@ -74,20 +74,20 @@ def _side(derivation: Derivation, line: Line) -> Iterator[Relation]:
 def _squares_of_sums(derivation: Derivation, line: Line) -> Iterator[Relation]:
     """``(√33 − 3)² = 42 − 6√33``, where a number under a root is seen to be a square."""
     cited = [own for ref in line.premises if (own := _relation(derivation, ref)) is not None]
-    above = {node for each in cited for tree in trees_of(each) for node in walk(tree)}
+    above = {node for relation in cited for tree in trees_of(relation) for node in walk(tree)}
     seen: list[Expression] = []
     for node in (node for tree in trees_of(line.relation) for node in walk(tree)):
         match node:
             case Binary("^", base, power) if power == _TWO and node not in above:
-                seen += [each for each in walk(base) if _is_sum_with_a_root(each)]
-    for each in dict.fromkeys(seen):
-        worth = tree_of(sp.expand(in_letters(each) ** 2))
-        yield Relation(((Link(Binary("^", each, _TWO), "=", worth),),))
+                seen += [node for node in walk(base) if _is_sum_with_a_root(node)]
+    for tree in dict.fromkeys(seen):
+        worth = tree_of(sp.expand(in_letters(tree) ** 2))
+        yield Relation(((Link(Binary("^", tree, _TWO), "=", worth),),))
 
 
 def _is_sum_with_a_root(tree: Expression) -> bool:
     """Whether an expression is a number with a root, added to another one."""
-    roots = (isinstance(each, Apply) and each.function == "sqrt" for each in walk(tree))
+    roots = (isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
     is_sum = isinstance(tree, Binary) and tree.op in ("+", "-")
     return is_sum and not letters(tree) and not has_quantity(tree) and any(roots)
 
@@ -95,7 +95,7 @@ def _is_sum_with_a_root(tree: Expression) -> bool:
 def compared_quantities(derivation: Derivation, line: Line) -> Fact | None:
     """The given inequality of two quantities that a line compares by what lines above say."""
     lines = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-    cited = [each for each in lines if each is not None and each.shown != "silent"]
+    cited = [line for line in lines if line is not None and line.shown != "silent"]
     if line.move.id != "compare" or len(cited) < 2:
         return None
     for ref in line.premises:
@@ -134,7 +134,11 @@ def acute_by_its_tangent(
             if not _is_less_than_90(bound):
                 return None
             acute = {ref.partition(":")[2].strip() for ref in line.premises if _is_acute(ref)}
-            return angle if any(_is_above_zero(tangent, each, acute) for each in cited) else None
+            return (
+                angle
+                if any(_is_above_zero(tangent, relation, acute) for relation in cited)
+                else None
+            )
     return None
 
 
@@ -275,10 +279,10 @@ def _half_plane(derivation: Derivation, line: Line) -> Iterator[Relation]:
     sides = {side for link in line.relation.options[0] for side in (link.left, link.right)}
     named = {
         meaning.quantity
-        for each in sides
-        if isinstance(each, Letter) and (meaning := derivation.meanings.get(each.name))
+        for side in sides
+        if isinstance(side, Letter) and (meaning := derivation.meanings.get(side.name))
     }
-    if not any(isinstance(each, Quantity) and each.kind == "direction" for each in sides | named):
+    if not any(isinstance(side, Quantity) and side.kind == "direction" for side in sides | named):
         return
     for ref in line.premises:
         match _relation(derivation, ref):
@@ -319,7 +323,7 @@ def _is_beyond(angle: Expression) -> bool:
     """Whether an angle is more than 90°, on either side."""
     if isinstance(angle, Degrees):
         return abs(angle.value) > 90
-    return any(isinstance(each, Degrees) and each.value == 180 for each in walk(angle))
+    return any(isinstance(node, Degrees) and node.value == 180 for node in walk(angle))
 
 
 def _is_along_i(derivation: Derivation, component: Expression) -> bool:
@@ -373,7 +377,7 @@ def given_links(derivation: Derivation, part: str | None) -> Iterator[Link]:
 
 
 def _has_difference(tree: Expression) -> bool:
-    return any(isinstance(each, Binary) and each.op == "-" for each in walk(tree))
+    return any(isinstance(node, Binary) and node.op == "-" for node in walk(tree))
 
 
 def _divisors(roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:

@@ -27,7 +27,7 @@ def growth(
 
     ``ends`` are what is cited of letters; a ``positive`` one goes from 0 without limit.
     """
-    cited = {n for each in ends for side in (each.left, each.right) for n in letters(side)}
+    cited = {n for end in ends for side in (end.left, end.right) for n in letters(side)}
     names = [*sorted(cited), *sorted((set(positive) & letters(tree)) - cited)]
     # A letter that goes without limit is named where no other tells the bound.
     for far in (False, True):
@@ -53,16 +53,16 @@ def _is_end(
 
     One end may be ``far`` away.
     """
-    places = [each for each in _places(ends, positive, name) if far or each[0] is not sp.oo]
+    places = [place for place in _places(ends, positive, name) if far or place[0] is not sp.oo]
     return all(
         any(
             _agrees(tree, name, end, side)
-            for side in (each.left, each.right)
+            for side in (link.left, link.right)
             if not has_quantity(side) and name not in letters(side)
             for end, closed in places
-            if closed == (len(each.sign) == 2)
+            if closed == (len(link.sign) == 2)
         )
-        for each in bound.only
+        for link in bound.only
     )
 
 
@@ -100,9 +100,9 @@ def limit_at_an_end(
     tree: Expression, bound: Relation, name: str, ends: Sequence[Link]
 ) -> tuple[Expression, Expression] | None:
     """The strict bound that a tree approaches at an end that does not belong to its letter."""
-    for each in bound.only:
-        for side in (each.left, each.right):
-            if len(each.sign) == 2 or has_quantity(side) or name in letters(side):
+    for link in bound.only:
+        for side in (link.left, link.right):
+            if len(link.sign) == 2 or has_quantity(side) or name in letters(side):
                 continue
             for end in ends:
                 at = end.left if end.right == Letter(name) else end.right
@@ -146,8 +146,8 @@ def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -
         places = sorted(
             (
                 worth(side, name, sp.Integer(0))
-                for each in ends
-                for side in (each.left, each.right)
+                for end in ends
+                for side in (end.left, end.right)
                 if name not in letters(side)
             ),
             key=float,
@@ -158,7 +158,7 @@ def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -
             low, high = next(
                 pair for pair in _PAIRS if getattr(change(*pair), "is_real", False) or pair[0] < 1
             )
-        elif any(letters(each.left) and each.sign in _DOWN for each in ends):
+        elif any(letters(end.left) and end.sign in _DOWN for end in ends):
             low, high = places[0], places[0] + 1
         else:
             low, high = places[0] / 2, places[0]
@@ -166,7 +166,7 @@ def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -
         pairs = [(low, high), (middle, high), (low, middle)]
         step = (high - low) / 8
         for end, pair in ((high, (high - step, high)), (low, (low, low + step))):
-            sides = [side for each in bound.only for side in (each.left, each.right)]
+            sides = [side for link in bound.only for side in (link.left, link.right)]
             if len(bound.only) == 1 and any(_agrees(tree, name, end, side) for side in sides):
                 pairs.insert(0, pair)
         for pair in pairs:

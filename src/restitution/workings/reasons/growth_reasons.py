@@ -69,11 +69,11 @@ class GrowthReasons:
             and isinstance(own.relation, Relation)
         ]
         above = [
-            Link(each.only[0].left, "=", each.only[-1].right)
-            for each in growths
-            if each.only[0].sign == "="
+            Link(relation.only[0].left, "=", relation.only[-1].right)
+            for relation in growths
+            if relation.only[0].sign == "="
         ]
-        ends = [link for each in growths for link in each.only if link.sign != "="]
+        ends = [link for relation in growths for link in relation.only if link.sign != "="]
         ends += [
             link
             for ref in line.premises
@@ -182,7 +182,7 @@ class GrowthReasons:
         for each in self._derivation.lines:
             if above & set(each.premises):
                 above.add(each.number)
-        end = next((each for each in self._derivation.items if each.line in above), None)
+        end = next((item for item in self._derivation.items if item.line in above), None)
         if end is None:
             return False
         last = self._derivation.line(end.line)

@@ -39,8 +39,8 @@ def range_behind(naming: Naming, relation: Relation) -> Relation | None:
             return worth if name == coefficients[0] else sp.Symbol(name, positive=True)
 
         try:
-            sides = (evaluate(each, letter) for each in (link.left, link.right))
-            left, right = (sp.sympify(each, strict=True) for each in sides)
+            sides = (evaluate(side, letter) for side in (link.left, link.right))
+            left, right = (sp.sympify(side, strict=True) for side in sides)
         except (RestitutionError, TypeError, ValueError):
             return None
         gap = sp.expand(left - right if link.sign[0] == ">" else right - left)

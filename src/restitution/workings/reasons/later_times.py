@@ -47,8 +47,8 @@ def _worked_out_of(derivation: Derivation, line: Line) -> Line | None:
 
 def _is_worked_out(derivation: Derivation, line: Line) -> bool:
     """Whether a line stands once more, in another form."""
-    above = filter(None, (_worked_out_of(derivation, each) for each in derivation.lines))
-    return any(each.number == line.number for each in above)
+    above = filter(None, (_worked_out_of(derivation, line) for line in derivation.lines))
+    return any(other.number == line.number for other in above)
 
 
 __all__ = ["later_than"]

@@ -43,15 +43,15 @@ def multipliers_of(
             return
     left = set(_differences_below(line.relation))
     given = tuple(inequalities(derivation, derivation.asked.get(line.item or ""), in_letters))
-    for each in dict.fromkeys(_differences_below(above.relation)):
-        value = None if each in left else in_letters_alone(each)
+    for tree in dict.fromkeys(_differences_below(above.relation)):
+        value = None if tree in left else in_letters_alone(tree)
         names = set() if value is None else {str(symbol) for symbol in value.free_symbols}
         if value is None or not names <= roles.keys():
             continue
         oracle = Oracle({name: roles[name] for name in names}, given)
         # What stands below a line is not zero.
         if oracle.proves(Claim(value, ">=")):
-            yield Relation(((Link(each, ">", _ZERO),),))
+            yield Relation(((Link(tree, ">", _ZERO),),))
 
 
 def cleared_factors(
@@ -83,12 +83,12 @@ def cleared_factors(
         if isinstance(tree, Letter)
     }
     kept = kept & sought or kept
-    for each in dict.fromkeys(_factors_below(above.relation)):
-        names = letters(each)
-        if each in left or not names & kept or not all(map(is_positive, names)):
+    for tree in dict.fromkeys(_factors_below(above.relation)):
+        names = letters(tree)
+        if tree in left or not names & kept or not all(map(is_positive, names)):
             continue
-        if isinstance(each, Letter) or _is_plain_sum(each):
-            yield Relation(((Link(each, ">", _ZERO),),))
+        if isinstance(tree, Letter) or _is_plain_sum(tree):
+            yield Relation(((Link(tree, ">", _ZERO),),))
 
 
 def _is_plain_sum(tree: Expression) -> bool:
@@ -106,12 +106,12 @@ def _factors_below(relation: Relation) -> Iterator[Expression]:
     for tree in trees_of(relation):
         for node in walk(tree):
             if isinstance(node, Binary) and node.op == "/" and not has_quantity(node.right):
-                for each in factors(node.right):
-                    match each:
+                for factor in factors(node.right):
+                    match factor:
                         case Binary("^", base, Number()):
                             yield base
                         case _:
-                            yield each
+                            yield factor
 
 
 def _differences_below(relation: Relation) -> Iterator[Expression]:
@@ -119,7 +119,7 @@ def _differences_below(relation: Relation) -> Iterator[Expression]:
     for tree in trees_of(relation):
         for node in walk(tree):
             if isinstance(node, Binary) and node.op == "/" and not has_quantity(node.right):
-                yield from (each for each in factors(node.right) if _is_difference(each))
+                yield from (factor for factor in factors(node.right) if _is_difference(factor))
 
 
 def _is_difference(tree: Expression) -> bool:

@@ -62,7 +62,7 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
         reached = list(_other_walls(solution, derivation, line))
         notes = [_note_of_walls(naming, line, reached)] if reached else []
         if bounds:
-            relations = tuple(naming.relation(Relation(((each,),))) for each in bounds)
+            relations = tuple(naming.relation(Relation(((bound,),))) for bound in bounds)
             notes.insert(0, say("range.also", bounds=relations))
         if notes:
             both = len(notes) > 1
@@ -77,11 +77,11 @@ def _other_ends(solution: Solution, derivation: Derivation, line: Line) -> Itera
     for ref in lines_under(derivation, line.number):
         own = derivation.line(ref) if isinstance(ref, int) else None
         premises = () if own is None else own.premises
-        facts = (_ends_of_a_wall(derivation, each) for each in premises)
-        tested = next((each for each in facts if each is not None), None)
+        facts = (_ends_of_a_wall(derivation, ref) for ref in premises)
+        tested = next((fact for fact in facts if fact is not None), None)
         if own is None or tested is None or not isinstance(own.relation, Relation):
             continue
-        if own.move.id != "compare" or [len(each) for each in own.relation.options] != [1]:
+        if own.move.id != "compare" or [len(option) for option in own.relation.options] != [1]:
             continue
         (link,), (low, high) = own.relation.only, tested
         if link.left == low.left:
@@ -133,8 +133,8 @@ def _other_walls(solution: Solution, derivation: Derivation, line: Line) -> Iter
     under = lines_under(derivation, line.number)
     cited = {
         ref
-        for each in under
-        if isinstance(each, int) and (own := derivation.line(each)) is not None
+        for other in under
+        if isinstance(other, int) and (own := derivation.line(other)) is not None
         for ref in own.premises
     }
     if not any(str(ref).partition(" ")[0] == "within" for ref in cited):
@@ -163,8 +163,8 @@ def _other_walls(solution: Solution, derivation: Derivation, line: Line) -> Iter
 
 def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Expression, str]]:
     """The coefficients, or their squares, that a range bounds on one side: with value and side."""
-    under = sorted(each for each in lines_under(derivation, line.number) if isinstance(each, int))
-    lines = [own for each in under if (own := derivation.line(each)) is not None]
+    under = sorted(ref for ref in lines_under(derivation, line.number) if isinstance(ref, int))
+    lines = [own for number in under if (own := derivation.line(number)) is not None]
     cited = {ref for own in lines for ref in own.premises if isinstance(ref, str)}
     for own in lines:
         named = [ref for ref in own.premises if isinstance(ref, str)]
@@ -192,7 +192,7 @@ def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Ex
 
 
 def _has_difference(tree: Expression) -> bool:
-    return any(isinstance(each, Binary) and each.op == "-" for each in walk(tree))
+    return any(isinstance(node, Binary) and node.op == "-" for node in walk(tree))
 
 
 def _holds(
@@ -219,9 +219,9 @@ def _follows(
 
     try:
         within = [
-            compared(evaluate(each.left, symbol), each.sign, evaluate(each.right, symbol))
-            for each in line.relation.only
-            if each.sign in _ORDER
+            compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
+            for link in line.relation.only
+            if link.sign in _ORDER
         ]
         claim = compared(evaluate(left, symbol), sign, evaluate(right, symbol))
         return Oracle(own).with_facts(within).proves(claim)

@@ -45,7 +45,7 @@ def are_squares(squared: Relation, plain: Relation, roles: Mapping[str, Role]) -
         case _:
             return False
     nodes = (*walk(one), *walk(other))
-    if not any(isinstance(each, Apply) and each.function == "sqrt" for each in nodes):
+    if not any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes):
         return False
     if not (is_never_negative(one, roles) and is_never_negative(other, roles)):
         return False
@@ -93,4 +93,4 @@ def bound_in_words(bound: Relation, roles: Mapping[str, Role], naming: Naming) -
 def positive_letters(value: Expression, roles: Mapping[str, Role]) -> Iterator[Letter]:
     """The positive letters that are factors of a value above, where nothing else tells its sign."""
     if is_never_negative(value, roles):
-        yield from (each for each in factors_above(value) if isinstance(each, Letter))
+        yield from (factor for factor in factors_above(value) if isinstance(factor, Letter))

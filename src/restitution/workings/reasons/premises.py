@@ -179,7 +179,9 @@ class Reasons:
             *self._divided_by(line),
         )
         # Behind what is known of a letter stand where an equality holds, and the value at its end.
-        reasons = tuple(sorted(reasons, key=lambda each: _BEHIND.get(getattr(each, "id", ""), 0)))
+        reasons = tuple(
+            sorted(reasons, key=lambda reason: _BEHIND.get(getattr(reason, "id", ""), 0))
+        )
         reasons = reasons or tuple(self._positive_sum(line)) or tuple(self._positive_ratio(line))
         reasons = reasons or tuple(self._both_squared(line))
         if self._is_root(line):
@@ -200,11 +202,11 @@ class Reasons:
             return (say("derived.as-because", reasons=signs, causes=reasons),)
         if reasons and self._by_a_cotangent(line):
             reasons = (say("derived.cotangent"), *reasons)
-        own = {self._laid(each): each for each in bounds_said(line)}
+        own = {self._laid(relation): relation for relation in bounds_said(line)}
         words = (
             bound_in_words(own[e], self._roles, self._naming) if e in own else e for e in reasons
         )
-        reasons = tuple(each for each in words if each is not None)
+        reasons = tuple(word for word in words if word is not None)
         return (say("derived.as", reasons=reasons),) if reasons else ()
 
     def _in_its_case(self, line: Line) -> bool:
@@ -260,9 +262,9 @@ class Reasons:
                     return ()  # it tells an angle of up to 180°
                 case Relation(((Link(left, "=", right),),)):
                     sign = "<" if isinstance(right, Negate) else ">"
-                    ratios = [Apply(each, link.left) for each in ("sin", "cos")]
-                    for each in (e for e in ratios if e in set(walk(left))):
-                        comparison = Link(each, sign, Number(Fraction(0)))  # type: ignore[arg-type]
+                    ratios = [Apply(ratio, link.left) for ratio in ("sin", "cos")]
+                    for function in (e for e in ratios if e in set(walk(left))):
+                        comparison = Link(function, sign, Number(Fraction(0)))  # type: ignore[arg-type]
                         signs.append(self._laid(Relation(((comparison,),))))
         return tuple(signs) or known
 
@@ -307,7 +309,7 @@ class Reasons:
             return False
         root = line.relation.only[0].left
         squares = (link.left for link in above[0].options[0])
-        return any(each == Binary("^", root, Number(Fraction(2))) for each in squares)
+        return any(square == Binary("^", root, Number(Fraction(2))) for square in squares)
 
     def _by_its_sense(self, line: Line) -> bool:
         """Whether a given speed is that of a component whose sense is given too."""
@@ -318,7 +320,7 @@ class Reasons:
     def _ordered(line: Line) -> bool:
         """Whether values were put into an inequality."""
         assert isinstance(line.relation, Relation)
-        signs = {each.sign for links in line.relation.options for each in links}
+        signs = {link.sign for links in line.relation.options for link in links}
         return line.move.id == "put" and bool(signs & {*UP, *DOWN})
 
     def is_own_range(self, line: Line) -> bool:
@@ -353,18 +355,18 @@ class Reasons:
                     reasons.append(self._laid(relation))
                 case Sentence() as sentence:
                     reasons.append(sentence)
-        strict = [self._where_it_divides(line, each) for each in bounds]
-        for bound in [each for each in strict if each not in bounds]:
+        strict = [self._where_it_divides(line, bound) for bound in bounds]
+        for bound in [link for link in strict if link not in bounds]:
             letter = bound.left
-            alone = sum(letter in (each.left, each.right) for each in strict) == 1
+            alone = sum(letter in (link.left, link.right) for link in strict) == 1
             reached = wall_reached(self._derivation, letter) if alone else None
             if reached is not None:
                 strict.remove(bound)
                 body, wall = reached
                 positive = self._laid(Relation(((bound,),)))
                 reasons.append(say("derived.reached", body=body, wall=wall, bound=positive))
-        whole = (self._laid(each) for each in merged(strict))
-        if any(isinstance(each, Sentence) and each.id == _BY_TANGENT for each in reasons):
+        whole = (self._laid(relation) for relation in merged(strict))
+        if any(isinstance(reason, Sentence) and reason.id == _BY_TANGENT for reason in reasons):
             # By the sign of that tangent the other angles have been used.
             reasons = [e for e in reasons if getattr(e, "id", "") != "derived.acute"]
         return (*reasons, *whole, *self._below(line, bounds))
@@ -429,7 +431,7 @@ class Reasons:
         cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         nodes = [node for own in cited for node in walk(own.only[-1].right)]
         below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
-        divides = any(bound.left in factors(each) for each in below)
+        divides = any(bound.left in factors(tree) for tree in below)
         return Link(bound.left, ">", bound.right) if divides else bound
 
     def _below(self, line: Line, bounds: Sequence[Link]) -> Iterator[Sentence | lay.Layout]:
@@ -446,7 +448,7 @@ class Reasons:
                     own = self._shapes.relation_of(ref)
                     nodes = () if own is None else walk(own.only[-1].right)
                     below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
-                    if own is None or not any(letter in factors(each) for each in below):
+                    if own is None or not any(letter in factors(tree) for tree in below):
                         continue
                     subject, zero_ = own.only[0].left, Relation(((Link(letter, "=", ZERO),),))
                     if isinstance(subject, Letter):
@@ -473,7 +475,7 @@ class Reasons:
         if fact is not None and fact == compared_quantities(self._derivation, line):
             return None  # it stands before the line
         if fact is not None:
-            signs = {each.sign for links in fact.relation.options for each in links}
+            signs = {link.sign for links in fact.relation.options for link in links}
             ordered = signs and signs <= {*UP, *DOWN, "!="}
             motion = motion_of(fact)
             if motion is not None and (line.move.id == "reject" or line.move.record == "speed"):
@@ -505,7 +507,7 @@ class Reasons:
         acute = acute_by_its_tangent(line, relation, map(self._shapes.relation_of, line.premises))
         if acute is None:
             return relation
-        if any(angle_acute_by(self._derivation, each) == acute for each in self._cited(line)):
+        if any(angle_acute_by(self._derivation, other) == acute for other in self._cited(line)):
             return None  # the line with its tangent says it
         tangent = Relation(((Link(Apply("tan", acute), ">", ZERO),),))
         angle = self._naming.layout(acute)
@@ -555,7 +557,7 @@ class Reasons:
         """That the factors are positive by which an inequality is multiplied."""
         cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         assert isinstance(line.relation, Relation)
-        if any(divisor_left_out(each, line.relation, self._roles) for each in cited):
+        if any(divisor_left_out(relation, line.relation, self._roles) for relation in cited):
             return  # another reason says more
         yield from map(self._laid, cleared_factors(self._derivation, line, self.is_positive))
 
@@ -650,7 +652,7 @@ class Reasons:
             if link.sign in (*UP, *DOWN)
             and any(letters(side) & names for side in (link.left, link.right))
         ]
-        yield from (self._laid(each) for each in merged(bounds))
+        yield from (self._laid(relation) for relation in merged(bounds))
 
 
 def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
@@ -664,7 +666,7 @@ def _bounds_below(relation: Relation | None, letter: Letter) -> bool:
 
 def _by_its_ends(relation: Relation) -> Relation:
     """A chain of equations as the one of its first and its last side; any other as it is."""
-    if len(relation.options) > 1 or any(each.sign != "=" for each in relation.only):
+    if len(relation.options) > 1 or any(link.sign != "=" for link in relation.only):
         return relation
     return Relation(((Link(relation.only[0].left, "=", relation.only[-1].right),),))
 

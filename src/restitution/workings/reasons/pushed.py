@@ -25,7 +25,7 @@ def pushed_away(derivation: Derivation, naming: Naming, line: Line, fact: Fact) 
                 Quantity("along", (Quantity("velocity", (Name(body),), int(number)), _)),
                 Quantity("velocity", (Name(own),)),
             ) if own == body and number in naming.events:
-                others = [each for each in naming.events[number].bodies if each != body]
+                others = [other for other in naming.events[number].bodies if other != body]
                 rested = (
                     isinstance(link.right, Pair) and is_zero(link.right.x) and is_zero(link.right.y)
                 )

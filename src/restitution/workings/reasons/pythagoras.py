@@ -20,7 +20,10 @@ def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
     """
     cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
     relations = [own.relation for own in (line, *cited) if own is not None]
-    trees = [tuple(trees_of(each)) if isinstance(each, Relation) else () for each in relations]
+    trees = [
+        tuple(trees_of(relation)) if isinstance(relation, Relation) else ()
+        for relation in relations
+    ]
     above, below = _ratios(chain.from_iterable(trees[1:])), _ratios(trees[0])
     if len(below) == 1 and above - below:
         (tangent,) = below
@@ -30,7 +33,7 @@ def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
             over = Binary("/", one, square(cosine))
             return equation(over, Binary("+", one, square(tangent)))
     angles = angles_with_both_ratios(chain.from_iterable(trees))
-    angles = angles or frozenset(each.argument for each in above | below)
+    angles = angles or frozenset(function.argument for function in above | below)
     if len(angles) != 1:
         return None
     (angle,) = angles

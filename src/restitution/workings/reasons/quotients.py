@@ -23,11 +23,13 @@ def top_of_a_bound(line: Line, cited: Iterable[Relation | None]) -> Relation | N
             pass
         case _:
             return None
-    relations = [each for each in cited if each is not None and len(each.options) == 1]
-    bounded = {each.only[0].left for each in relations if each.only[-1].sign in FLIPPED}
-    for each in relations:
-        match each.only[-1]:
-            case Link(_, "=", Binary("/", top, Letter() as below)) if each.only[0].left == left:
+    relations = [
+        relation for relation in cited if relation is not None and len(relation.options) == 1
+    ]
+    bounded = {relation.only[0].left for relation in relations if relation.only[-1].sign in FLIPPED}
+    for relation in relations:
+        match relation.only[-1]:
+            case Link(_, "=", Binary("/", top, Letter() as below)) if relation.only[0].left == left:
                 if below in bounded and _has_a_sum(top):
                     return Relation(((Link(top, ">", _ZERO),),))
     return None
@@ -38,7 +40,7 @@ def top_of_a_sign(line: Line, cited: Iterable[Relation | None]) -> Relation | No
 
     (eM − m)/(M + m) > 0 makes eM − m > 0, and this with e ≤ 1 M > m. None of any other line.
     """
-    relations = [each for each in cited if each is not None]
+    relations = [relation for relation in cited if relation is not None]
     if line.move.id != "compare" or len(relations) != 1 or len(line.premises) == 1:
         return None
     match relations[0], line.relation:

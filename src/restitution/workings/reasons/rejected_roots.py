@@ -77,13 +77,13 @@ def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: in
         return otherwise
     velocity = vector_worth(fact.relation.only[-1].right)
     kept = line.relation.options[0]
-    (*_, dropped) = [each for each in above.relation.options if each != kept] or [kept]
+    (*_, dropped) = [option for option in above.relation.options if option != kept] or [kept]
     try:
         ahead = in_letters(kept[-1].right, positive=True)
         ahead -= in_letters(dropped[-1].right, positive=True)
     except (RestitutionError, TypeError):
         return otherwise
-    speeds = [] if velocity is None else [each for each in velocity if each != 0]
+    speeds = [] if velocity is None else [component for component in velocity if component != 0]
     sense = sp.sign(speeds[0] * tidy(ahead)) if len(speeds) == 1 else None
     if sense not in (-1, 1):
         return otherwise

@@ -76,7 +76,7 @@ class RightAngles:
         """What is said behind a tangent of an angle that may be 90°, or made of such a one."""
         above = self._right_angle(line) or self._upright_too(line) or self._closes(line)
         own = self._of_an_answer(line)
-        return tuple(each for each in (above, own) if each is not None)
+        return tuple(sentence for sentence in (above, own) if sentence is not None)
 
     def sign_by_a_bound(self, value: Expression) -> tuple[Sign, Link] | None:
         """That a component is positive, or not negative, by a bound of a coefficient.
@@ -109,9 +109,9 @@ class RightAngles:
             own = self._line(ref)
             if own is not None and isinstance(own.relation, Relation):
                 trees.add(own.relation.options[0][0].left)
-        for each in self._derivation.lines:
-            if each.number < line.number and isinstance(each.relation, Relation):
-                pole = self._pole(each)
+        for other in self._derivation.lines:
+            if other.number < line.number and isinstance(other.relation, Relation):
+                pole = self._pole(other)
                 if pole is not None and pole.upright and pole.angle in trees:
                     return Relation(((pole.at,),))
         return None
@@ -141,14 +141,14 @@ class RightAngles:
         if any(end.line == line.number for end in self._derivation.items):
             return False
         below = (
-            each
-            for each in self._derivation.lines
-            if each.number > line.number and isinstance(each.relation, Relation)
+            other
+            for other in self._derivation.lines
+            if other.number > line.number and isinstance(other.relation, Relation)
         )
         return any(
-            (line.number in each.premises and self._upright_too(each) is not None)
-            or (each.item == line.item and self._closing(each) is not None)
-            for each in below
+            (line.number in other.premises and self._upright_too(other) is not None)
+            or (other.item == line.item and self._closing(other) is not None)
+            for other in below
         )
 
     def _said(self, pole: _Pole) -> Sentence:
@@ -178,7 +178,7 @@ class RightAngles:
             return None
         angle, vertical = poles[0].angle, poles[0].at
         root = in_letters_alone(vertical.right)
-        there = rebuilt(whole, lambda each: RIGHT_ANGLE if each == angle else each)
+        there = rebuilt(whole, lambda tree: RIGHT_ANGLE if tree == angle else tree)
         at = in_letters_alone(there)
         if there == whole or at is None or root is None or not isinstance(vertical.left, Letter):
             return None
@@ -304,9 +304,9 @@ class RightAngles:
         given = tuple(self._in_force(line))
         # The last side is the plainest, where the first has the size of a component below.
         sides = [line.relation.only[-1].right, value] if _has_size(value) else [value]
-        whole = [each for side in sides for each in walk(side)]
+        whole = [node for side in sides for node in walk(side)]
         below = [e.right for e in whole if isinstance(e, Binary) and e.op == "/"]
-        for factor in (_of_size(each) for tree in below for each in factors_above(tree)):
+        for factor in (_of_size(factor) for tree in below for factor in factors_above(tree)):
             for at in self._zeros(factor):
                 gap = in_letters_alone(Binary("-", at.left, at.right))
                 if gap is None or not self._may_hold(gap, given):
@@ -349,7 +349,7 @@ class RightAngles:
 
     def _may_hold(self, gap: sp.Expr, given: tuple[Formula, ...]) -> bool:
         """Whether an expression is zero for some of the values that the letters may have."""
-        names = frozenset(str(each) for each in gap.free_symbols)
+        names = frozenset(str(symbol) for symbol in gap.free_symbols)
         roles = {name: role for name, role in self._roles.items() if name in names}
         if len(roles) < len(names):
             return False
@@ -368,17 +368,17 @@ class RightAngles:
 
 def _holds_at(whole: Link, angle: tuple[str, sp.Expr], at: Link) -> bool:
     """Whether an equation holds, and nothing in it is without a value, at an angle and a pole."""
-    sides = [in_letters_alone(each) for each in (whole.left, whole.right, at.left, at.right)]
-    if any(each is None for each in sides):
+    sides = [in_letters_alone(side) for side in (whole.left, whole.right, at.left, at.right)]
+    if any(side is None for side in sides):
         return False
-    left, right, first, second = (each.subs(sp.Symbol(angle[0]), angle[1]) for each in sides)  # type: ignore[union-attr]
+    left, right, first, second = (side.subs(sp.Symbol(angle[0]), angle[1]) for side in sides)  # type: ignore[union-attr]
     gap = sp.expand(first - second)
     for symbol in sorted(gap.free_symbols, key=str):
         slope = sp.diff(gap, symbol)
         if slope != 0 and not slope.has(symbol):
             root = -gap.subs(symbol, 0) / slope
-            there = [each.subs(symbol, root) for each in (left, right)]
-            finite = not any(each.has(sp.zoo, sp.nan, sp.oo) for each in there)
+            there = [value.subs(symbol, root) for value in (left, right)]
+            finite = not any(value.has(sp.zoo, sp.nan, sp.oo) for value in there)
             return finite and bool(tidy(there[0] - there[1]) == 0)
     return False
 
@@ -392,7 +392,7 @@ def _made_of(line: Line, turn: Letter) -> Expression | None:
 
 
 def _has_size(tree: Expression) -> bool:
-    return any(isinstance(each, Apply) and each.function == "abs" for each in walk(tree))
+    return any(isinstance(node, Apply) and node.function == "abs" for node in walk(tree))
 
 
 def _of_size(tree: Expression) -> Expression:

@@ -78,7 +78,7 @@ def growth_said(
     quantity, letter = layout(tree), layout(Letter(name))
     own = shown(tree, name, sense, ends, roles)
     if own is not None and own.derivative is not None:
-        quantity, slope = (layout(tree_of(each)) for each in (own.value, own.derivative))
+        quantity, slope = (layout(tree_of(value)) for value in (own.value, own.derivative))
         relation = lay.Relation((slope, lay.Number("0")), (">" if sense > 0 else "<",))
         return say("derived.slope", quantity=quantity, letter=letter, slope=relation), False
     if own is not None and own.form is not None:
@@ -116,18 +116,18 @@ def _read(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
 
 def _under_one_root(*factors: sp.Expr) -> sp.Expr:
     """√(4a² − d²) for √(2a − d) √(2a + d), as it is printed."""
-    roots = [each for each in factors if each.is_Pow and each.exp == sp.Rational(1, 2)]
-    sums = [each for each in roots if each.base.is_Add]
+    roots = [factor for factor in factors if factor.is_Pow and factor.exp == sp.Rational(1, 2)]
+    sums = [root for root in roots if root.base.is_Add]
     if len(sums) < 2:
         return sp.Mul(*factors)
-    rest = [each for each in factors if each not in sums]
+    rest = [factor for factor in factors if factor not in sums]
     return sp.Mul(*rest, sp.sqrt(sp.expand(sp.Mul(*(each.base for each in sums)))))
 
 
 def _facts(ends: Sequence[Link], roles: Mapping[str, Role]) -> Iterator[Formula]:
-    for each in ends:
-        if each.sign in FLIPPED and not any(map(has_quantity, (each.left, each.right))):
-            yield compared(_read(each.left, roles), each.sign, _read(each.right, roles))
+    for end in ends:
+        if end.sign in FLIPPED and not any(map(has_quantity, (end.left, end.right))):
+            yield compared(_read(end.left, roles), end.sign, _read(end.right, roles))
 
 
 def _forms(value: sp.Expr, symbol: sp.Symbol) -> Iterator[sp.Expr]:
@@ -142,9 +142,9 @@ def _forms(value: sp.Expr, symbol: sp.Symbol) -> Iterator[sp.Expr]:
         if whole.is_Add:
             yield whole
     squares = {
-        each: _square(each, symbol)
-        for each in (node.base for node in value.atoms(sp.Pow))
-        if each.is_polynomial(symbol) and sp.degree(each, symbol) == 2
+        other: _square(other, symbol)
+        for other in (node.base for node in value.atoms(sp.Pow))
+        if other.is_polynomial(symbol) and sp.degree(other, symbol) == 2
     }
     if squares:
         yield value.xreplace(squares)
@@ -207,11 +207,11 @@ class _Sight:
         terms = []
         for term in sp.Add.make_args(x):
             sign, factors = 1, []
-            for each in sp.Mul.make_args(term):
-                base, power = each.as_base_exp()
+            for factor in sp.Mul.make_args(term):
+                base, power = factor.as_base_exp()
                 negative = base.is_Add and power.is_Integer and self.sign(base) == -1
                 sign *= (-1) ** int(power) if negative else 1
-                factors.append((-base) ** power if negative else each)
+                factors.append((-base) ** power if negative else factor)
             # The sign goes to the numbers first: SymPy multiplies a single sum by it.
             terms.append(sp.Mul(*factors) if sign == 1 else sp.Mul(*_negated(factors)))
         return sp.Add(*terms)
@@ -223,7 +223,7 @@ class _Sight:
         if x == self.symbol:
             return 1
         if x.is_Add:
-            return _together([self.sense(each) for each in x.args])
+            return _together([self.sense(argument) for argument in x.args])
         if x.is_Mul:
             return self._of_product(x)
         if x.is_Pow and x.exp.is_Rational:
@@ -244,12 +244,12 @@ class _Sight:
     def _of_product(self, x: sp.Expr) -> int | None:
         factor, own = x.as_independent(self.symbol, as_Add=False)
         factors = sp.Mul.make_args(own)
-        sign, senses = self.sign(factor), [self.sense(each) for each in factors]
+        sign, senses = self.sign(factor), [self.sense(factor) for factor in factors]
         if sign is None or None in senses:
             return None
         if len(factors) == 1:
             return sign * (senses[0] or 0)
-        signs = [self.sign(each) for each in factors]
+        signs = [self.sign(factor) for factor in factors]
         if None in signs:
             return None
         sizes = [sense * own for sense, own in zip(senses, signs, strict=True)]  # type: ignore[operator]
@@ -259,15 +259,15 @@ class _Sight:
 
 def _negated(factors: Sequence[sp.Expr]) -> list[sp.Expr]:
     """Factors of the opposite of a product."""
-    numbers = [each for each in factors if each.is_Number]
-    return [-sp.Mul(*numbers), *(each for each in factors if not each.is_Number)]
+    numbers = [factor for factor in factors if factor.is_Number]
+    return [-sp.Mul(*numbers), *(factor for factor in factors if not factor.is_Number)]
 
 
 def _together(senses: Sequence[int | None]) -> int | None:
     """The sense of a sum, by those of its terms."""
     if None in senses:
         return None
-    own = {each for each in senses if each}
+    own = {sense for sense in senses if sense}
     return None if len(own) > 1 else next(iter(own), 0)
 
 

@@ -165,7 +165,7 @@ class ShapeReasons:
 
     def _is_left(self, whole: Expression, square: Expression, bound: Expression) -> bool:
         """Whether a bound is what is left of a whole without a square."""
-        rest = rebuilt(whole, lambda each: ZERO if each == square else each)
+        rest = rebuilt(whole, lambda tree: ZERO if tree == square else tree)
         match rest:
             case Apply("sqrt", inside):
                 rest, bound = inside, squared(bound)
@@ -211,8 +211,8 @@ class ShapeReasons:
             own = self._derivation.line(ref) if isinstance(ref, int) else None
             if own is None or not isinstance(own.relation, Relation):
                 continue
-            wholes = [each.right for each in reversed(own.relation.options[0])]
-            for whole, node in ((each, node) for each in wholes for node in walk(each)):
+            wholes = [link.right for link in reversed(own.relation.options[0])]
+            for whole, node in ((tree, node) for tree in wholes for node in walk(tree)):
                 wave = wave_of(node)
                 if wave is not None and is_bound_by(whole, node, wave[0], links[0].right):
                     yield say("derived.fact", fact=self._naming.relation(Relation((wave[1],))))
@@ -232,7 +232,7 @@ class ShapeReasons:
             for node in walk(whole):
                 match node:
                     case Binary("^", Apply("sin" | "cos", x), Number(value=power)) if power == 2:
-                        alone = sum(each == x for each in walk(whole)) == 1
+                        alone = sum(node == x for node in walk(whole)) == 1
                         if (alone or line.move.id == "sign") and is_bound_by(
                             whole, node, most, links[0].right
                         ):
@@ -294,13 +294,13 @@ class ShapeReasons:
                 return  # a reason is cited
             values[own.relation.only[0].left] = own.relation.only[-1].right
         sides = [
-            rebuilt(side, lambda each: values.get(each, each))
+            rebuilt(side, lambda tree: values.get(tree, tree))
             for side in (links[0].left, links[0].right)
         ]
         if not values or any(map(has_quantity, sides)):
             return
         try:
-            value, most = (in_letters(each) for each in sides)
+            value, most = (in_letters(side) for side in sides)
         except (RestitutionError, TypeError, ValueError):
             return
         share = sp.factor(value / most)

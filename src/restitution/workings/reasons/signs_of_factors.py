@@ -41,17 +41,17 @@ def signs_of_factors(
     whole = _product(derivation, line)
     if whole is None:
         return ()
-    open_ = [each for each in _bases(whole) if _is_difference(each)]
+    open_ = [base for base in _bases(whole) if _is_difference(base)]
     hidden = any(map(_is_of_a_part, open_))
     if (len(open_) < _SEVERAL and not hidden) or has_quantity(whole):
         return ()
     oracle = Oracle(roles, tuple(_cited(derivation, line, roles)))
-    signs = [_sign(each, oracle, roles) for each in open_]
+    signs = [_sign(tree, oracle, roles) for tree in open_]
     if None in signs:
         return ()
     return tuple(
-        Relation(((Link(each, sign, _ZERO),),))
-        for each, sign in zip(open_, signs, strict=True)
+        Relation(((Link(tree, sign, _ZERO),),))
+        for tree, sign in zip(open_, signs, strict=True)
         if sign is not None
     )
 
@@ -69,7 +69,7 @@ def _product(derivation: Derivation, line: Line) -> Expression | None:
     if line.move.id != "sign" or not isinstance(line.relation, Relation):
         return None
     cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
-    relations = [each.relation for each in cited if each is not None]
+    relations = [line.relation for line in cited if line is not None]
     match relations, line.relation.options:
         case [Relation((links,))], ((Link(sign=sign),),) if sign in _ORDERS:
             return links[-1].right if all(link.sign == "=" for link in links) else None
@@ -83,8 +83,8 @@ def _bases(tree: Expression) -> Iterator[Expression]:
             yield from _bases(above)
             yield from _bases(below)
         case Binary("*"):
-            for each in factors(tree):
-                yield from _bases(each)
+            for factor in factors(tree):
+                yield from _bases(factor)
         case Binary("^", base, Number(power)) if power.denominator == 1:
             yield from _bases(base) if power.numerator % 2 else ()
         case _:
@@ -113,7 +113,7 @@ def _cited(derivation: Derivation, line: Line, roles: Mapping[str, Role]) -> Ite
         for link in relation.only:
             sides = (link.left, link.right)
             if link.sign in _ORDERS and not any(map(has_quantity, sides)):
-                left, right = (_value(each, roles) for each in sides)
+                left, right = (_value(side, roles) for side in sides)
                 yield compared(left, link.sign, right)
 
 

@@ -15,12 +15,16 @@ def with_acute_angles_together(sentence: Sentence) -> Sentence:
     reasons = slots.get("reasons")
     if sentence.id != "derived.as" or not isinstance(reasons, tuple):
         return sentence
-    acute = [each for each in reasons if isinstance(each, Sentence) and each.id == "derived.acute"]
+    acute = [
+        reason
+        for reason in reasons
+        if isinstance(reason, Sentence) and reason.id == "derived.acute"
+    ]
     if len(acute) < 2:
         return sentence
     both = say("derived.both-acute", angles=tuple(dict(e.slots)["angle"] for e in acute))
     first = reasons.index(acute[0])
-    rest = tuple(each for each in reasons[first:] if each not in acute)
+    rest = tuple(reason for reason in reasons[first:] if reason not in acute)
     return say("derived.as", reasons=(*reasons[:first], both, *rest))
 
 

@@ -198,7 +198,7 @@ def lines(row: Row) -> list[tuple[str, list[tuple[str, Layout | None]]]]:
     A line is its first sign, and the operands with the signs between them (none for the first).
     """
     pieces = list(zip(row.signs, row.operands[1:], strict=True))
-    room = sum(width(to_text(each)) + 3 for each in row.operands if each is not None)
+    room = sum(width(to_text(operand)) + 3 for operand in row.operands if operand is not None)
     if room <= 80 or len(pieces) == 1:
         (first, operand), *rest = pieces
         return [(first, [("", operand), *rest])]

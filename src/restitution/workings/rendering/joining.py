@@ -60,11 +60,13 @@ def _goes_on(step: Step, after: Step | None) -> bool:
 def _counted(step: Step) -> Step:
     """A step whose words before its rows know whether they stand before one component."""
     rows = [row for row in step.rows if row.operands[0] is not None]
-    if len(rows) != 1 or not any(slot in _ONE for each in step.sentences for slot in each.slots):
+    if len(rows) != 1 or not any(
+        slot in _ONE for sentence in step.sentences for slot in sentence.slots
+    ):
         return step
     sentences = (
-        replace(each, slots=tuple(_ONE.get(slot, slot) for slot in each.slots))
-        for each in step.sentences
+        replace(sentence, slots=tuple(_ONE.get(slot, slot) for slot in sentence.slots))
+        for sentence in step.sentences
     )
     return replace(step, sentences=tuple(sentences))
 

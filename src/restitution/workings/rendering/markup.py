@@ -273,7 +273,7 @@ def _sign(c: str) -> str:
         return f"${_BY_SIGN[c]}$"
     kind, _, parts = decomposition(c).partition(" ")
     if kind == "<fraction>":
-        above, _, below = (chr(int(each, 16)) for each in parts.replace(" 2044 ", " 2f ").split())
+        above, _, below = (chr(int(word, 16)) for word in parts.replace(" 2044 ", " 2f ").split())
         return rf"$\tfrac{{{above}}}{{{below}}}$"
     if kind in ("<super>", "<sub>") and len(parts) == 4:
         mark = "^" if kind == "<super>" else "_"

@@ -166,7 +166,7 @@ def _rows(rows: Sequence[Row], width: int, margin: int) -> list[_Line]:
     ]
     # One left side that is far longer than others does not push them aside.
     near = min(fitting, default=_INDENT) + _APART
-    room = max((each for each in fitting if each <= near), default=_INDENT)
+    room = max((number for number in fitting if number <= near), default=_INDENT)
     lines: list[_Line] = []
     own = room
     for row, left in zip(rows, lefts, strict=True):
@@ -262,7 +262,7 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
 
 def _over_a_bar(row: Row, left: Fraction, width: int) -> list[_Line]:
     """A chain whose left side is one long name over another: with a bar between them."""
-    above, below = (one_line(_bare(each)) for each in (left.above, left.below))
+    above, below = (one_line(_bare(side)) for side in (left.above, left.below))
     bar = "─" * max(columns(above), columns(below))
     room = columns(bar)
     chain = "".join(
