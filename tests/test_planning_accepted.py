@@ -320,6 +320,21 @@ given speed(P) = 7
 find e
 find impulse
 """,
+    "the cosine of an angle of who moves along an open line": """
+sphere P: mass 2m, velocity 3u i
+sphere Q: mass m, at rest
+P hits Q: along phi
+given cos(angle(velocity(Q), velocity(P, 0))) = 4/5, speed(Q) = 2u
+find e
+""",
+    "an angle from j of who moves along an open line": """
+sphere P: mass 2m, velocity 3u i
+sphere Q: mass m, at rest
+P hits Q: along phi, e = 1/2
+given angle(velocity(Q), j) = 60°
+find phi
+find velocity(P)
+""",
     "an angle that is no plain one, of a coefficient that a later part gives": """
 wall W: along i
 sphere P: velocity u at theta to W

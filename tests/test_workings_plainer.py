@@ -77,6 +77,14 @@ sphere B: mass m, velocity u at 50° from -i
 A hits B: along i, e = 0.4
 find speed(B), direction(B)
 """
+OFF_FROM_REST = """
+sphere P: mass m, velocity 2u i
+sphere Q: mass 3m, at rest
+P hits Q: along phi, e = 2/3
+given angle(velocity(Q), i) = 60°
+find phi
+find speed(P)
+"""
 NO_GREATEST = """
 sphere A: mass m, velocity u at alpha
 sphere B: mass k m, at rest
@@ -196,10 +204,12 @@ SAYS = [
     (SQUARES_WITH_A_ROOT, "cos²θ = (5 + √17)/12"),
     (BY_CALCULATOR, "speed of B ≈ √((2.005u)² + (u sin 50°)²) ≈ 2.15u"),
     (BY_CALCULATOR, "θ ≈ −arctan((u sin 50°)/(2.005u))"),
+    (OFF_FROM_REST, "angle between 𝐯_Q and 𝐢 = φ It is given that"),
     (ACROSS_AT_A_WALL, "change of momentum of Q: impulse on Q = 3m("),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
+    (OFF_FROM_REST, "tan 60°"),
     (BY_CALCULATOR, "√(400 sin² 50°"),
     (NOT_BY_ALPHA, "cos²α − 1"),
     (SQUARES_WITH_A_ROOT, "component of 𝐯_Q parallel to W ="),

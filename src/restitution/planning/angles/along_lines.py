@@ -9,7 +9,9 @@ from fractions import Fraction
 from restitution.exact import tidy
 from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -18,17 +20,18 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Unit,
+    has_quantity,
     letters,
 )
 from restitution.oracle.roles import ACUTE
-from restitution.planning.angles.directions import angle_of_the_line
+from restitution.planning.angles.directions import along_the_centres, angle_of_the_line
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import NotPlannedError, chain, together
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.premises import nonzero
-from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.scene import GivenEquation, Scene
 
 
 @dataclass(frozen=True)
@@ -69,6 +72,41 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
         if premises is not None:
             return scene.desk.write(move, premises, relation)
     scene.desk.back(mark)
+    return None
+
+
+def given_along_the_centres(scene: Scene, each: GivenEquation) -> int | None:
+    """The letter for a line of centres by the direction that is given of who goes along it.
+
+    It is given from **i**, or as an angle to another direction, or by a ratio of that. None of
+    another fact.
+    """
+    subject, right = each.link.left, each.link.right
+    match subject:
+        case Quantity("direction" | "angle") as asked:
+            pass
+        case Apply("sin" | "cos" | "tan", Quantity("direction" | "angle") as asked):
+            pass
+        case _:
+            return None
+    if letters(right) or has_quantity(right):
+        return None
+    mark, frames = scene.desk.mark(), dict(scene.frames)
+    try:
+        of_direction = asked.kind == "direction"
+        write = along_the_centres if of_direction else angle_along_the_centres
+        line = write(scene, asked)
+    except NotPlannedError:
+        line = None
+    angle = ZERO if line is None else scene.desk.last_link(line).right
+    kinds = Letter if asked.kind == "direction" else Letter | Binary | Negate
+    if line is not None and letters(angle) and isinstance(angle, kinds):
+        relation = chain(exchanged(subject, {asked: angle}), (right, None))
+        for refs in ((line, *each.refs), (*each.refs, line)):
+            if (put := scene.judge.write((Move("put"),), refs, relation)) is not None:
+                return put
+    scene.desk.back(mark)
+    scene.frames = frames
     return None
 
 
@@ -203,4 +241,4 @@ def _degrees(angle: Expression) -> Iterator[Fraction]:
             yield -value
 
 
-__all__ = ["angle_along_the_centres"]
+__all__ = ["angle_along_the_centres", "given_along_the_centres"]

@@ -27,9 +27,9 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import POSITIVE
+from restitution.planning.angles.along_lines import given_along_the_centres
 from restitution.planning.angles.angle_sums import is_sum, stated, write_sum, write_sum_with
 from restitution.planning.angles.deflections import cosine_of_deflection, write_deflection
-from restitution.planning.angles.directions import along_the_centres
 from restitution.planning.angles.equal_angles import write_equal_angles
 from restitution.planning.angles.expressions import outermost, size_of
 from restitution.planning.angles.given_turns import given_turn
@@ -143,6 +143,10 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         standing = quoted(scene, each, own.left)
         if standing is not None:
             return standing
+    line = given_along_the_centres(scene, each)
+    if line is not None:
+        return line
+    if isinstance(own.left, Quantity):
         if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
             line = sine_of_the_offset(scene, each)
             if line is not None:
@@ -152,10 +156,6 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
             return write_deflection(scene, each)
         if own.left.kind == "angle" and not has_quantity(own.right):
             line = given_turn(scene, each)
-            if line is not None:
-                return line
-        if own.left.kind == "direction":
-            line = _angle_of_the_centres(scene, own.left, each)
             if line is not None:
                 return line
         if own.left.kind == "velocity":
@@ -298,24 +298,6 @@ def _of_named_angle(scene: Scene, each: GivenEquation, line: int) -> int | None:
     known = background(scene, letters(right))
     refs = scene.judge.enough(Move("put"), (tangent, line), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
-
-
-def _angle_of_the_centres(scene: Scene, direction: Quantity, each: GivenEquation) -> int | None:
-    """The letter for a line of centres by a direction in degrees of who goes along it."""
-    if not isinstance(each.link.right, Degrees):
-        return None
-    mark = scene.desk.mark()
-    try:
-        line = along_the_centres(scene, direction)
-    except NotPlannedError:
-        line = None
-    angle = None if line is None else scene.desk.last_link(line).right
-    if line is not None and isinstance(angle, Letter):
-        relation = chain(angle, (each.link.right, None))
-        if (put := scene.judge.write((Move("put"),), (line, *each.refs), relation)) is not None:
-            return put
-    scene.desk.back(mark)
-    return None
 
 
 def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
