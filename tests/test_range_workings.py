@@ -187,6 +187,17 @@ from restitution.workings import explain
         ),
         (
             """
+            wall W: along j
+            sphere A: mass m, velocity u i
+            sphere B: mass k m, at rest
+            A hits B: along i, e = e
+            A hits W: e = e
+            show k e > 1
+            """,
+            ["(1 − ek)u/(1 + k) < 0 ke > 1, as 1 + k > 0"],
+        ),
+        (
+            """
             wall X: along i, through (0, 0)
             wall Y: along 60°, through (0, 0)
             sphere P: at (3, 1), velocity u at -alpha

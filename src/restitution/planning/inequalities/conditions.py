@@ -152,9 +152,12 @@ class Conditions:
             return self._by_sense(fact, link, wanted)
         if is_of_a_wall(self.worths, fact):
             towards = write_towards(self.worths, fact, wanted)
-            if towards is None or towards[1] == "!=":
-                return None if towards is None else towards[0]
-            return self.finished(*towards, wanted)
+            if towards is None:
+                return None
+            of_a_product = isinstance(wanted, Binary) and wanted.op == "*"
+            # A product that is to be shown is bounded as it stands.
+            done = towards[1] == "!=" or of_a_product
+            return towards[0] if done else self.finished(*towards, wanted)
         match self.worths.opened(link.left), link.right:
             case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
                 return self._past_a_right_angle(fact, link, angle, wanted)
