@@ -63,10 +63,11 @@ def says_again(work: Work, line: Line) -> bool:
 
 
 def _unequal(line: Line) -> bool:
-    """Whether a line is an inequality."""
-    return isinstance(line.relation, Relation) and any(
-        link.sign in ("<", "<=", ">", ">=") for links in line.relation.options for link in links
-    )
+    """Whether a line is an inequality, or says only that something is not zero."""
+    if not isinstance(line.relation, Relation):
+        return False
+    signs = [link.sign for links in line.relation.options for link in links]
+    return signs == ["!="] or any(sign in ("<", "<=", ">", ">=") for sign in signs)
 
 
 def _is_law(line: Line, records: Collection[str], event: int | None) -> bool:
