@@ -42,10 +42,20 @@ given energy(A) = energy(A, 0)
 find k
 """
 
+# w = u/2: x = u/2 + u/4 + √3 v/4, and u/2 − √3 v = u/2 + 2x.
+NO_SPEED = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass 2m, velocity v at 150°
+A hits B: along i, e = 1/2
+given speed(A) = u
+find v in terms of u
+"""
+
 
 @pytest.mark.parametrize(
     ("statement", "reason"),
     [
+        (NO_SPEED, "w = −u/2, as w = u/2 would give x = u/2 and v = −√3 u/3 < 0 by (2) and (3)"),
         (NO_MASS, "as v = √2 u/2 would give w = √2 u and k = 0 by (2) and (3), but k > 0"),
         (
             OBTUSE,

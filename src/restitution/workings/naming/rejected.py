@@ -115,7 +115,7 @@ def _made_negative(
 def _positive_broken(
     derivation: Derivation, line: Line, dropped: tuple[Link, ...]
 ) -> tuple[tuple[Link, ...], Link] | None:
-    """A root and the letter of the statement that it makes 0 or less, which is positive silently.
+    """A root and the letter that it makes 0 or less, which is found and positive silently.
 
     None where a line cites what else its letters may be.
     """
@@ -123,7 +123,13 @@ def _positive_broken(
         return None
     pairs = equations_of(derivation, line)
     names = {name for pair in pairs for side in pair for name in letters(side)}
-    for name in sorted(names - derivation.meanings.keys()):
+    lefts = [
+        each.relation.options[0][0].left
+        for each in derivation.lines
+        if isinstance(each.relation, Relation)
+    ]
+    found = {left.name for left in lefts if isinstance(left, Letter)}
+    for name in sorted(names & found - derivation.meanings.keys()):
         bound = Link(Letter(name), "<=", Number(Fraction(0)))
         if made_by_a_root(derivation, line, dropped, bound):
             return dropped, bound
@@ -212,7 +218,9 @@ def made_by_a_root(
         if left not in {tree for tree, _ in equations}  # it stands there already
     ]
     if values[-1].free_symbols and relations:
-        beyond = Link(trees[-1], bound.sign, bound.right)
+        strict: Sign = "<" if bound.sign[0] == "<" else ">"
+        sure = _BEYOND[strict](values[-1], limit) == sp.true
+        beyond = Link(trees[-1], strict if sure else bound.sign, bound.right)
         relations[-1] = Relation(((Link(bound.left, "=", trees[-1]), beyond),))
     return tuple(relations)
 
