@@ -338,3 +338,44 @@ def test_where_nothing_is_asked_a_given_fact_is_no_trouble() -> None:
     statement = "wall W: along i\nsphere P: mass 2, velocity 3i - 4j\nP hits W\ngiven impulse = 10"
     text = to_text(explain(solve(parse(statement))))
     assert "nothing is asked" in text
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (
+            """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given energy(P) = 2/5 energy(0)
+find range of tan(alpha)
+""",
+            (
+                "2(sin²α + cos²α) = 5e² sin²α + 5 cos²α",
+                "(2 − 5e²) sin²α = 3 cos²α",
+                "tan²α ≥ 3/2, as e² ≥ 0",
+            ),
+        ),
+        (
+            """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+given speed(A) = 1/2 u
+find range of alpha
+""",
+            (
+                "sin²α + cos²α = 4 sin²α + (1 − e)² cos²α",
+                "tan²α = (2 − e)e/3",
+                "tan²α ≤ ⅓",
+                "0° < α ≤ 30°",
+            ),
+        ),
+    ],
+)
+def test_an_equation_of_squares_becomes_a_tangent_step_by_step(
+    statement: str, lines: tuple[str, ...]
+) -> None:
+    text = to_text(explain(solve(parse(statement)), check=True))
+    assert not [each for each in lines if each not in text], text

@@ -328,6 +328,20 @@ def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> 
     return _by_one(scene, own, _over_cosines(form, symbol), sp.tan, symbol)
 
 
+def with_the_sum_of_squares(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
+    """The line in which a number beside squares of both ratios is a multiple of sin² + cos².
+
+    None of another equation, and where it stands so.
+    """
+    own = residual(scene, line)
+    functions = _functions(scene, own, symbol)
+    if functions is None or any(function.args != (symbol,) for function in functions):
+        return None
+    mixed = sp.Poly(numerator(_in_sines(own, symbol)), sp.sin(symbol), sp.cos(symbol))
+    mixed = sp.Poly(mixed.primitive()[1].as_expr(), sp.sin(symbol), sp.cos(symbol))
+    return _with_the_sum_of_squares(scene, line, mixed, symbol)
+
+
 def _with_the_sum_of_squares(
     scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol
 ) -> int | None:

@@ -12,6 +12,7 @@ from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
 from restitution.planning.inequalities.standard_conditions import in_factors
+from restitution.planning.inequalities.turned_at_walls import tangent_of
 from restitution.planning.routes.order import Standing
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ZERO, square, tree_of
@@ -241,12 +242,30 @@ class Eliminated(InStages):
             if end is None and square(own.left) == sides.left:
                 end = self._by_difference_of_squares_from(line, own)
             if end is None:
+                end = self._by_its_tangent_from(line, own)
+            if end is None:
                 end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
             if end is None:
                 self.worths.back(mark)
                 return None
             written.append(end)
         return self._joined(written, relation, mark)
+
+    def _by_its_tangent_from(self, line: int, link: Link) -> int | None:
+        """A bound of an angle of which a line gives the tangent or its square, by that of these."""
+        tangent = Apply("tan", link.left)
+        left = self.scene.desk.last_link(line).left
+        bound = tangent_of(self.worths.value(link.right))
+        if left not in (tangent, square(tangent)) or bound is None or bound.has(sp.tan):
+            return None
+        power = 1 if left == tangent else 2
+        mark = self.worths.mark()
+        own = self.monotone(line, Relation(((Link(left, link.sign, tree_of(bound**power)),),)))
+        names = self.judge.known(letters(link.left))
+        end = None if own is None else self.compared([own, *names], Relation(((link,),)))
+        if end is None:
+            self.worths.back(mark)
+        return end
 
     def _by_squares_of_ends(self, line: int, relation: Relation) -> int | None:
         """Both ends of a letter of which a line gives the square, each in letters."""

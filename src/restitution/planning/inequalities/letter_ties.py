@@ -27,6 +27,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.gathered_squares import one_square_a_side
+from restitution.planning.closing.ratios import with_the_sum_of_squares
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
@@ -265,6 +266,7 @@ class Ties:
     def _gathered(self, line: int, symbol: sp.Symbol) -> int:
         """The equation with like terms put together: squares of ratios of an angle, or brackets."""
         if roles(self.scene.problem)[symbol.name].kind == "angle":
+            line = with_the_sum_of_squares(self.scene, line, symbol) or line
             return one_square_a_side(self.scene, line, symbol, self.judge.known([symbol.name]))
         return multiplied_out(self.scene, line, symbol)
 
