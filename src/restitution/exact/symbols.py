@@ -1,4 +1,4 @@
-"""The letters of an expression, which SymPy collects anew each time."""
+"""The letters of an expression and its length, which SymPy works out anew each time."""
 
 from __future__ import annotations
 
@@ -35,4 +35,16 @@ def multiple_of_a_symbol(value: sp.Expr) -> tuple[sp.Expr, sp.Symbol | None] | N
     return number, None if rest == 1 else rest
 
 
-__all__ = ["multiple_of_a_symbol", "substituted", "symbol_names", "symbols_in"]
+@lru_cache(maxsize=4096)
+def operations_in(value: sp.Basic) -> int:
+    """How many operations there are in an expression, counted once."""
+    return int(sp.count_ops(value))
+
+
+__all__ = [
+    "multiple_of_a_symbol",
+    "operations_in",
+    "substituted",
+    "symbol_names",
+    "symbols_in",
+]

@@ -228,19 +228,29 @@ class Evaluator:
 
     def value(self, tree: Expression) -> Value:
         """The value of a tree: a scalar, a Vector or an Angle."""
-        match tree:
-            case Number(value):
-                return self.field.number(value)
-            case Degrees(value):
-                return self.field.number(value / 180) * self.field.pi
-            case Pi():
-                return self.field.pi
+        match tree:  # what is met most stands first
+            case Binary():
+                return self._binary(tree)
             case Letter(name):
                 return self._letter(name)
+            case Number(value):
+                return self.field.number(value)
+            case Quantity():
+                if self._quantity is None:
+                    raise _error(tree, f"{tree.kind} has no meaning here")
+                return self._quantity(tree)
+            case Apply(function, argument):
+                return self._apply(tree, function, self.value(argument))
             case Unit(axis):
                 one = self.field.number(Fraction(1))
                 zero = self.field.zero
                 return Vector(one, zero) if axis == "i" else Vector(zero, one)
+            case Negate(operand):
+                return self._negate(self.value(operand))
+            case Degrees(value):
+                return self.field.number(value / 180) * self.field.pi
+            case Pi():
+                return self.field.pi
             case Name():
                 if self._name is None:
                     raise _error(tree, f"{tree.name} is not a number")
@@ -249,16 +259,6 @@ class Evaluator:
                 return Vector(self.scalar(x), self.scalar(y))
             case Polar():
                 return self._polar(tree)
-            case Negate(operand):
-                return self._negate(self.value(operand))
-            case Binary():
-                return self._binary(tree)
-            case Apply(function, argument):
-                return self._apply(tree, function, self.value(argument))
-            case Quantity():
-                if self._quantity is None:
-                    raise _error(tree, f"{tree.kind} has no meaning here")
-                return self._quantity(tree)
         raise TypeError(tree)  # pragma: no cover - the kinds of node are all listed
 
     # -- angles ----------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, Literal, TypeVar, get_args
 
 _Kind = TypeVar("_Kind")
@@ -108,6 +109,12 @@ class Letter(Node):
 
     name: str
     place: Place | None = field(default=None, compare=False, repr=False, kw_only=True)
+
+
+@lru_cache(maxsize=1024)
+def plain_letter(name: str) -> Letter:
+    """A letter that stands in no text: always the same object, which is found without comparing."""
+    return Letter(name)
 
 
 @keeps_hash
@@ -336,9 +343,20 @@ def letters(node: Expression) -> frozenset[str]:
     try:
         return node._letters  # type: ignore[no-any-return, union-attr]
     except AttributeError:
-        names = frozenset(tree.name for tree in walk(node) if isinstance(tree, Letter))
-        object.__setattr__(node, "_letters", names)
-        return names
+        names: set[str] = {node.name} if type(node) is Letter else set()
+        pending = list(children(node))
+        while pending:  # what is put together of others knows theirs
+            current = pending.pop()
+            known = getattr(current, "_letters", None)
+            if known is not None:
+                names |= known
+            elif type(current) is Letter:
+                names.add(current.name)
+            else:
+                pending += children(current)
+        kept = frozenset(names)
+        object.__setattr__(node, "_letters", kept)
+        return kept
 
 
 def has_quantity(node: Expression) -> bool:
@@ -346,7 +364,13 @@ def has_quantity(node: Expression) -> bool:
     try:
         return node._quantity  # type: ignore[no-any-return, union-attr]
     except AttributeError:
-        has_one = any(isinstance(tree, Quantity) for tree in walk(node))
+        has_one = type(node) is Quantity
+        pending = [] if has_one else list(children(node))
+        while pending and not has_one:
+            current = pending.pop()
+            known = getattr(current, "_quantity", None)
+            has_one = type(current) is Quantity if known is None else known
+            pending += children(current) if known is None else ()
         object.__setattr__(node, "_quantity", has_one)
         return has_one
 

@@ -166,7 +166,8 @@ def _finished(problem: Problem, desk: Desk) -> Derivation:
         *(with_latest_forms, with_factors_kept, with_squares_of_speeds, with_given_ratios),
         *(with_values_first, with_known_directions, with_complements, with_conjugates),
     ):
-        whole = pruned(shortened(whole, oracle))
+        shorter = shortened(whole, oracle)
+        whole = whole if shorter is whole else pruned(shorter)
     for mended in (without_idle_ratios, with_ranges, with_identities, without_spare):
         whole = mended(whole, oracle)
     whole = without_idle_arctangents(without_unprinted_letters(whole))
@@ -506,9 +507,10 @@ def _write_conditional(
 def _write_axes_asked(scene: Scene) -> None:
     """The normals of slanting walls of the data that are asked: unit vectors are along them."""
     for number, frame in scene.model.frames.items():
-        asked = Quantity("line_of_centres", (), number) in scene.asked_alone
         slanting = frame.wall is not None and frame.n.x != 0 and frame.n.y != 0
-        if asked and slanting and f"axis {number}" in scene.facts:
+        if not slanting or f"axis {number}" not in scene.facts:
+            continue
+        if Quantity("line_of_centres", (), number) in scene.asked_alone:
             with suppress(*UNPLANNED):
                 write_axis(scene, number)
 

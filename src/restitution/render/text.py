@@ -128,6 +128,7 @@ def _text(layout: Layout) -> str:
             return separator.join(_text(item) for item in items)
 
 
+@lru_cache(maxsize=4096)
 def width(text: str) -> int:
     """The number of columns that a text takes in a terminal."""
     return len(text) if text.isascii() else sum(map(_columns, text))

@@ -94,6 +94,7 @@ def has_axes(problem: Problem) -> bool:
     return _contains(sentences, lambda part: part in (lay.Bold("i"), lay.Bold("j")))
 
 
+@once_a_problem
 def letters_of_speeds(problem: Problem) -> Mapping[Quantity, str]:
     """The letters that formulas of the question have for speeds, each after so many events."""
     scene = scene_of(problem)

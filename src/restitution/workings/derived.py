@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import takewhile
+from operator import is_
 from typing import TYPE_CHECKING, Any
 
 from restitution.explaining.data.offset_angles import letter_of_offset
@@ -533,8 +534,12 @@ def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
             if row.label:
                 labels[start] = "" if row.label == above else row.label
                 last = row.label
-        rows = (replace(row, label=own) for row, own in zip(step.rows, labels, strict=True))
-        yield replace(step, rows=tuple(rows), label=label)
+        rows = tuple(
+            row if row.label == own else replace(row, label=own)
+            for row, own in zip(step.rows, labels, strict=True)
+        )
+        same = label == step.label and all(map(is_, rows, step.rows))
+        yield step if same else replace(step, rows=rows, label=label)
 
 
 def _first_under_its_heading(lines: Sequence[Line], index: int) -> Line:

@@ -148,6 +148,9 @@ class _Awarding:
             if case.option != min(e.option for e in derivation.cases if e.line == case.line)
         }
         self.new = frozenset(derivation.meanings)
+        # What is asked of a line again and again, for itself and for those that rest on it.
+        self.solved: dict[int, frozenset[int | None]] = {}
+        self._rules: dict[int, Rule | None] = {}
 
     # --- the whole ------------------------------------------------------------------------------
 
@@ -258,7 +261,10 @@ class _Awarding:
 
     def rule(self, line: Line) -> Rule | None:
         """The first rule of the table that fits a line."""
-        return next((each for each in RULES_OF[line.move.id] if self._fits(each, line)), None)
+        if line.number not in self._rules:
+            fitting = (rule for rule in RULES_OF[line.move.id] if self._fits(rule, line))
+            self._rules[line.number] = next(fitting, None)
+        return self._rules[line.number]
 
     def _fits(self, rule: Rule, line: Line) -> bool:
         move = line.move

@@ -12,7 +12,7 @@ from restitution.explaining.awarding.place_conditions import (
     displaced,
     open_place,
 )
-from restitution.explaining.awarding.work import Work, length, single_sides, subject_of
+from restitution.explaining.awarding.work import Work, is_settled, length, single_sides, subject_of
 from restitution.explaining.data.resting import is_of_a_body_at_rest
 from restitution.explaining.lines.derivation import (
     FLIPPED,
@@ -189,6 +189,12 @@ def _origins(work: Work, line: Line) -> frozenset[int | None]:
 
 def events_solved(work: Work, line: Line) -> frozenset[int | None]:
     """The events whose principles a line solves: two of them joined, or an unknown put in."""
+    if line.number not in work.solved:
+        work.solved[line.number] = _events_solved(work, line)
+    return work.solved[line.number]
+
+
+def _events_solved(work: Work, line: Line) -> frozenset[int | None]:
     cited = [each for each in work.cited(line) if isinstance(each.relation, Relation)]
     events = [_origins(work, each) for each in cited]
     if line.move.id == "combine":
@@ -200,16 +206,10 @@ def events_solved(work: Work, line: Line) -> frozenset[int | None]:
         event
         for each, those in zip(cited, events, strict=True)
         for event in those
-        if not _is_settled(work, each)
+        if not is_settled(work, each)
         and work.new & letters_of_line(each) - own
         and any(e != each and work.new & letters_of_line(e) & letters_of_line(each) for e in cited)
     )
-
-
-def _is_settled(work: Work, line: Line) -> bool:
-    """Whether a line says what an unknown is, with no unknown on its other side."""
-    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
-    return sides is not None and isinstance(sides[0], Letter) and not letters(sides[1]) & work.new
 
 
 def _solved_before(work: Work, line: Line) -> list[Line]:

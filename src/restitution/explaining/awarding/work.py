@@ -16,7 +16,7 @@ from restitution.explaining.lines.derivation import (
     whole_of,
 )
 from restitution.explaining.lines.marks import Style
-from restitution.expression.tree import Expression, Letter, Quantity
+from restitution.expression.tree import Expression, Letter, Quantity, letters
 
 
 class Work(Protocol):
@@ -29,6 +29,8 @@ class Work(Protocol):
     shown: set[int]
     walls: dict[int, bool]
     new: frozenset[str]
+    solved: dict[int, frozenset[int | None]]
+    """The events whose principles a line solves, of the lines that were asked of."""
 
     def rule(self, line: Line) -> Rule | None:
         """The first rule that fits a line."""
@@ -59,6 +61,12 @@ def single_sides(relation: Relation) -> tuple[Expression, Expression] | None:
         return None
     link = whole_of(relation.options[0])
     return None if link is None or link.sign not in ("=", "≈") else (link.left, link.right)
+
+
+def is_settled(work: Work, line: Line) -> bool:
+    """Whether a line says what an unknown is, with no unknown on its other side."""
+    sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
+    return sides is not None and isinstance(sides[0], Letter) and not letters(sides[1]) & work.new
 
 
 def subject_of(line: Line) -> Expression | None:

@@ -39,6 +39,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_quantity,
     is_zero,
     letters,
     rational,
@@ -56,6 +57,7 @@ from restitution.problem import (
     Meets,
     Problem,
     Wall,
+    once_a_problem,
 )
 from restitution.problem import (
     Relation as Said,
@@ -77,7 +79,7 @@ def facts_of(problem: Problem) -> tuple[Fact, ...]:
 
 def staged(problem: Problem, tree: Expression, events: int) -> Expression:
     """A tree of a statement with the stages that are meant after some events."""
-    return FactsOf(problem).settled(tree, events)
+    return _maker(problem).settled(tree, events)
 
 
 def links_of(problem: Problem, relation: Said, events: int) -> tuple[Link, ...]:
@@ -85,7 +87,13 @@ def links_of(problem: Problem, relation: Said, events: int) -> tuple[Link, ...]:
 
     Nothing where two bodies meet for the first time.
     """
-    return tuple(link for links in FactsOf(problem)._links(relation, events) for link in links)
+    return tuple(link for links in _maker(problem)._links(relation, events) for link in links)
+
+
+@once_a_problem
+def _maker(problem: Problem) -> FactsOf:
+    """Who settles the trees of a statement as it stands, without the directions of its lines."""
+    return FactsOf(problem)
 
 
 def _is_about_the_sense(tree: Expression) -> bool:
@@ -581,6 +589,8 @@ class FactsOf(Arrangement):
 
     def settled(self, tree: Expression, events: int) -> Expression:
         """A tree with the stage that *now* and *before* mean after some events."""
+        if not has_quantity(tree):
+            return tree
 
         def change(each: Expression) -> Expression:
             if not isinstance(each, Quantity) or each.kind not in _STAGED:

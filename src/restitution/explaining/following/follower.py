@@ -246,7 +246,7 @@ class Reader:
                     yield Complaint("letter-introduced-twice", line.number, meaning.letter)
                 quantities[meaning.quantity] = meaning.letter
                 introduced.add(meaning.letter)
-                missing = set(letters(meaning.quantity)) - known - introduced
+                missing = letters(meaning.quantity) - known - introduced
             else:
                 missing = names_in(line.relation) - known - introduced
             for name in sorted(missing):

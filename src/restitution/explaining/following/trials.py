@@ -386,6 +386,8 @@ def _proved(roles: tuple[tuple[str, object], ...], claim: All) -> bool:
     return Oracle(dict(roles)).proves(claim)  # type: ignore[arg-type]
 
 
-def names_in(relation: Relation | Meaning) -> set[str]:
+def names_in(relation: Relation | Meaning) -> frozenset[str]:
     """The letters in a relation."""
-    return {name for tree in trees_of(relation) for name in letters(tree)}
+    if isinstance(relation, Relation):
+        return relation.letters
+    return letters(relation.quantity) | {relation.letter}

@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import Literal, get_args
 
 from restitution.explaining.lines.marks import Marks
-from restitution.expression.tree import Expression, Place, keeps_hash
+from restitution.expression.tree import Expression, Place, keeps_hash, letters
 
 Ref = int | str
 """A premise: the number of a line, the id of a fact, or the text of what is known of a letter."""
@@ -98,6 +98,14 @@ class Relation:
         if any(a.right != b.left for a, b in pairwise(links)):
             return None
         return Link(links[0].left, "=", links[-1].right)
+
+    @cached_property
+    def letters(self) -> frozenset[str]:
+        """The letters of which it speaks."""
+        sides = (
+            side for links in self.options for link in links for side in (link.left, link.right)
+        )
+        return frozenset().union(*map(letters, sides))
 
 
 @keeps_hash

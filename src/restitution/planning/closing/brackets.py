@@ -13,6 +13,7 @@ from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
+from restitution.planning.writing.polynomials import IN_PLACE, coefficients_in_place
 from restitution.planning.writing.scene import Scene
 
 
@@ -31,18 +32,17 @@ def bracket_alone(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if link.sign != "=" or len(brackets) != 1 or brackets[0] in (link.left, link.right):
         return None
     (bracket,) = brackets
-    x = sp.Dummy(real=True)
     sides = [
         rebuilt(side, lambda each: Letter("_sum") if each == bracket else each)
         for side in (link.left, link.right)
     ]
     if any(symbol.name in letters(each) for each in sides):
         return None
-    left, right = (scene_value(scene, each, {"_sum": x}) for each in sides)
-    gap = sp.expand(sp.fraction(sp.together(left - right))[0])
-    if not gap.is_polynomial(x) or sp.degree(gap, x) != 1:
+    left, right = (scene_value(scene, each, {"_sum": IN_PLACE}) for each in sides)
+    parts = coefficients_in_place(left - right)
+    if parts is None or len(parts) != 2:
         return None
-    above, below = -gap.coeff(x, 0), gap.coeff(x, 1)
+    above, below = -parts[0], parts[1]
     if scene.model.sign(below) < 0:
         above, below = sp.expand(-above), sp.expand(-below)
     value = above / below

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from restitution.explaining.following.follower import reader_of
-from restitution.explaining.lines.derivation import Derivation, Move
+from restitution.explaining.lines.derivation import Derivation, Line, Move
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     RIGHT_ANGLE,
@@ -41,12 +41,20 @@ def without_complements(scene: Scene, number: int) -> int:
 
 def with_complements(derivation: Derivation, oracle: Oracle) -> Derivation:
     """The same working, in which 90° − θ is a complement, and no difference like any other."""
-    read, lines = reader_of(derivation, oracle), list(derivation.lines)
-    for index, line in enumerate(lines):
-        if line.move.id == "identity" and line.move.record == "sum-of-angles":
-            own = replace(line, move=replace(line.move, record="complement"))
-            lines[index] = own if read.accepts(own) else line
-    return replace(derivation, lines=tuple(lines))
+    sums = [
+        line
+        for line in derivation.lines
+        if line.move.id == "identity" and line.move.record == "sum-of-angles"
+    ]
+    if not sums:
+        return derivation
+    read, changed = reader_of(derivation, oracle), dict[int, Line]()
+    for line in sums:
+        own = replace(line, move=replace(line.move, record="complement"))
+        if read.accepts(own):
+            changed[line.number] = own
+    lines = tuple(changed.get(line.number, line) for line in derivation.lines)
+    return replace(derivation, lines=lines)
 
 
 def _of_the_angle(node: Expression) -> Expression | None:

@@ -87,6 +87,8 @@ def _given(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
 def in_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """An equation of the fourth degree in which only even powers stand: by the square."""
     above = numerator(residual(scene, number))
+    if symbol**4 not in above.atoms(sp.Pow):
+        return None
     if symbol in inside_functions(above) or not above.is_polynomial(symbol):
         return None
     poly = sp.Poly(above, symbol)

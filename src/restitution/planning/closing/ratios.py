@@ -34,6 +34,7 @@ from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Find, Value
 from restitution.solving.algebra.forms import acute_angle
+from restitution.work import remembered
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)
 
@@ -44,16 +45,22 @@ def inside_functions(x: sp.Expr) -> set[Any]:
     return {s for each in (*x.atoms(sp.Function), *roots) for s in each.free_symbols}
 
 
-def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> set[sp.Expr] | None:
+def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> frozenset[sp.Expr] | None:
     """The ratios of an unknown angle in an equation; None where it is no such equation."""
     role = scene.model.unknowns.roles.get(symbol.name)
     if role is None or role.kind != "angle":
         return None
+    return _functions_of(own, symbol)
+
+
+@remembered(512)
+def _functions_of(own: sp.Expr, symbol: sp.Symbol) -> frozenset[sp.Expr] | None:
+    """The functions in which a letter stands; None where it stands in none, or outside of them."""
     functions = {atom for atom in own.atoms(sp.Function) if symbol in atom.free_symbols}
-    bare = own.subs({function: sp.Dummy() for function in functions})
-    if not functions or symbol in bare.free_symbols:
+    if not functions:
         return None
-    return functions
+    bare = own.subs({function: sp.Dummy() for function in functions})
+    return None if symbol in bare.free_symbols else frozenset(functions)
 
 
 def asked_ratio(scene: Scene, symbol: sp.Symbol) -> Any:

@@ -70,10 +70,12 @@ from restitution.planning.writing.polynomials import (
     factor_powers,
     factored,
     numerator,
+    polynomial_without,
 )
 from restitution.planning.writing.premises import background, nonzero, not_negative
 from restitution.planning.writing.scene import Scene
 from restitution.vector import Vector
+from restitution.work import remembered
 
 Shape = Callable[[Scene, int, sp.Symbol], Source | None]
 
@@ -520,11 +522,11 @@ def without(
     symbol: sp.Symbol, other: sp.Symbol, residuals: Sequence[sp.Expr], value: sp.Expr
 ) -> Relation:
     """One unknown of two linear equations, once the other is eliminated."""
-    slopes = [sp.diff(each, other) for each in residuals]
-    left = expanded(residuals[0] * slopes[1] - residuals[1] * slopes[0])
-    return _quotient(symbol, sp.Poly(left, symbol), value)
+    one, two = residuals
+    return _quotient(symbol, polynomial_without(symbol, other, one, two), value)
 
 
+@remembered(512)
 def is_over_roots(above: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether an unknown, in a linear equation, is divided by a sum with roots."""
     whole = numerator(above)
@@ -533,6 +535,7 @@ def is_over_roots(above: sp.Expr, symbol: sp.Symbol) -> bool:
     return bool(_without_letters(sp.Poly(whole, symbol).nth(1))[0].is_Add)
 
 
+@remembered(1024)
 def _without_letters(x: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """A number, and the product of letters that goes with it; 1 and 1 where it is more."""
     number, letters_ = sp.factor_terms(expanded(x)).as_independent(*x.free_symbols, as_Add=False)

@@ -32,8 +32,10 @@ from restitution.planning.writing.forms import (
     swept,
     tree_of,
 )
+from restitution.planning.writing.polynomials import IN_PLACE, coefficients_in_place
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+from restitution.work import remembered
 
 
 def root_taken(scene: Scene, number: int, symbol: sp.Symbol) -> int:
@@ -83,19 +85,16 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if len(sums) != 1:
         return None
     (base,) = sums
-    x = sp.Dummy(real=True)
     sides = [rebuilt(each, _replace(base, Letter("_sum"))) for each in (link.left, link.right)]
     if any(symbol.name in letters(each) for each in sides):
         return None
-    left, right = (scene_value(scene, each, {"_sum": x}) for each in sides)
-    gap = sp.expand(sp.fraction(sp.together(left - right))[0])
-    if not gap.is_polynomial(x):
-        return None
-    power = int(sp.degree(gap, x))
-    if power not in (2, 4) or any(gap.coeff(x, n) != 0 for n in range(1, power)):
+    left, right = (scene_value(scene, each, {"_sum": IN_PLACE}) for each in sides)
+    parts = coefficients_in_place(left - right)
+    power = 0 if parts is None else len(parts) - 1
+    if parts is None or power not in (2, 4) or any(part != 0 for part in parts[1:-1]):
         return None
     whole = Binary("^", base, Number(Fraction(power)))
-    value = tidy(-gap.coeff(x, 0) / gap.coeff(x, power))
+    value = tidy(-parts[0] / parts[-1])
     root = tidy(sp.root(value, power))
     if scene.model.sign(scene_value(scene, base).xreplace(dict(scene.model.final))) < 0:
         root = -root
@@ -275,7 +274,8 @@ def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
     return line
 
 
-def _side_by_side(one: sp.Expr, other: sp.Expr) -> list[sp.Expr]:
+@remembered(512)
+def _side_by_side(one: sp.Expr, other: sp.Expr) -> tuple[sp.Expr, ...]:
     """Two sides without what is below a line, and without a common factor."""
     (a, b), (c, d) = (sp.fraction(sp.together(each)) for each in (one, other))
     if any(
@@ -285,11 +285,11 @@ def _side_by_side(one: sp.Expr, other: sp.Expr) -> list[sp.Expr]:
         parts = [sp.expand(a * d), sp.expand(c * b)]
         contents = [sp.factor_terms(each).as_coeff_Mul()[0] for each in parts]
         common = sp.gcd(*contents)
-        return [sp.expand(each / common) for each in parts]
+        return tuple(sp.expand(each / common) for each in parts)
     below = sp.lcm(b, d)
     parts = [sp.cancel(each * below) for each in (one, other)]
     common = sp.gcd(*parts)
-    return [sp.cancel(each / common) for each in parts]
+    return tuple(sp.cancel(each / common) for each in parts)
 
 
 def _root_of(tree: Expression) -> Expression | None:

@@ -34,7 +34,7 @@ from restitution.planning.writing.forms import square, swept, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background, not_negative
 from restitution.planning.writing.scene import Scene
-from restitution.problem import Find, Show, trees_of_step
+from restitution.problem import Find, Problem, Show, once_a_problem, trees_of_step
 
 # The quantities that are sums of squares of components.
 KINDS = ("speed", "energy", "energy_lost")
@@ -125,19 +125,25 @@ def _write(
 
 def _is_last(scene: Scene) -> bool:
     """Whether nothing that is asked needs a component itself: no vector, and no other body."""
-    asked = {
-        node
-        for part in scene.problem.parts
-        for item, now in scene.problem.asked(part)
-        for tree in trees_of_step(item if isinstance(item, Show) else Find((item,)))
-        for node in walk(staged(scene.problem, tree, now))
-        if isinstance(node, Quantity) and not _is_square(scene, node)
-    }
+    asked = {tree for tree in _asked(scene.problem) if not _is_square(scene, tree)}
     speeds = {each for each in asked if each.kind == "speed" and each.stage}
     return (
         all(each.kind in KINDS for each in asked)
         and len(speeds) <= 1
         and all(each.stage == scene.events for each in speeds)
+    )
+
+
+@once_a_problem
+def _asked(problem: Problem) -> frozenset[Quantity]:
+    """The quantities in what all parts ask."""
+    return frozenset(
+        node
+        for part in problem.parts
+        for item, now in problem.asked(part)
+        for tree in trees_of_step(item if isinstance(item, Show) else Find((item,)))
+        for node in walk(staged(problem, tree, now))
+        if isinstance(node, Quantity)
     )
 
 

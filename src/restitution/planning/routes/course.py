@@ -11,7 +11,7 @@ from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Letter, Name, Quantity
+from restitution.expression.tree import Letter, Name, Quantity, plain_letter
 from restitution.planning.closing.bounded_speeds import bounded_speeds
 from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.closing.shapes import close, with_known, without
@@ -100,7 +100,7 @@ class Course:
         """
         scene = self.scene
         for symbol, value in scene.model.final.items():
-            known = scene.desk.known(Letter(symbol.name))
+            known = scene.desk.known(plain_letter(symbol.name))
             if known is None or symbol in self._letters or len(known.refs) != 1:
                 continue
             if sp.sympify(known.value, strict=True).has(sp.Function):
@@ -247,15 +247,15 @@ class Course:
     def _settle_tied(self, values: Sequence[sp.Expr]) -> None:
         """A component in some values that is known by another one, which is known, is a line."""
         scene, free = self.scene, {s for each in values for s in symbols_in(each)}
-        for symbol in sorted(self._letters.keys() & free, key=str):
-            tied = scene.desk.known(Letter(symbol.name))
+        for symbol in sorted(self._letters.keys() & free, key=lambda symbol: symbol.name):
+            tied = scene.desk.known(plain_letter(symbol.name))
             others = set() if tied is None else tied.value.free_symbols & self._letters.keys()
             if tied is None or others != tied.value.free_symbols or len(others) != 1:
                 continue
             if tied.value.is_Symbol:
                 continue  # both go on together
             (other,) = others
-            source = scene.desk.known(Letter(other.name))
+            source = scene.desk.known(plain_letter(other.name))
             if source is None or source.value.free_symbols & self._letters.keys():
                 continue
             value = tidy(tied.value.subs(other, source.value))
@@ -333,7 +333,8 @@ class Course:
     def _only_apart(self, value: sp.Expr, number: int) -> bool:
         """Whether a value has only the difference of the components after an impact in it."""
         put = self.scene.with_values(value)[0]
-        return not sum(sp.diff(put, each) for each in self._after(number)).expand()
+        components = self._after(number).keys() & symbols_in(put)
+        return not components or not sum(sp.diff(put, symbol) for symbol in components).expand()
 
     def _line(self, own: Candidate) -> int | None:
         """The line of an equation that closes, with what is known put in."""

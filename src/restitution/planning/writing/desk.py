@@ -77,7 +77,9 @@ class Source:
 
 def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
     """Premises without repetitions: facts first, in the order named, then lines by number."""
-    refs = list(dict.fromkeys(ref for group in groups for ref in group))
+    refs = tuple(dict.fromkeys(ref for group in groups for ref in group))
+    if len(refs) < 2:
+        return refs
     return (
         *(each for each in refs if isinstance(each, str)),
         *sorted(each for each in refs if isinstance(each, int)),
@@ -119,13 +121,13 @@ def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
     A chain says what its ends do, in any order of factors; an inequality may be written from
     either side.
     """
-    if one == other:
-        return True
     if isinstance(one, Meaning) or isinstance(other, Meaning):
-        return False
+        return one == other
     whole, end = one.ends, other.ends
     if whole is not None and end is not None:
         return whole.left == end.left and alike(whole.right, end.right)
+    if one == other:
+        return True
     links = (*one.options[0], *other.options[0])
     if any(each.sign not in ("<", "<=", ">", ">=") for each in links):
         return False
@@ -386,7 +388,9 @@ class Desk:
 
     def show(self, line: int) -> None:
         """Has a line printed that was not."""
-        self.lines[line - 1] = replace(self.line(line), shown="line")
+        own = self.line(line)
+        if own.shown != "line":
+            self.lines[line - 1] = replace(own, shown="line")
 
     def end(self, item: str, line: int, answer: Relation, shown: bool = False) -> None:
         """The last line of an item, which is printed."""

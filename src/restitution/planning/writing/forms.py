@@ -17,13 +17,13 @@ from restitution.expression.tree import (
     Binary,
     Degrees,
     Expression,
-    Letter,
     Negate,
     Number,
     Pi,
     Unit,
     has_quantity,
     is_zero,
+    plain_letter,
     walk,
 )
 from restitution.planning.writing.polynomials import cancelled
@@ -186,7 +186,7 @@ def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
         case lay.Letter("pi", ""):
             return Pi()
         case lay.Letter(name, subscript):
-            return Letter(names.get((name, subscript), name))
+            return plain_letter(names.get((name, subscript), name))
         case lay.Sum(terms):
             return _sum_of([(sign, of(each)) for sign, each in terms])
         case lay.Product(factors):

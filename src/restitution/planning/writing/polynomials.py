@@ -52,3 +52,27 @@ def numerator(x: sp.Expr) -> sp.Expr:
     if below.free_symbols:
         above = sp.fraction(cancelled(above / below))[0]
     return expanded(above)
+
+
+# What stands in the place of a sum: of a letter that is new each time nothing would be kept.
+IN_PLACE = sp.Dummy("sum", real=True)
+
+
+@remembered(512)
+def coefficients_in_place(gap: sp.Expr) -> tuple[sp.Expr, ...] | None:
+    """The coefficients of an equation to zero in `IN_PLACE`, from the constant on.
+
+    None where it is no polynomial in that.
+    """
+    above = sp.expand(sp.fraction(sp.together(gap))[0])
+    if not above.is_polynomial(IN_PLACE):
+        return None
+    degree = int(max(sp.degree(above, IN_PLACE), 0))
+    return tuple(above.coeff(IN_PLACE, n) for n in range(degree + 1))
+
+
+@remembered(512)
+def polynomial_without(symbol: sp.Symbol, other: sp.Symbol, one: sp.Expr, two: sp.Expr) -> sp.Poly:
+    """Of two expressions that are linear in another unknown what is left without it."""
+    slopes = [sp.diff(value, other) for value in (one, two)]
+    return sp.Poly(expanded(one * slopes[1] - two * slopes[0]), symbol)

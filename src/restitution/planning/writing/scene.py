@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    plain_letter,
     walk,
 )
 from restitution.planning.writing.angle_ratios import (
@@ -103,6 +104,8 @@ class Scene:
     _initial: dict[str, Source] = field(default_factory=dict)
     _put: dict[sp.Expr, tuple[sp.Expr, tuple[Ref, ...]]] = field(default_factory=dict)
     _unknown: dict[sp.Expr, frozenset[sp.Symbol]] = field(default_factory=dict)
+    _turned: dict[int, tuple[Frame, Frame]] = field(default_factory=dict)
+    """Frames as they are with what is known put in, each beside what it was."""
     _at: tuple[object, ...] | None = None
     _names: tuple[int, Mapping[str, sp.Symbol]] | None = None
     _worths: dict[Expression, sp.Expr] = field(default_factory=dict)
@@ -162,12 +165,20 @@ class Scene:
             else:
                 self.frames[number] = frame_of(self.model, self.facts, number)
         own = self.frames[number]
-        if not any(symbols_in(sp.sympify(each, strict=True)) for each in own.n):
+        if not any(symbols_in(each) for each in own.n):
             return own
+        state = self._state()
+        kept, put = self._turned.get(number, (None, own))
+        if kept is own:
+            return put
         (n, n_refs), (t, t_refs) = self.put(own.n), self.put(own.t)
         if own.write is not None:
-            return replace(own, n=n, t=t)  # the line is written with what is known
-        return replace(own, n=n, t=t, sources=together(own.sources, n_refs, t_refs))
+            put = replace(own, n=n, t=t)  # the line is written with what is known
+        else:
+            put = replace(own, n=n, t=t, sources=together(own.sources, n_refs, t_refs))
+        if state == self._state():  # to put values in may write lines
+            self._turned[number] = own, put
+        return put
 
     def bodies(self, number: int) -> tuple[str, ...]:
         """The bodies in an event."""
@@ -292,11 +303,12 @@ class Scene:
             self._at = state
             self._put.clear()
             self._unknown.clear()
+            self._turned.clear()
         return state
 
     def _by_ratios(self, symbol: sp.Symbol) -> bool:
         """Whether an angle is known by the ratios that the data give, or as a complement."""
-        return self._ratio_fact(symbol) is not None or str(symbol) in self.complements
+        return self._ratio_fact(symbol) is not None or symbol.name in self.complements
 
     def put(self, value: Any) -> tuple[Any, tuple[Ref, ...]]:
         """A value with everything put in that stands on the desk, and what that rests on."""
@@ -334,7 +346,9 @@ class Scene:
             if times and any(times.get(each, 0) >= _MOST for each in bare):
                 raise NotPlannedError("letters that are known by each other")
             for symbol in bare:
-                source = None if self._is_basic(symbol) else self.desk.known(Letter(symbol.name))
+                source = (
+                    None if self._is_basic(symbol) else self.desk.known(plain_letter(symbol.name))
+                )
                 if source is not None:
                     changes[symbol] = source.value
                     refs += source.refs
@@ -376,7 +390,7 @@ class Scene:
             return None
         if self._is_basic(argument) and self._ratio_fact(argument) is None:
             return None
-        tree = Apply(type(ratio).__name__, Letter(argument.name))
+        tree = Apply(type(ratio).__name__, plain_letter(argument.name))
         known = self.desk.known(tree)
         if known is None and self._ratio_fact(argument) is not None:
             write_ratios(self, argument)
@@ -391,7 +405,7 @@ class Scene:
 
     def _by_an_inverse(self, symbol: sp.Basic) -> bool:
         """Whether an angle is known as the inverse of a ratio only."""
-        known = self.desk.known(Letter(str(symbol)))
+        known = self.desk.known(plain_letter(symbol.name))
         return known is not None and bool(
             sp.sympify(known.value, strict=True).atoms(sp.atan, sp.asin, sp.acos)
         )
@@ -401,7 +415,7 @@ class Scene:
         changes = {}
         refs: list[Ref] = []
         for symbol in ratio.free_symbols:
-            source = None if self._is_basic(symbol) else self.desk.known(Letter(symbol.name))
+            source = None if self._is_basic(symbol) else self.desk.known(plain_letter(symbol.name))
             if source is not None:
                 changes[symbol] = source.value
                 refs += source.refs
@@ -409,7 +423,7 @@ class Scene:
 
     def _ratio_fact(self, symbol: sp.Basic) -> Fact | None:
         """The fact that gives a sine, cosine or tangent of an angle as a number."""
-        return self.ratio_facts.get(str(symbol))
+        return self.ratio_facts.get(symbol.name)
 
     @cached_property
     def ratio_facts(self) -> Mapping[str, Fact]:

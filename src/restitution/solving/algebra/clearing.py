@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 import sympy as sp
@@ -14,6 +15,7 @@ from restitution.solving.algebra.neat import neat
 from restitution.solving.algebra.numbers import vanishes
 from restitution.solving.algebra.polynomials import afford, coefficients, numerator, terms_in
 from restitution.solving.algebra.signs import definite, rational_below, vanishing
+from restitution.work import remembered
 
 
 @dataclass(frozen=True)
@@ -93,10 +95,15 @@ def trig_in(x: sp.Expr, symbol: sp.Symbol, base: sp.Expr, c: sp.Symbol, s: sp.Sy
 
 def polynomial_of(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
     """A polynomial that vanishes where an equation holds: a product, where that is known."""
+    return _polynomial_of(x, frozenset(unknowns))
+
+
+@remembered(1024)
+def _polynomial_of(x: sp.Expr, unknowns: frozenset[sp.Symbol]) -> sp.Expr:
     return sp.Mul(*[gathered(numerator(each)) for each in _rational(x, unknowns)])
 
 
-def _rational(x: sp.Expr, unknowns: set[sp.Symbol], depth: int = 6) -> list[sp.Expr]:
+def _rational(x: sp.Expr, unknowns: AbstractSet[sp.Symbol], depth: int = 6) -> list[sp.Expr]:
     """The factors of an equation freed of roots and sizes of expressions in the unknowns.
 
     A root is squared away. The size of w is w or −w, which gives two factors of half the degree.

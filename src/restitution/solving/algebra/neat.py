@@ -44,6 +44,7 @@ def neat(x: sp.Expr) -> sp.Expr:
     return pythagoras(sp.factor_terms(result))
 
 
+@remembered(1024)
 def ratio_in_numbers(above: sp.Expr, below: sp.Expr) -> sp.Expr | None:
     """The ratio of two expressions whose terms have proportional numbers before them, or None."""
     if above.free_symbols != below.free_symbols or sp.count_ops(above + below) > _LARGE:

@@ -11,6 +11,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import ImpossibleError, RestitutionError, StatementError
+from restitution.exact.symbols import operations_in
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Point, Relation
@@ -214,7 +215,7 @@ class Setting:
         """
         if any(value.has(sp.I) for value in assignment.values.values()):
             return Trial(assignment, (), "it has no real value", "equation")
-        long = any(sp.count_ops(value) > UNWIELDY for value in assignment.values.values())
+        long = any(operations_in(value) > UNWIELDY for value in assignment.values.values())
         if long or by_nested_roots(assignment.values):
             return self.try_at_points(assignment, letters_)
         solved_letters = Letters(self.roles, assignment.values, assignment.angles)

@@ -17,7 +17,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.errors import RestitutionError, UnsupportedError
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import operations_in, symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle import (
     BeyondError,
@@ -92,7 +92,7 @@ def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
         return
     for equation in outcome.equations:
         unknowns = {x for x in equation.free_symbols if x.name in sought}
-        if not unknowns or sp.count_ops(equation) > LONGEST_EQUATION:
+        if not unknowns or operations_in(equation) > LONGEST_EQUATION:
             continue
         try:
             each = factors(polynomial_of(equation, unknowns))

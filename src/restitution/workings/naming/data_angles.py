@@ -41,6 +41,7 @@ class DataAngles:
         self._naming = naming
         self._seen: set[Expression] = set()
         self._turned: set[str] = set()
+        self._of_velocities = {e.id: e for e in derivation.facts if _is_of_velocity(e)}
 
     def in_order(self, lines: Sequence[Line]) -> Iterator[Line]:
         """Lines with the ratios of angles that follow each other in the order of the statement."""
@@ -54,13 +55,13 @@ class DataAngles:
 
     def before(self, line: Line) -> Iterator[Sentence]:
         """The ratios of an angle in a velocity of which a line takes components."""
-        if line.move.id not in ("law", "define"):
+        if line.move.id not in ("law", "define") or not self._of_velocities:
             return
         # The angles of all velocities before an impact are spoken of together.
         alike = (e for e in self._derivation.lines if e.move.event == line.move.event)
         for ref in dict.fromkeys(ref for each in (line, *alike) for ref in each.premises):
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
-            if fact is None or not _is_of_velocity(fact):
+            fact = self._of_velocities.get(ref) if isinstance(ref, str) else None
+            if fact is None:
                 continue
             for node in (each for tree in trees_of(fact.relation) for each in walk(tree)):
                 if not isinstance(node, Apply) or node.function not in _ARCS:
