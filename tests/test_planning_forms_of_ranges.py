@@ -85,6 +85,42 @@ def test_a_range_is_worked_out_in_the_form_with_letters(text: str, lines: list[s
     assert follow(plan(solution), Oracle(roles(problem))) == ()
 
 
+ALONG = SPHERES.format(angle=" i", more="", asked="").replace("find range of ", "")
+EXTREMES = {
+    "in cases": (
+        f"{ALONG}find minimum of energy(A) over e\n",
+        [
+            "decreases as e increases, e ≤ 1 and k ≤ 1 DM1",
+            "= (k − 1)²mu²/(2(1 + k)²), when e = 1 A1 A1 This holds for k ≤ 1",
+            "= 0, when ek − 1 = 0, so e = 1/k A1 A1 This holds for k > 1",
+        ],
+    ),
+    "where a bar vanishes": (
+        f"{ALONG}find minimum of speed(A) over k\n",
+        ["speed of A ≥ 0", "least speed of A = 0, when k = 1/e", "This holds for e > 0 only"],
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "lines"), EXTREMES.values(), ids=EXTREMES)
+def test_an_extremum_has_its_working_in_each_case(text: str, lines: list[str]) -> None:
+    test_a_range_is_worked_out_in_the_form_with_letters(text, lines)
+
+
+def test_no_case_of_an_extremum_rests_on_another() -> None:
+    derivation = plan(solve(parse(EXTREMES["in cases"][0])))
+    resting: dict[int, set[str]] = {}
+    for line in derivation.lines:
+        resting[line.number] = set()
+        for ref in line.premises:
+            own = resting[ref] if isinstance(ref, int) else {ref} if "case" in ref else set()
+            resting[line.number] |= own
+    ends = [resting[end.line] for end in derivation.items]
+    assert len(ends) == 2
+    assert all(len(each) <= 1 for each in resting.values())
+    assert ends[0] and not ends[0] & ends[1]
+
+
 def test_a_condition_of_a_form_is_in_force_for_its_range_alone() -> None:
     text = CASES["the faster"][0] + "find speed(A)\n"
     derivation = plan(solve(parse(text)))

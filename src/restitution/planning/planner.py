@@ -58,7 +58,11 @@ from restitution.planning.ends_required import (
 )
 from restitution.planning.idle_facts import with_facts_that_agree, write_idle_facts
 from restitution.planning.inequalities.extrema import only_answer, write_extremum
-from restitution.planning.inequalities.forms_of_ranges import is_in_a_form, write_form
+from restitution.planning.inequalities.forms_of_ranges import (
+    is_in_a_form,
+    write_form,
+    write_forms,
+)
 from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
 from restitution.planning.latest_forms import (
     with_factors_kept,
@@ -108,7 +112,7 @@ from restitution.problem import (
     Value,
     trees,
 )
-from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
+from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
 from restitution.solving.story.letters import roles
 
 
@@ -595,9 +599,15 @@ def _write_item(
                 _write_range(scene, solver, asked, relation, result, name)
         case Extremum():
             asked = staged(problem, item.expression, now)
-            answer = only_answer(result)
             over = item.over
-            write_extremum(scene, solver, item.kind, asked, over, answer, answer.value, name)
+
+            def write(answer: Answer) -> None:
+                write_extremum(scene, solver, item.kind, asked, over, answer, answer.value, name)
+
+            if len(result.distinct) > 1:
+                write_forms(scene, solver, write, result.distinct, name)
+            else:
+                write(only_answer(result))
         case Value():
             asked = staged(problem, item.expression, now)
             if not write_with_facts(scene, solver, name):

@@ -481,6 +481,11 @@ class _Extremum:
         if self.place is not None:
             yield self.place
         gap = sp.fraction(one_fraction(self._value(line) - self.value))[0]
+        for bar in gap.atoms(sp.Abs):
+            # The place is tried: with the other sign it is none.
+            if bar.has(self.symbol):
+                inside = bar.args[0]
+                gap = gap.xreplace({bar: inside}) * gap.xreplace({bar: -inside})
         letter = Letter(self.symbol.name)
         if not self.angle:
             x, subject, generator = expanded(gap), letter, self.symbol

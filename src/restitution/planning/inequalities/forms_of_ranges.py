@@ -7,18 +7,19 @@ What is divided by has its sign only there: *e < 3/(2k − 1), as k ≥ 2*.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
 
 from restitution.components.models import Model
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Ref, Relation
 from restitution.explaining.lines.notation import read_relation
 from restitution.expression.tree import Apply, Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Formula, compared
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.checking import require_true
-from restitution.planning.writing.desk import UNPLANNED, Desk
+from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.writing.forms import square
 from restitution.planning.writing.inequalities import turned
 from restitution.planning.writing.scene import Scene
@@ -44,6 +45,34 @@ def write_form(
     solver.back(standing)
     scene.desk.facts, scene.desk.assumed = facts, assumed
     return False
+
+
+def write_forms(
+    scene: Scene,
+    solver: Solver,
+    write: Callable[[Answer], None],
+    answers: Sequence[Answer],
+    name: str,
+) -> None:
+    """Writes an answer in cases, each under its condition.
+
+    Raises NotPlannedError where one of them cannot be written so.
+    """
+    standing = solver.mark()
+    start = len(scene.desk.lines)
+    for number, answer in enumerate(answers, 1):
+        own = name if number == 1 else f"{name} {number}"
+        if not write_form(scene, solver, partial(write, answer), answer, own):
+            solver.back(standing)
+            raise NotPlannedError("an answer in cases")
+    cases: dict[int, set[Ref]] = {}
+    for line in scene.desk.lines[start:]:
+        refs = {ref for ref in line.premises if str(ref).startswith("case ")}
+        refs.update(*(cases.get(ref, set()) for ref in line.premises if isinstance(ref, int)))
+        cases[line.number] = refs
+        if len(refs) > 1:
+            solver.back(standing)
+            raise NotPlannedError("a case that rests on another")
 
 
 def is_in_a_form(desk: Desk, name: str) -> bool:
