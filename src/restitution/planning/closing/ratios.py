@@ -15,6 +15,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, lette
 from restitution.planning.closing.in_tangents import write_in_tangents
 from restitution.planning.closing.roots import by_roots, known_as
 from restitution.planning.formulas.impacts import residual, scene_value
+from restitution.planning.formulas.named_angles import letters_taken
 from restitution.planning.writing.angle_ratios import range_of
 from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import (
@@ -549,13 +550,8 @@ def _write_double(
 
 def _free_letter(scene: Scene) -> str:
     """A letter that stands for nothing yet: t where it is free."""
-    taken = set(scene.model.unknowns.roles) | {
-        component.symbol.name for component in scene.model.components.values()
-    }
-    for line in scene.desk.lines:
-        if isinstance(line.relation, Meaning):
-            taken.add(line.relation.letter)
-    return next(each for each in ("t", "T", "k", "z") if each not in taken)
+    taken = letters_taken(scene)
+    return next(letter for letter in ("t", "T", "k", "z") if letter not in taken)
 
 
 # --- sums of angles -----------------------------------------------------------------------------
