@@ -52,23 +52,23 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     """
     match asked:
         case Quantity("angle", (one, other)):
-            moving = [each for each in (one, other) if _is_velocity(each)]
+            moving = [tree for tree in (one, other) if _is_velocity(tree)]
         case _:
             return None
     mark = scene.desk.mark()
-    slants = any(isinstance(_along(scene, each), Degrees) for each in (one, other))
-    turns = [_turn(scene, each, slants=slants) for each in (one, other)] if moving else []
-    known = [each for each in turns if each is not None]
+    slants = any(isinstance(_along(scene, tree), Degrees) for tree in (one, other))
+    turns = [_turn(scene, tree, slants=slants) for tree in (one, other)] if moving else []
+    known = [turn for turn in turns if turn is not None]
     angle = _between(scene, *known) if len(known) == len(turns) > 0 else None
     if angle is not None:
         steps = _steps(scene, angle)
-        bodies = [body_and_stage(scene, each) for each in moving]
+        bodies = [body_and_stage(scene, tree) for tree in moving]
         record = "perpendicular" if steps[-1] == RIGHT else "parallel"
         record = record if any(stage for _, stage in bodies) else "difference"
         names = tuple(dict.fromkeys(body for body, _ in bodies))
         move = Move("define", record, max(stage for _, stage in bodies) or None, names)
         relation = chain(asked, *zip(steps, (None, "rearrange"), strict=False))
-        premises = scene.judge.needed(move, together(*(each.refs for each in known)), relation)
+        premises = scene.judge.needed(move, together(*(turn.refs for turn in known)), relation)
         if premises is not None:
             return scene.desk.write(move, premises, relation)
     scene.desk.back(mark)
@@ -209,11 +209,11 @@ def _in_degrees(value: Fraction) -> Expression:
 
 def _between(scene: Scene, one: _Turn, other: _Turn) -> Expression | None:
     """The angle between two directions, of 0° to 180°, or to 90° where one points both ways."""
-    degrees = [value for each in (one, other) for value in _degrees(each.angle)]
+    degrees = [value for turn in (one, other) for value in _degrees(turn.angle)]
     both_ways = one.both_ways or other.both_ways
     if len(degrees) > 1:
         return _apart(max(degrees), min(degrees), both_ways=both_ways)
-    match [each.angle for each in (one, other)]:
+    match [turn.angle for turn in (one, other)]:
         case [Letter(name) as letter, Degrees(value)] | [Degrees(value), Letter(name) as letter]:
             acute = scene.model.unknowns.roles.get(name) == ACUTE
             if acute and scene.desk.known(letter) is None and value in (0, 90):

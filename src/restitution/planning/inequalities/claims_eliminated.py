@@ -37,7 +37,7 @@ class Eliminated(InStages):
         wanted = subject_of(relation)
 
         def by_conditions(base: list[Ref], relation: Relation) -> int | None:
-            lines = [each for each in base if isinstance(each, int)]
+            lines = [ref for ref in base if isinstance(ref, int)]
             for bounds in (self._ranges(lines), self.conditions.lines(wanted)):
                 line = self.monotone(lines[0], relation, bounds) if len(lines) == 1 else None
                 if line is not None and bounds:
@@ -150,8 +150,8 @@ class Eliminated(InStages):
                 written.append(number_)
         if not written:
             return None
-        for each in base:
-            line_ = self.monotone(each, relation, written) if isinstance(each, int) else None
+        for ref in base:
+            line_ = self.monotone(ref, relation, written) if isinstance(ref, int) else None
             if line_ is not None:
                 return line_
         line_ = self.compared([*base, *written], relation)
@@ -176,7 +176,7 @@ class Eliminated(InStages):
         value = self.worths.value(right)
         by_tangent = in_one_tangent(value)
         plain = value if by_tangent is None else by_tangent
-        plain = plain.xreplace({each: sp.Dummy() for each in plain.atoms(sp.tan)})
+        plain = plain.xreplace({tangent: sp.Dummy() for tangent in plain.atoms(sp.tan)})
         if is_zero(link.right) or not plain.is_rational_function(*plain.free_symbols):
             return None
         above, below = sp.fraction(one_fraction(plain))
@@ -272,8 +272,8 @@ class Eliminated(InStages):
         if not _bounds(relation):
             return None
         given = self.scene.desk.last_link(line).left
-        ends = [each if square(each.left) == given else turned(each) for each in relation.only]
-        if any(square(each.left) != given or not letters(each.right) for each in ends):
+        ends = [link if square(link.left) == given else turned(link) for link in relation.only]
+        if any(square(end.left) != given or not letters(end.right) for end in ends):
             return None
         mark = self.worths.mark()
         written: list[int] = []
@@ -328,4 +328,4 @@ def _of_the_tangent(relation: Relation) -> Relation | None:
 
 def _bounds(relation: Relation) -> bool:
     """Whether a relation is an inequality, or several at once: one value alone is no range."""
-    return all(each.sign in FLIPPED for each in relation.only)
+    return all(link.sign in FLIPPED for link in relation.only)

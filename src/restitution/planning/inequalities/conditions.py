@@ -127,8 +127,8 @@ class Conditions:
         """Whether a relation is about a quantity, or a letter for an angle of the motion."""
         link = fact.relation.options[0][0]
         named = [self.worths.opened(side) for side in (link.left, link.right)]
-        angles = [each for each in named if isinstance(each, Quantity)]
-        is_angle = any(each.kind in ("angle", "deflection", "direction") for each in angles)
+        angles = [tree for tree in named if isinstance(tree, Quantity)]
+        is_angle = any(angle.kind in ("angle", "deflection", "direction") for angle in angles)
         return is_angle or has_quantity_in(fact.relation)
 
     def condition(self, fact: Fact, wanted: Expression | None) -> int | None:
@@ -286,7 +286,7 @@ class Conditions:
             return None
         gap = self.gap(link)
         above, _ = sp.fraction(factored(one_fraction(gap)))
-        sums = [each for each in sp.Mul.make_args(above) if each.as_base_exp()[0].is_Add]
+        sums = [factor for factor in sp.Mul.make_args(above) if factor.as_base_exp()[0].is_Add]
         sign = link.sign if link.sign[0] == ">" else FLIPPED[link.sign]
         rest = expanded(sp.Mul(*sums))
         positive = proved_sign(self.scene.model.inside, rest)
@@ -339,7 +339,7 @@ class Conditions:
     def _by_the_offset(self, line: int, x: sp.Expr, sign: Sign, wanted: Expression) -> int:
         """A bound of tan²φ, where an offset tells sin φ, as one of what that is; else the line."""
         angles = {ratio.args[0] for ratio in x.atoms(sp.sin, sp.cos)}
-        if len(angles) != 1 or not all(each.is_Symbol for each in angles):
+        if len(angles) != 1 or not all(angle.is_Symbol for angle in angles):
             return line
         (symbol,) = angles
         own = sine_of(self.scene, symbol.name)
@@ -517,11 +517,11 @@ class Conditions:
     def _with_a_ratio_cancelled(self, line: int, link: Link, relation: Relation) -> int | None:
         """A condition in which sin² + cos² = 1 leaves a ratio of an angle as a factor of all."""
         gap = self.gap(link)
-        factors = [each.as_base_exp() for each in sp.Mul.make_args(factored(gap))]
+        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(factored(gap))]
         ratios = [base**power for base, power in factors if base.func in (sp.sin, sp.cos)]
         rest = [base**power for base, power in factors if base.is_Add]
         sign = sp.Mul(*(base**power for base, power in factors if base.is_number))
-        if not ratios or not rest or any(each.has(sp.sin, sp.cos) for each in rest):
+        if not ratios or not rest or any(value.has(sp.sin, sp.cos) for value in rest):
             return None
         mark, known = self.worths.mark(), self.worths.known_in(gap)
         x = expanded(sp.Mul(1 if sign > 0 else -1, *rest))
@@ -543,10 +543,10 @@ class Conditions:
         """A bound of the ratio of two quantities: both stand in it before it is simplified."""
         match link.left:
             case Binary("/", Quantity() as above, Quantity() as below):
-                known = [self.scene.desk.known(each) for each in (above, below)]
+                known = [self.scene.desk.known(quantity) for quantity in (above, below)]
             case _:
                 return None
-        sides = [tree_of(self.scene.put(each.value)[0]) for each in known if each is not None]
+        sides = [tree_of(self.scene.put(source.value)[0]) for source in known if source is not None]
         if len(sides) < 2:
             return None
         (own,) = first.only

@@ -68,12 +68,12 @@ class Ties:
 
     def _written_ties(self) -> Iterator[int]:
         scene = self.scene
-        known = [scene.desk.known(Letter(each.name)) for each in self._linked()]
+        known = [scene.desk.known(Letter(value.name)) for value in self._linked()]
         # A number ties a letter to no other.
         tied = [own for own in known if own and sp.sympify(own.value, strict=True).free_symbols]
         lines = [ref for own in tied for ref in own.refs if isinstance(ref, int)]
         if lines:
-            yield from dict.fromkeys(self._without_roots(each) for each in lines)
+            yield from dict.fromkeys(self._without_roots(number) for number in lines)
             return
         none = True
         for each in scene.given:
@@ -109,7 +109,7 @@ class Ties:
         return self._neat(number)
 
     def _linked(self) -> list[sp.Symbol]:
-        return sorted(self.scene.free, key=lambda each: each.name)
+        return sorted(self.scene.free, key=lambda value: value.name)
 
     def _trial(self, attempt: Callable[[], int | None]) -> int | None:
         """What an attempt writes; nothing stays of one that leads nowhere."""
@@ -122,26 +122,26 @@ class Ties:
             self.worths.back(mark)
         return line
 
-    def _tie(self, each: GivenEquation) -> int | None:
+    def _tie(self, equation: GivenEquation) -> int | None:
         """A given fact as an equation between letters of the statement."""
         scene = self.scene
         components = {own.symbol for own in scene.model.components.values()}
-        inside = {s for x in each.residuals for s in sp.sympify(x, strict=True).free_symbols}
-        relation = scene.ties.get(each.fact.id)
+        inside = {s for x in equation.residuals for s in sp.sympify(x, strict=True).free_symbols}
+        relation = scene.ties.get(equation.fact.id)
         written = None if relation is None else self.judge.standing(relation)
         if written is not None:
             return written
-        if each.fact.id in self.solver.equations.used:
-            return self._of_fact(each.fact.id)
-        self.solver.equations.used.add(each.fact.id)
+        if equation.fact.id in self.solver.equations.used:
+            return self._of_fact(equation.fact.id)
+        self.solver.equations.used.add(equation.fact.id)
         self.solver.determine(sorted(inside & components, key=str))
-        self.solver.equations.used.discard(each.fact.id)
-        open_ = [scene.put(x)[0] for x in each.residuals]
+        self.solver.equations.used.discard(equation.fact.id)
+        open_ = [scene.put(x)[0] for x in equation.residuals]
         if all(x == 0 for x in open_):
-            return self._of_fact(each.fact.id)
-        given = self._as_found(write_given(scene, _as_right_angle(each)))
+            return self._of_fact(equation.fact.id)
+        given = self._as_found(write_given(scene, _as_right_angle(equation)))
         line = self._without_roots(self._neat(given))
-        scene.ties[each.fact.id] = scene.desk.relation(line)
+        scene.ties[equation.fact.id] = scene.desk.relation(line)
         return line
 
     def _with_values(self, line: int) -> int:
@@ -171,20 +171,20 @@ class Ties:
     def _as_found(self, line: int) -> int:
         """An equation as a line below it has it that an item ends with; else as it is."""
         desk = self.scene.desk
-        for each in desk.shown:
-            if desk.holds(each) and line in desk.under(each):
+        for number in desk.shown:
+            if desk.holds(number) and line in desk.under(number):
                 if not (own := residual(self.scene, line)):
                     continue
-                share = tidy(residual(self.scene, each) / own)
+                share = tidy(residual(self.scene, number) / own)
                 if share.is_number and share.is_nonzero:
-                    return each
+                    return number
         return line
 
     def _of_fact(self, ref: Ref) -> int | None:
         """The first equation between letters alone that stands below a given fact."""
         desk = self.scene.desk
         known = set(roles(self.scene.problem))
-        free = {each.name for each in self.scene.free}
+        free = {value.name for value in self.scene.free}
         below: set[Ref] = {ref}
         for line in desk.lines:
             own = line.relation
@@ -374,14 +374,14 @@ class Ties:
         return None
 
 
-def _as_right_angle(each: GivenEquation) -> GivenEquation:
+def _as_right_angle(equation: GivenEquation) -> GivenEquation:
     """A deflection of 90° as a right angle between the velocities before and after."""
-    match each.link:
+    match equation.link:
         case Link(Quantity("deflection", (Name(),) as body, int(stage)), "=", Degrees(value)):
             if value == 90:
                 later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
-                return replace(each, link=Link(early, "perpendicular to", later))
-    return each
+                return replace(equation, link=Link(early, "perpendicular to", later))
+    return equation
 
 
 def is_square(tree: Expression) -> bool:
@@ -420,17 +420,17 @@ def is_letter_or_square(tree: Expression) -> bool:
 
 def _has_root(relation: Relation) -> bool:
     return any(
-        isinstance(each, Apply) and each.function == "sqrt" and bool(letters(each))
+        isinstance(node, Apply) and node.function == "sqrt" and bool(letters(node))
         for links in relation.options
         for link in links
         for side in (link.left, link.right)
-        for each in walk(side)
+        for node in walk(side)
     )
 
 
 def _standard_form(factors: Sequence[sp.Poly], symbol: sp.Symbol) -> Relation:
     """``a k² + b k + c = 0`` of a product of two factors."""
-    a, b, c = (expanded(each) for each in (factors[0] * factors[1]).all_coeffs())
+    a, b, c = (expanded(coefficient) for coefficient in (factors[0] * factors[1]).all_coeffs())
     letter = Letter(symbol.name)
     powers = (product(tree_of(a), square(letter)), product(tree_of(b), letter), tree_of(c))
     return Relation(((Link(total(powers), "=", ZERO),),))

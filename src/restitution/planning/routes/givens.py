@@ -82,28 +82,28 @@ from restitution.vector import Vector
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}
 
 
-def candidate(each: GivenEquation) -> Candidate:
+def candidate(equation: GivenEquation) -> Candidate:
     """A given fact as an equation of which routes are made."""
     kinds = [
         node.kind
-        for side in (each.link.left, each.link.right)
+        for side in (equation.link.left, equation.link.right)
         for node in walk(side)
         if isinstance(node, Quantity) and node.kind not in ("mass", "position")
     ]
     cost = sum(_COSTS.get(kind, 1.5) for kind in kinds) or 0.5
-    return Candidate(each.fact.id, cost, each.residuals)
+    return Candidate(equation.fact.id, cost, equation.residuals)
 
 
-def move_of(each: GivenEquation) -> Move:
+def move_of(equation: GivenEquation) -> Move:
     """The definition by which a fact becomes an equation, as far as its kind tells it."""
     kinds = [
         node.kind
-        for side in (each.link.left, each.link.right)
+        for side in (equation.link.left, equation.link.right)
         for node in walk(side)
         if isinstance(node, Quantity)
     ]
-    if each.link.sign != "=":
-        return Move("define", each.link.sign.removesuffix(" to"))
+    if equation.link.sign != "=":
+        return Move("define", equation.link.sign.removesuffix(" to"))
     record = next((_RECORDS[kind] for kind in kinds if kind in _RECORDS), None)
     return Move("fact") if record is None else Move("define", record)
 
@@ -197,17 +197,19 @@ _LOSSES = ("energy-lost", "total-lost", "energy", "total")
 _ENERGIES = ("energy", "energy_lost", "total_energy_lost")
 
 
-def _in_cosines(each: GivenEquation) -> GivenEquation:
+def _in_cosines(equation: GivenEquation) -> GivenEquation:
     """The same of the cosines of two angles that are equal."""
-    left, right = (Apply("cos", side) for side in (each.link.left, each.link.right))
-    return replace(each, link=Link(left, "=", right))
+    left, right = (Apply("cos", side) for side in (equation.link.left, equation.link.right))
+    return replace(equation, link=Link(left, "=", right))
 
 
-def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
+def _tangent(scene: Scene, equation: GivenEquation, own: Formula) -> int:
     """A ratio of an angle, by its definition, with its value on the left."""
-    value, refs = scene.put(scene.scalar(each.link.right))
-    left = each.link.right if not refs and not has_angle(each.link.right) else tree_of(value)
-    premises = together(each.refs, refs, own.refs)
+    value, refs = scene.put(scene.scalar(equation.link.right))
+    left = (
+        equation.link.right if not refs and not has_angle(equation.link.right) else tree_of(value)
+    )
+    premises = together(equation.refs, refs, own.refs)
     relation = chain(left, (swept(own.right), None))
     components = {component.symbol for component in scene.model.components.values()}
     backwards = any(scene.model.sign(x) < 0 for x in scene.unknown(own.value) & components)
@@ -218,10 +220,10 @@ def _tangent(scene: Scene, each: GivenEquation, own: Formula) -> int:
     return scene.desk.write(own.move, premises, relation)
 
 
-def _size(scene: Scene, each: GivenEquation, size: Apply) -> int:
+def _size(scene: Scene, equation: GivenEquation, size: Apply) -> int:
     """The size of a vector that is given, by its components; perhaps as a multiple of another."""
     root, refs = _root_of_size(scene, size)
-    right = each.link.right
+    right = equation.link.right
     if has_quantity(right):
         others = [
             node for node in walk(right) if isinstance(node, Apply) and node.function == "abs"
@@ -233,7 +235,7 @@ def _size(scene: Scene, each: GivenEquation, size: Apply) -> int:
         refs = together(refs, more)
         right = other if factor == ONE else product(factor, other)
     relation = chain(swept(root), (swept(right), None))
-    return scene.desk.write(Move("put"), together(each.refs, refs), relation)
+    return scene.desk.write(Move("put"), together(equation.refs, refs), relation)
 
 
 def _root_of_size(scene: Scene, size: Apply) -> tuple[Expression, tuple[Ref, ...]]:
@@ -264,8 +266,8 @@ def _is_right(scene: Scene, own: Link) -> bool:
 def _decided(scene: Scene, deflection: Quantity) -> None:
     """Raises NotPlannedError where it is open to which side a sphere turns."""
     (above, _), roles = _sides(formula(scene, deflection).right), dict(scene.model.unknowns.roles)
-    for each in scene.model.components.values():
-        roles[each.symbol.name] = POSITIVE
+    for component in scene.model.components.values():
+        roles[component.symbol.name] = POSITIVE
     value = scene_value(scene, above)
     if not Oracle(roles).proves(compared(value, ">=", sp.Integer(0))):
         raise NotPlannedError("to which side a sphere turns is open")
@@ -276,14 +278,14 @@ def _sides(tree: Expression) -> tuple[Expression, Expression]:
     return tree.left, tree.right
 
 
-def _between_letters(scene: Scene, each: GivenEquation) -> int:
-    line = stated(scene, each)
-    return _of_named_angle(scene, each, line) or line
+def _between_letters(scene: Scene, equation: GivenEquation) -> int:
+    line = stated(scene, equation)
+    return _of_named_angle(scene, equation, line) or line
 
 
-def _of_named_angle(scene: Scene, each: GivenEquation, line: int) -> int | None:
+def _of_named_angle(scene: Scene, equation: GivenEquation, line: int) -> int | None:
     """An angle of the motion that is a multiple of one of the data, by its tangent."""
-    match each.link:
+    match equation.link:
         case Link(Letter(name), "=", right) if f"let {name}" in scene.facts:
             quantity = scene.facts[f"let {name}"].relation.only[0].left
         case _:
@@ -300,17 +302,17 @@ def _of_named_angle(scene: Scene, each: GivenEquation, line: int) -> int | None:
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
 
 
-def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
+def _closed(scene: Scene, equation: GivenEquation, own: Formula) -> int:
     """The definition of what is given, with its value on the left."""
     if isinstance(own.value, Vector):
         raise NotPlannedError("a vector that is given")
-    value, refs = scene.put(scene.scalar(each.link.right))
-    angle = isinstance(each.link.left, Quantity) and each.link.left.kind in ANGLES
-    left = each.link.right if not refs else tree_of(value, angle=angle)
+    value, refs = scene.put(scene.scalar(equation.link.right))
+    angle = isinstance(equation.link.left, Quantity) and equation.link.left.kind in ANGLES
+    left = equation.link.right if not refs else tree_of(value, angle=angle)
     if own.move.record == "tan" and value == sp.pi / 2:
-        return _right_angle(scene, each, own)
+        return _right_angle(scene, equation, own)
     if own.move.record == "tan" and _of_open_sense(scene, own):
-        return _squared_tangent(scene, each, own, value, refs)
+        return _squared_tangent(scene, equation, own, value, refs)
     plain = isinstance(left, Apply) and left.function == "arctan"
     if plain and own.move.record == "tan-direction":
         relation = chain(left.argument, (swept(own.right), None))  # type: ignore[union-attr]
@@ -320,9 +322,9 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         last = tree_of(in_tangents(neat(own.value)))
         relation = chain(first, (swept(own.right), None), (last, "rearrange"))
     elif own.move.record == "product":
-        return _scalar_product(scene, each, own, left, refs)
+        return _scalar_product(scene, equation, own, left, refs)
     elif own.move.record == "speed":
-        number = _of_one_component(scene, each, own, left, refs)
+        number = _of_one_component(scene, equation, own, left, refs)
         if number is not None:
             return number
         match own.right:
@@ -341,11 +343,11 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
         if own.move.record in _LOSSES and not has_root(own.value):
             right, final = swept(own.right), tree_of(own.value)
             steps = (*terms_between(scene, right, final), final)
-            worth = chain(own.of(left), (right, None), *((each, "rearrange") for each in steps))
-            premises = together(each.refs, refs, own.refs)
+            worth = chain(own.of(left), (right, None), *((step, "rearrange") for step in steps))
+            premises = together(equation.refs, refs, own.refs)
             if scene.judge.follows(own.move, premises, worth):
                 return scene.desk.write(own.move, premises, worth)
-    premises = together(each.refs, refs, own.refs)
+    premises = together(equation.refs, refs, own.refs)
     if own.move.record == "tan" and own.value.atoms(sp.sin, sp.cos, sp.tan):
         # Which sense a component has may rest on what is told of an angle.
         known = scene.judge.known(letters(relation.only[0].right))
@@ -355,32 +357,32 @@ def _closed(scene: Scene, each: GivenEquation, own: Formula) -> int:
 
 def _turns_round(scene: Scene, value: sp.Expr) -> bool:
     """Whether what is positive in this solution is negative in another one."""
-    return any(each.sign(each.in_data(value)) < 0 for each in scene.others)
+    return any(model.sign(model.in_data(value)) < 0 for model in scene.others)
 
 
-def write_impulse_on(scene: Scene, each: GivenEquation, body: str) -> int | None:
+def write_impulse_on(scene: Scene, equation: GivenEquation, body: str) -> int | None:
     """The size of an impulse that is given, as the change of momentum of a body; None of others."""
-    match each.link:
+    match equation.link:
         case Link(Quantity("impulse", (), int(event)) as impulse, "=", right):
             if event in scene.model.frames and not has_quantity(right):
-                return _closed(scene, each, impulse_on(scene, impulse, body, event))
+                return _closed(scene, equation, impulse_on(scene, impulse, body, event))
     return None
 
 
 def _scalar_product(
-    scene: Scene, each: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
+    scene: Scene, equation: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
 ) -> int:
     """A scalar product that is given: the velocities are put into it."""
-    pool = together(each.refs, refs, own.refs)
+    pool = together(equation.refs, refs, own.refs)
     relation = chain(swept(own.right), (left, None))
-    premises = scene.judge.enough(Move("put"), (each.fact.id, *pool), relation)
+    premises = scene.judge.enough(Move("put"), (equation.fact.id, *pool), relation)
     if premises is None:
         raise NotPlannedError("a scalar product that is given")
     return scene.desk.write(Move("put"), premises, relation)
 
 
 def _of_one_component(
-    scene: Scene, each: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
+    scene: Scene, equation: GivenEquation, own: Formula, left: Expression, refs: tuple[Ref, ...]
 ) -> int | None:
     """A speed that is given, where only one component is not zero and its sense is certain."""
     base = _one_component(own)
@@ -389,25 +391,29 @@ def _of_one_component(
     relation = chain(left, (base, None))
     names = letters(base) | letters(left)
     premises = scene.judge.enough(
-        own.move, together(each.refs, refs, own.refs), relation, background(scene, names)
+        own.move, together(equation.refs, refs, own.refs), relation, background(scene, names)
     )
     if premises is None:
-        return _of_a_given_sense(scene, each, own, base, left)
+        return _of_a_given_sense(scene, equation, own, base, left)
     return scene.desk.write(own.move, premises, relation)
 
 
 def _of_a_given_sense(
-    scene: Scene, each: GivenEquation, own: Formula, base: Expression, left: Expression
+    scene: Scene, equation: GivenEquation, own: Formula, base: Expression, left: Expression
 ) -> int | None:
     """A speed that is given, of a component whose sense is given too: the component itself."""
-    letters_ = {each.symbol.name: each.symbol for each in scene.model.components.values()}
+    letters_ = {
+        component.symbol.name: component.symbol for component in scene.model.components.values()
+    }
     symbol = letters_.get(base.name) if isinstance(base, Letter) else None
     if symbol is None:
         return None
     size = negative(base) if scene.model.sign(scene.model.in_data(symbol)) < 0 else base
     relation = chain(left, (size, None))
     pool = (*own.refs, *senses(scene, symbol))
-    premises = scene.judge.needed(own.move, (each.fact.id, *pool), relation, (each.fact.id,))
+    premises = scene.judge.needed(
+        own.move, (equation.fact.id, *pool), relation, (equation.fact.id,)
+    )
     return None if premises is None else scene.desk.write(own.move, premises, relation)
 
 
@@ -421,16 +427,16 @@ def _one_component(own: Formula) -> Expression | None:
 
 def _is_of_sure_sense(scene: Scene, component: Expression) -> bool:
     """Whether a component is not negative whatever is given of it, or is a letter that is open."""
-    open_ = {each.symbol.name for each in scene.model.components.values()}
+    open_ = {component.symbol.name for component in scene.model.components.values()}
     return bool(letters(component) & open_) or is_not_negative(scene, component)
 
 
-def _right_angle(scene: Scene, each: GivenEquation, own: Formula) -> int:
+def _right_angle(scene: Scene, equation: GivenEquation, own: Formula) -> int:
     """An angle of 90°: the component in the direction of the line is zero."""
     assert isinstance(own.right, Binary)
     move = replace(own.move, record="perpendicular")
     relation = Relation(((link(own.right.right, ZERO),),))
-    refs = scene.judge.enough(move, (each.fact.id,), relation, own.refs)
+    refs = scene.judge.enough(move, (equation.fact.id,), relation, own.refs)
     if refs is None:
         raise NotPlannedError("a right angle")
     return scene.desk.write(move, refs, relation)
@@ -460,14 +466,14 @@ def _of_open_sense(scene: Scene, own: Formula) -> bool:
 
 
 def _squared_tangent(
-    scene: Scene, each: GivenEquation, own: Formula, angle: Any, refs: tuple[Ref, ...]
+    scene: Scene, equation: GivenEquation, own: Formula, angle: Any, refs: tuple[Ref, ...]
 ) -> int:
     """The square of a tangent: on which side the angle lies is open."""
     match own.quantity:
         case Quantity("angle", (_, Quantity("velocity"))):
             # Up to 180° the tangent has the sign of the component along the line of centres.
-            premises = together(each.refs, refs, own.refs)
-            left = own.of(each.link.right if not refs else tree_of(angle, angle=True))
+            premises = together(equation.refs, refs, own.refs)
+            left = own.of(equation.link.right if not refs else tree_of(angle, angle=True))
             relation = chain(left, (swept(own.right), None))
             if scene.judge.follows(own.move, premises, relation):
                 return scene.desk.write(own.move, premises, relation)
@@ -477,7 +483,7 @@ def _squared_tangent(
     last = tree_of(neat(own.value**2))
     return scene.desk.write(
         replace(own.move, record="tan-squared"),
-        together(each.refs, refs, own.refs),
+        together(equation.refs, refs, own.refs),
         chain(
             square(tree_of(tidy(sp.tan(angle)))),
             (swept(Binary("/", *squares)), None),
@@ -486,20 +492,20 @@ def _squared_tangent(
     )
 
 
-def _component(scene: Scene, each: GivenEquation) -> int:
+def _component(scene: Scene, equation: GivenEquation) -> int:
     """A component that is given: the law or the letter that it is."""
-    quantity = each.link.left
+    quantity = equation.link.left
     assert isinstance(quantity, Quantity)
     own = formula(scene, quantity)
-    value, refs = scene.put(scene.scalar(each.link.right))
+    value, refs = scene.put(scene.scalar(equation.link.right))
     left, right = tree_of(own.value), tree_of(value)
     if own.move.record == "momentum-of":
-        refs = together(each.refs, refs, own.refs)
+        refs = together(equation.refs, refs, own.refs)
         return scene.desk.write(own.move, refs, chain(swept(own.right), (right, None)))
     named = scene.desk.known(quantity)
     of_it = own.refs if named is None or named.value != own.value else named.refs
     return scene.desk.write(
-        Move("put"), together(each.refs, refs, of_it), chain(left, (right, None))
+        Move("put"), together(equation.refs, refs, of_it), chain(left, (right, None))
     )
 
 
@@ -507,43 +513,43 @@ def _velocity(scene: Scene, each: GivenEquation) -> int:
     raise NotPlannedError("a velocity that is given is put into the laws")
 
 
-def _of_two_speeds(scene: Scene, each: GivenEquation, left: Quantity) -> int | None:
+def _of_two_speeds(scene: Scene, equation: GivenEquation, left: Quantity) -> int | None:
     """A speed as a multiple of another, in their squares."""
     others = [
         node
-        for node in walk(each.link.right)
+        for node in walk(equation.link.right)
         if isinstance(node, Quantity) and node.kind == "speed" and isinstance(node.stage, int)
     ]
     if len(others) != 1 or not isinstance(left.stage, int):
         return None
     (other,) = others
-    factor = product_without(each.link.right, other)
+    factor = product_without(equation.link.right, other)
     if factor is None:
         return None
     a, b = (formula(scene, one) for one in (left, other))
     if not all(isinstance(own.right, Apply) for own in (a, b)):
         return None
-    number = _of_two_components(scene, each, (a, b), other, factor)
+    number = _of_two_components(scene, equation, (a, b), other, factor)
     if number is not None:
         return number
     inside = [swept(own.right.argument) for own in (a, b)]  # type: ignore[union-attr]
     right = inside[1] if factor == ONE else swept(product(square(factor), inside[1]))
     relation = chain(right, (inside[0], None))
-    whole = together(each.refs, a.refs, b.refs)
+    whole = together(equation.refs, a.refs, b.refs)
     if not scene.judge.follows(a.move, whole, relation):
         # The second speed stands in the line of the first: it has none that is printed.
         own = chain(square(other), (inside[1], None))
         known = scene.desk.write(b.move, b.refs, own, "silent")
-        whole = together(each.refs, a.refs, (known,))
+        whole = together(equation.refs, a.refs, (known,))
     return without_equal_squares(scene, scene.desk.write(a.move, whole, relation))
 
 
-def _time_since(scene: Scene, each: GivenEquation) -> int | None:
+def _time_since(scene: Scene, equation: GivenEquation) -> int | None:
     """A time that is a multiple of the one before it, by the time between: t₂ − t₁ = 2t₁.
 
     None of other times, and where the time between has no line.
     """
-    match each.link:
+    match equation.link:
         case Link(Quantity("time", (), int(late)) as whole, "=", right):
             first = next((n for n in walk(right) if isinstance(n, Quantity)), None)
         case _:
@@ -554,7 +560,7 @@ def _time_since(scene: Scene, each: GivenEquation) -> int | None:
     value = None if factor is None or has_quantity(factor) else scene.scalar(factor)
     if value is None or not value.is_number or value <= 1:
         return None
-    if each.lets:
+    if equation.lets:
         return None
     mark = scene.desk.mark()
     between = Binary("-", whole, first)
@@ -565,7 +571,7 @@ def _time_since(scene: Scene, each: GivenEquation) -> int | None:
         scene.desk.back(mark)
         return None
     rest = chain(between, (swept(product(times, first)), None))
-    line = scene.judge.write((Move("rearrange"),), (each.fact.id,), rest)
+    line = scene.judge.write((Move("rearrange"),), (equation.fact.id,), rest)
     relation = chain(tree_of(apart), (swept(product(times, tree_of(time))), None))
     put = line and scene.judge.write((Move("put"),), (line, gap, early), relation)
     if put is None:
@@ -575,7 +581,7 @@ def _time_since(scene: Scene, each: GivenEquation) -> int | None:
 
 def _of_two_components(
     scene: Scene,
-    each: GivenEquation,
+    equation: GivenEquation,
     pair: tuple[Formula, Formula],
     other: Quantity,
     factor: Expression,
@@ -584,7 +590,7 @@ def _of_two_components(
     bases = [_one_component(own) for own in pair]
     if bases[0] is None or bases[1] is None:
         return None
-    if not all(_is_of_sure_sense(scene, each) for each in bases if each is not None):
+    if not all(_is_of_sure_sense(scene, base) for base in bases if base is not None):
         return None
     names = letters(bases[0]) | letters(bases[1])
     mark, (a, b) = scene.desk.mark(), pair
@@ -596,27 +602,27 @@ def _of_two_components(
     second = scene.desk.write(b.move, refs, relation, "silent")
     right = bases[1] if factor == ONE else swept(product(factor, bases[1]))
     relation = chain(right, (bases[0], None))
-    refs = scene.judge.enough(a.move, together(each.refs, a.refs, (second,)), relation, known)
+    refs = scene.judge.enough(a.move, together(equation.refs, a.refs, (second,)), relation, known)
     if refs is None:
         scene.desk.back(mark)
         return None
     return scene.desk.write(a.move, refs, relation)
 
 
-def _of_several(scene: Scene, each: GivenEquation) -> int:
+def _of_several(scene: Scene, equation: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
-    own = each.link
+    own = equation.link
     for special in (_time_since, write_sum_with):
-        number = special(scene, each)
+        number = special(scene, equation)
         if number is not None:
             return number
     if isinstance(own.left, Quantity):
         write = _of_two_speeds if own.left.kind == "speed" else write_share_of_energy
-        number = write(scene, each, own.left)
+        number = write(scene, equation, own.left)
         if number is not None:
             return number
     values, refs = write_tangents(scene, own)
-    for side in (exchanged(each, values) for each in (own.left, own.right)):
+    for side in (exchanged(side, values) for side in (own.left, own.right)):
         for node in outermost(side):
             if place_trees.is_duration(node) and node not in values:
                 number, value = journeys.write(scene, node)
@@ -665,9 +671,9 @@ def _of_several(scene: Scene, each: GivenEquation) -> int:
 
     left, right = (swept(exchanged(side, values)) for side in (own.left, own.right))
     if any(isinstance(node, Quantity) and node.kind == "position" for node in walk(left)):
-        return write_given_place(scene, each)
+        return write_given_place(scene, equation)
     relation = chain(left, (right, None))
-    whole = together(each.refs, refs)
-    first: list[Ref] = [each.fact.id, *(ref for ref in whole if isinstance(ref, int))]
+    whole = together(equation.refs, refs)
+    first: list[Ref] = [equation.fact.id, *(ref for ref in whole if isinstance(ref, int))]
     premises = scene.judge.enough(Move("put"), first, relation, whole)
     return scene.desk.write(Move("put"), premises or whole, relation)

@@ -124,9 +124,9 @@ def _positive_broken(
     pairs = equations_of(derivation, line)
     names = {name for pair in pairs for side in pair for name in letters(side)}
     lefts = [
-        each.relation.options[0][0].left
-        for each in derivation.lines
-        if isinstance(each.relation, Relation)
+        line.relation.options[0][0].left
+        for line in derivation.lines
+        if isinstance(line.relation, Relation)
     ]
     found = {left.name for left in lefts if isinstance(left, Letter)}
     for name in sorted(names & found - derivation.meanings.keys()):
