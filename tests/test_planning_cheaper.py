@@ -414,3 +414,37 @@ def test_a_way_over_several_impacts_is_one_product_where_the_component_stays() -
     assert "Pythagoras" not in printed
     _, derivation = planned(text.format(""))
     assert f"{way}3(3/2 + 3) = 27/2 [rearrange]" in said(derivation)
+
+
+@pytest.mark.parametrize(
+    ("velocities", "vectors"),
+    [
+        (("u(3i + 4j)", "u(-2i + j)"), "−𝐢 + 2𝐣 and 𝐢 + 2𝐣"),
+        (("u(3i - 4j)", "u(-2i - j)"), "−𝐢 − 2𝐣 and 𝐢 − 2𝐣"),
+    ],
+)
+def test_an_angle_between_multiples_of_vectors_is_between_these(
+    velocities: tuple[str, str], vectors: str
+) -> None:
+    one, other = velocities
+    problem = parse(
+        f"sphere A: mass m, velocity {one}\nsphere B: mass 2m, velocity {other}\n"
+        "A hits B: along i, e = 1/2\nfind velocity(A), velocity(B)\n"
+        "find angle(velocity(A), velocity(B))"
+    )
+    solution = solve(problem)
+    derivation = plan(solution)
+    assert not follow(derivation, Oracle(roles(problem)))
+    records = {each.move.record for each in lines(derivation, "define")}
+    assert records.isdisjoint({"product", "speed"}) and "scalar-angle" in records
+    text = " ".join(to_text(explain(solution)).split())
+    assert f"by the scalar product of {vectors}, which are in their directions" in text
+
+
+def test_an_angle_by_a_product_that_stands_is_not_said_to_be_between_others() -> None:
+    solution, _ = planned(
+        "sphere A: mass 1, velocity 2i + 3j\nsphere B: mass 2, velocity -i + j\n"
+        "A hits B: along i, e = 1/2\nfind dot(velocity(A), velocity(B))\n"
+        "find speed(A), speed(B), angle(velocity(A), velocity(B))"
+    )
+    assert "in their directions" not in to_text(explain(solution))

@@ -1304,6 +1304,14 @@ SENTENCES: Mapping[SentenceId, str] = {
         "direction, and of those at right angles to it. It is a number, and no vector."
     ),
     "derived-between.title-of": "Angle between {one} and {other}, by the scalar product:",
+    "derived-between.title-along": (
+        "Angle between {one} and {other}, by the scalar product of {first} and {second}, which are "
+        "in their directions:"
+    ),
+    "derived-between.title-turned-along": (
+        "Angle between the velocities before and after, by the scalar product of {first} and "
+        "{second}, which are in their directions:"
+    ),
     "derived-between.title-turned": (
         "Angle between the velocities before and after, by the scalar product:"
     ),

@@ -5,13 +5,16 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Expression,
     Letter,
     Polar,
     Quantity,
+    walk,
 )
 from restitution.planning.angles.lines_between import (
     cosine_of,
@@ -26,13 +29,15 @@ from restitution.planning.formulas.named_angles import (
     letter_of,
     ratio_line,
 )
-from restitution.planning.writing.desk import Source, together
+from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import (
+    swept,
     tree_of,
 )
-from restitution.planning.writing.premises import sign_known
+from restitution.planning.writing.premises import background, sign_known
 from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import short_direction
 from restitution.vector import Vector
 
 
@@ -63,6 +68,10 @@ def by_scalar(
     a, b = (source.value for source in sources)
     pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
     right, value = cosine_of(pairs, a, b, sizes)
+    if not has_its_product(scene, asked):
+        own = _by_directions(scene, move, sources, asked, right)
+        if own is not None:
+            return own
     if is_long(right) or has_its_product(scene, asked):
         if value == 0 and (line := write_right_angle(scene, asked)) is not None:
             return line
@@ -73,6 +82,50 @@ def by_scalar(
     refs = together((meaning,), *(source.whole for source in sources))
     line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
     return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+
+
+def _by_directions(
+    scene: Scene, move: Move, sources: list[Source], asked: Quantity, right: Expression
+) -> Ratio | None:
+    """The cosine by short vectors of numbers in the directions of both: their sizes cancel.
+
+    None of vectors of numbers that are short themselves, of a direction with letters or along **i**
+    or **j**, of one that the data give by an angle, and at right angles.
+    """
+    by_angles = {
+        fact.id
+        for fact in scene.desk.facts
+        if any(isinstance(e, Polar) for tree in trees_of(fact.relation) for e in walk(tree))
+    }
+    if any(by_angles & set(each.refs) for each in sources):
+        return None
+    vectors = [Vector(*(tidy(scene.put(each)[0]) for each in source.value)) for source in sources]
+    if not is_long(right) and not all(_has_letters(each) for each in vectors):
+        return None
+    a, b = (short_direction(each, scene.model.sign) for each in vectors)
+    if a is None or b is None or 0 in (*a, *b) or tidy(a.dot(b)) == 0 or tidy(a.cross(b)) == 0:
+        return None
+    pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
+    shorter, value = cosine_of(pairs, a, b)
+    if is_long(shorter):
+        return None
+    mark = scene.desk.mark()
+    letter, meaning = letter_of(scene, asked)
+    ratio = Apply("cos", Letter(letter))
+    more = (ref for each in sources for part in each.value for ref in scene.put(part)[1])
+    pool = together((meaning,), *(source.whole for source in sources), more)
+    names = {name for each in vectors for part in each for name in symbol_names(part)}
+    relation = chain(ratio, (swept(shorter), None))
+    refs = scene.judge.enough(move, pool, relation, background(scene, names))
+    if refs is None:
+        scene.desk.back(mark)
+        return None
+    line = ratio_line(scene, move, refs, ratio, shorter, value)
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+
+
+def _has_letters(vector: Vector) -> bool:
+    return any(sp.sympify(each, strict=True).free_symbols for each in vector)
 
 
 def has_its_product(scene: Scene, asked: Quantity) -> bool:

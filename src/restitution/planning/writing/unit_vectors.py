@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import sympy as sp
 
@@ -36,6 +36,21 @@ def plain_direction(direction: Vector) -> Vector:
             return _with_a_root(part, root, 1 if y > 0 else -1)
     common = _content((x, y))
     return Vector(tidy(x / common), tidy(y / common))
+
+
+def short_direction(vector: Vector, sign: Callable[[sp.Expr], int]) -> Vector | None:
+    """The shortest vector of numbers in the direction of one, in its sense; None of one in letters.
+
+    ``sign`` tells whether a part is positive (1) or negative (-1).
+    """
+    x, y = vector
+    if 0 in vector:
+        return Vector(*(sp.Integer(sign(each)) for each in vector)) if any(vector) else None
+    ratio = sp.sympify(tidy(y / x), strict=True)
+    if not ratio.is_number:
+        return None
+    short = plain_direction(Vector(sp.Integer(1), ratio))
+    return short if sign(x) == sign(short.x) else -short
 
 
 def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:

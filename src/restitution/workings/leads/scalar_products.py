@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Event,
+    Line,
+    Link,
+    Relation,
+    equation,
+)
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity
-from restitution.planning.writing.forms import tree_of
+from restitution.planning.angles.lines_between import cosine_of
+from restitution.planning.writing.forms import swept, tree_of
+from restitution.planning.writing.unit_vectors import short_direction
 from restitution.vector import Vector
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.grounds import meant_by
@@ -26,9 +37,25 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
         case _:
             return None
     match asked:
-        case Quantity("deflection"):
-            return say("derived-between.title-turned")
+        case Quantity("deflection", (body,), int(stage)):
+            early = max(
+                (e.number for e in derivation.events if e.number < stage and body in _names(e)),
+                default=0,
+            )
+            both = tuple(Quantity("velocity", (body,), each) for each in (early, stage))
+            short = _directions(derivation, line, both)
+            if short is None:
+                return say("derived-between.title-turned")
+            first, second = (naming.layout(tree_of(each)) for each in short)
+            return say("derived-between.title-turned-along", first=first, second=second)
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity")) as pair):
+            short = _directions(derivation, line, pair)
+            if short is not None:
+                one, other = map(naming.layout, pair)
+                first, second = (naming.layout(tree_of(each)) for each in short)
+                return say(
+                    "derived-between.title-along", one=one, other=other, first=first, second=second
+                )
             sides = []
             for velocity in pair:
                 if _stands(derivation, line, velocity):
@@ -40,6 +67,53 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
                 sides.append(naming.relation(equation(velocity, value)))
             return say("derived-between.title-of", one=sides[0], other=sides[1])
     return None
+
+
+def _names(event: Event) -> tuple[Name, ...]:
+    return tuple(map(Name, event.bodies))
+
+
+def _directions(
+    derivation: Derivation, line: Line, pair: tuple[Expression, ...]
+) -> tuple[Vector, Vector] | None:
+    """The short vectors in the directions of two velocities, where their product is of these."""
+    assert isinstance(line.relation, Relation)
+    short: list[Vector] = []
+    are_themselves = True
+    for velocity in pair:
+        value = _value(derivation, line, velocity)
+        direction = None if value is None else short_direction(value, _sign)
+        if direction is None:
+            return None
+        are_themselves &= direction == value
+        short.append(direction)
+    first, second = short
+    trees = [(tree_of(p), tree_of(q)) for p, q in zip(first, second, strict=True)]
+    by_these = swept(cosine_of(trees, first, second)[0]) == line.relation.only[0].right
+    return (first, second) if by_these and not are_themselves else None
+
+
+def _value(derivation: Derivation, line: Line, velocity: Expression) -> Vector | None:
+    """The last vector that a velocity is said to be above a line, or in the data."""
+    relations = [each.relation for each in derivation.facts]
+    relations += [
+        each.relation
+        for each in derivation.lines[: line.number]
+        if isinstance(each.relation, Relation)
+    ]
+    links = [each.options[0] for each in relations if len(each.options) == 1]
+    trees = [own[-1].right for own in links if own[0].left == velocity and own[-1].sign == "="]
+    try:
+        value = in_letters(trees[-1]) if trees else None
+    except RestitutionError:
+        return None
+    return Vector(*map(tidy, value)) if isinstance(value, Vector) else None
+
+
+def _sign(value: sp.Expr) -> int:
+    """The sign of a multiple of positive letters."""
+    own = value.subs(dict.fromkeys(value.free_symbols, sp.Integer(1)))
+    return int(sp.sign(own)) if own.is_number and own.is_real else 0
 
 
 def _stands(derivation: Derivation, line: Line, velocity: Expression) -> bool:
