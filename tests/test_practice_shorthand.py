@@ -372,6 +372,8 @@ BACK = (
 def test_moments_at_a_wall_gaps_and_places_of_two() -> None:
     assert verdicts(BACK, "speed of B after wall = 4") == ["false"]
     assert verdicts(BACK, "speed of B after hitting the wall = 2") == ["true"]
+    for line in ("distance is 3 so x = 2.25", "gap = 3 so x = 2.25"):
+        assert verdicts(BACK, line) != ["false"]  # that to the wall, where B was struck
     lines = "A has gone 2 x ¾ = 1.5", "gap 1.5, closing speed 4, t = 3/8", "x = 3 - 2(3/8) = 2.25"
     marking = restitution.mark(solution_of(BACK), "\n".join(lines)).json()
     assert [line["verdict"] for line in marking["lines"]] == ["true"] * 3

@@ -60,6 +60,7 @@ class Features:
     timed: bool = False
     start: bool = False
     between: bool = False
+    gap: bool = False
     reduced: bool = False
     percent: bool = False
     blow: bool = False
@@ -92,7 +93,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
                 features = replace(features, sense="axis")
         elif low in HEADS and not (low == "direction" and _is_filler(words, place)):
             percent = features.percent or low in ("percentage", "percent")
-            features = replace(features, heads=features.heads | {HEADS[low]}, percent=percent)
+            heads, gap = features.heads | {HEADS[low]}, features.gap or low == "gap"
+            features = replace(features, heads=heads, percent=percent, gap=gap)
         elif low in DIRECTIONS:
             features = _with_direction(features, DIRECTIONS[low])
         elif low in STAGES:
