@@ -124,6 +124,23 @@ def test_contributing_names_files_that_are_there():
     assert [each for each in named if not (ROOT / each).exists()] == []
 
 
+# Participles that say how a value came about, not what it is.
+PARTICIPLES = re.compile(r"\b(?:told|found|said|laid|made)\b\s*(?:[:,=)]|in\b)")
+
+
+def test_values_are_called_by_what_they_are():
+    wrong = []
+    for path in SOURCES:
+        text = path.read_text(encoding="utf-8")
+        for node in ast.walk(ast.parse(text)) if PARTICIPLES.search(text) else ():
+            stored = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+            name = node.id if stored else node.arg if isinstance(node, ast.arg) else ""
+            field = path.name == "objects.py"  # what the API replies keeps its names
+            if PARTICIPLES.match(f"{name}=") and not field:
+                wrong.append(f"{path.relative_to(ROOT)}:{node.lineno}: {name}")
+    assert wrong == []
+
+
 def imports_of(path: Path, modules: set[str]) -> set[str]:
     """The modules that one imports, also where only type checkers or a function see it."""
     imported = set()

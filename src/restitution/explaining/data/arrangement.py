@@ -305,10 +305,10 @@ class Arrangement:
             return None
         displacement = Pair(difference(point.x, place.x), difference(point.y, place.y))
         try:
-            way, axis = world.value(displacement), world.direction(normal)
-            if not isinstance(way, Plane) or axis is None:
+            vector, axis = world.value(displacement), world.direction(normal)
+            if not isinstance(vector, Plane) or axis is None:
                 return None
-            return self.sign_in(world, dot(world, way, axis))
+            return self.sign_in(world, dot(world, vector, axis))
         except NotComparableError:
             return None
 

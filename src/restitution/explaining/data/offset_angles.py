@@ -107,11 +107,11 @@ def angle_with_the_path(
             if own is None:
                 continue
             try:
-                way, path = world.direction(given.get(tree, tree)), world.direction(own.path)
-                if way is None or path is None:
+                velocity, path = world.direction(given.get(tree, tree)), world.direction(own.path)
+                if velocity is None or path is None:
                     continue
-                across = world.reduced(way.x * path.y - way.y * path.x)
-                along = world.expression(way.x * path.x + way.y * path.y, roles)
+                across = world.reduced(velocity.x * path.y - velocity.y * path.x)
+                along = world.expression(velocity.x * path.x + velocity.y * path.y, roles)
             except NotComparableError:
                 continue
             if across.vanishes and oracle.proves(compared(along, ">", sp.Integer(0))):

@@ -66,8 +66,10 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
     if len(places) == 1:
         return None
     if places:
-        way = Pair(difference(places[1].x, places[0].x), difference(places[1].y, places[0].y))
-        side = given.sign(Quantity("dot", (way, axis)))
+        displacement = Pair(
+            difference(places[1].x, places[0].x), difference(places[1].y, places[0].y)
+        )
+        side = given.sign(Quantity("dot", (displacement, axis)))
         if side is not None:
             return side
     for met in given.problem.events[: given.problem.events.index(step)]:

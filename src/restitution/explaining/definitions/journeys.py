@@ -368,8 +368,8 @@ def _is_at_the_centre(step: Step, body: Name, centre: Expression | None) -> bool
     start = Quantity("position", (body,), 0)
     for link in step.links:
         if link.left == start and link.sign == "=":
-            way = link.right if centre is None else Binary("-", link.right, centre)
-            value = step.world.value(way)
+            displacement = link.right if centre is None else Binary("-", link.right, centre)
+            value = step.world.value(displacement)
             return isinstance(value, Plane) and value.x.vanishes and value.y.vanishes
     return False
 

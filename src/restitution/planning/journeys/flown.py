@@ -109,9 +109,9 @@ def _time_between(
 ) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
     """The time between two events: by that of each, where lines tell both as numbers."""
     known = [scene.desk.known(time_tree(each)) for each in (early, late)]
-    ways = scene.desk.known(duration_tree(late, early))
+    standing = scene.desk.known(duration_tree(late, early))
     first, last = known
-    if first is None or last is None or ways is not None:
+    if first is None or last is None or standing is not None:
         return flight_time(scene, early, late)
     if not (first.value.is_number and last.value.is_number):
         return flight_time(scene, early, late)

@@ -85,8 +85,8 @@ class Course:
         """
         scene = self.scene
         for name in scene.model.unknowns.roles if scene.turned else ():
-            found = scene.model.unknowns.letter(name) in scene.model.final
-            if found or f"let {name}" in scene.facts:
+            valued = scene.model.unknowns.letter(name) in scene.model.final
+            if valued or f"let {name}" in scene.facts:
                 continue
             known = scene.desk.known(Letter(name))
             value = None if known is None else sp.sympify(known.value, strict=True)

@@ -185,12 +185,12 @@ def _by_a_product_with_a_line(
     terms = total(product(tree_of(a), tree_of(tidy(b))) for a, b in zip(along, parts, strict=True))
     late = Quantity("velocity", (Name(body),), stage)
     own = Quantity("dot", (late, vector(*map(tree_of, along))))
-    made = replace(move, record="product")
+    product_move = replace(move, record="product")
     every = (*frame.refs, *refs, *x_refs, *y_refs)
     cited = together(ref for ref in every if claims.worths.exists(ref))
     shown = chain(own, (swept(terms), None), (ZERO, "rearrange"))
     mark = claims.worths.mark()
-    number = claims.judge.write((made,), cited, shown)
+    number = claims.judge.write((product_move,), cited, shown)
     last = None
     if number is not None:
         last = claims.judge.write((move,), [number, *cited], relation)

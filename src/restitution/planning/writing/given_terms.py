@@ -54,8 +54,8 @@ def standing_ties(desk: Desk, model: Model) -> frozenset[str]:
     for symbol, value in model.final.items():
         for other in value.free_symbols if symbol.name in model.unknowns.roles else ():
             own: Expression = Letter(str(other))
-            ways: list[Expression] = [own, *(Apply(ratio, own) for ratio in ("sin", "cos", "tan"))]
-            standing = (desk.known(tree) for tree in ways)
+            trees: list[Expression] = [own, *(Apply(ratio, own) for ratio in ("sin", "cos", "tan"))]
+            standing = (desk.known(tree) for tree in trees)
             if any(e and symbol in sp.sympify(e.value, strict=True).free_symbols for e in standing):
                 names.add(symbol.name)
     return frozenset(names)

@@ -128,8 +128,8 @@ def _positive_broken(
         for line in derivation.lines
         if isinstance(line.relation, Relation)
     ]
-    found = {left.name for left in lefts if isinstance(left, Letter)}
-    for name in sorted(names & found - derivation.meanings.keys()):
+    named = {left.name for left in lefts if isinstance(left, Letter)}
+    for name in sorted(names & named - derivation.meanings.keys()):
         bound = Link(Letter(name), "<=", Number(Fraction(0)))
         if made_by_a_root(derivation, line, dropped, bound):
             return dropped, bound
@@ -235,20 +235,20 @@ def _solved(gaps: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[sp.E
         return [tidy(value) for value in solution]
     except (ValueError, sp.polys.polyerrors.PolynomialError):
         pass
-    found: dict[sp.Symbol, sp.Expr] = {}
+    values: dict[sp.Symbol, sp.Expr] = {}
     rest = list(gaps)
     while rest:
         for gap in rest:
-            left = sp.expand(gap.subs(found))
+            left = sp.expand(gap.subs(values))
             open_ = left.free_symbols & set(unknowns)
             if len(open_) == 1 and left.is_polynomial(*open_) and sp.degree(left, *open_) == 1:
                 (unknown,) = open_
-                found[unknown] = tidy(-left.subs(unknown, 0) / sp.diff(left, unknown))
+                values[unknown] = tidy(-left.subs(unknown, 0) / sp.diff(left, unknown))
                 rest.remove(gap)
                 break
         else:
             return []
-    return [found[each] for each in unknowns]
+    return [values[each] for each in unknowns]
 
 
 def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Expression]]:
