@@ -198,6 +198,17 @@ from restitution.workings import explain
         ),
         (
             """
+            wall W: along i
+            wall V: along i
+            sphere P: velocity u at alpha to W
+            P hits W: e = e
+            P hits V: e = 1/2
+            find range of e
+            """,
+            ["P moves towards V before the second impact: eu sin α > 0 e > 0", "0 < e ≤ 1"],
+        ),
+        (
+            """
             wall X: along i, through (0, 0)
             wall Y: along 60°, through (0, 0)
             sphere P: at (3, 1), velocity u at -alpha

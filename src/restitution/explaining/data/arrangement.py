@@ -77,6 +77,7 @@ class Arrangement:
         self.events = events_of(problem)
         self.walls = {wall.name: wall for wall in problem.walls}
         self._normals: dict[int, Expression | None] = {}
+        self._towards: dict[int, bool] = {}
 
     def along_of(self, wall: Wall) -> Expression | None:
         """The direction of a straight wall: as told, or from one end of it to the other."""
@@ -244,11 +245,15 @@ class Arrangement:
             left = self._turned_angle(along)
         if left is None:
             return None
-        side = None
-        if self.component_before(step.first, number, left) is None:
-            side = self.side_of_wall(step.first, self.walls[step.second], left)
-        away = side == -1 if side else self._leads_away(step.first, number, left, along)
-        return opposite(left) if away else left
+        return opposite(left) if self._leads_away(step, number, left, along) else left
+
+    def is_towards(self, step: Impact, number: int) -> bool | None:
+        """Whether it is plain of itself that a body moves towards the wall that it hits.
+
+        False where it may move along it too, as with a coefficient that is 0; None if it is open.
+        """
+        self.into_the_wall(step, number)
+        return self._towards.get(number)
 
     def _turned_angle(self, along: Expression) -> Expression | None:
         """A direction that is told by its angle, turned by +90°."""
@@ -258,44 +263,49 @@ class Arrangement:
             return Degrees(along.value + RIGHT_ANGLE.value)
         return Binary("+", along, RIGHT_ANGLE)
 
-    def _leads_away(self, body: str, number: int, normal: Expression, along: Expression) -> bool:
+    def _leads_away(self, step: Impact, number: int, normal: Expression, along: Expression) -> bool:
         """Whether a velocity before an event, where it is plain, is against a direction.
 
-        Where it is open, the other direction is taken if the body goes that way along the wall, or
-        at the start if that is open too: the component that stays is then positive.
+        Where it is open, places tell it. Without them the other direction is taken if the body
+        goes that way along the wall, or at the start if that is open too: the component that stays
+        is then positive.
         """
         if number > _PLAIN:
             return False
-        world = self.world()
+        world, by_places = self.world(), self._is_placed_beyond(step, normal)
         try:
-            velocity, axis = self.velocity_before(body, number, world), world.direction(normal)
+            velocity, axis = (
+                self.velocity_before(step.first, number, world),
+                world.direction(normal),
+            )
             if velocity is None or axis is None:
-                return False
+                return by_places or False
             value = world.expression(dot(world, velocity, axis), world.roles)
             wall = world.direction(along)
             ahead = (
                 None if wall is None else world.expression(dot(world, velocity, wall), world.roles)
             )
         except NotComparableError:
-            return False
+            return by_places or False
         oracle = Oracle(world.roles)
+        onward = oracle.decide(compared(value, ">=", 0)).answer
         if oracle.proves(compared(value, "<=", 0)):
-            return oracle.decide(compared(value, ">=", 0)).answer != "proved"
-        is_open = oracle.decide(compared(value, ">=", 0)).answer == "refuted" and ahead is not None
+            self._towards[number] = oracle.proves(compared(value, "<", 0))
+            return onward != "proved"
+        if onward == "proved":
+            self._towards[number] = oracle.proves(compared(value, ">", 0))
+            return False
+        if by_places is not None:
+            return by_places
+        is_open = onward == "refuted" and ahead is not None
         if number > 1:
             return is_open and oracle.proves(compared(ahead, ">", 0))
         return is_open and not oracle.proves(compared(ahead, "<", 0))
 
-    def component_before(self, body: str, number: int, normal: Expression) -> int | None:
-        """The sign of a component of velocity before an event, where it is plain."""
-        world = self.world()
-        try:
-            velocity, axis = self.velocity_before(body, number, world), world.direction(normal)
-            if velocity is None or axis is None:
-                return None
-            return self.sign_in(world, dot(world, velocity, axis))
-        except NotComparableError:
-            return None
+    def _is_placed_beyond(self, step: Impact, normal: Expression) -> bool | None:
+        """Whether a body begins where the normal of a wall leads to; None where it is not told."""
+        side = self.side_of_wall(step.first, self.walls[step.second], normal)
+        return None if side is None else side == -1
 
     def side_of_wall(self, body: str, wall: Wall, normal: Expression) -> int | None:
         """1 where a normal leads from where a body begins to a straight wall, −1 away from it."""

@@ -32,9 +32,10 @@ def coming_to_wall(given: Arrangement, step: Impact, number: int) -> Link | None
     """
     wall = given.walls[step.second]
     normal = None if isinstance(wall.shape, Circle) else given.into_the_wall(step, number)
-    if normal is None or given.component_before(step.first, number, normal) is not None:
+    if normal is None or given.is_towards(step, number):
         return None
-    side = given.side_of_wall(step.first, wall, normal)
+    side = 1 if given.is_towards(step, number) is False else None
+    side = side or given.side_of_wall(step.first, wall, normal)
     side = side or _side_of_an_earlier_impact(given, step, number, normal)
     side = side or _side_off_a_sphere(given, step.first, number, normal)
     sign: Sign = "!=" if side is None else ">" if side > 0 else "<"
@@ -62,8 +63,9 @@ def _side_of_an_earlier_impact(
         if not isinstance(other, Impact) or other.second != step.second:
             continue
         if other.first in together:
-            own = given.component_before(other.first, event, normal)
-            return _side_from_rest(given, other.first, event, normal) if own is None else own
+            if given.is_towards(other, event) is not None:
+                return 1 if given.into_the_wall(other, event) == normal else -1
+            return _side_from_rest(given, other.first, event, normal)
     return None
 
 
