@@ -275,3 +275,13 @@ def test_a_range_and_its_reason_have_the_decimals_of_their_line() -> None:
 
 def test_a_ratio_whose_number_a_line_puts_in_is_not_told_below_it() -> None:
     assert "It is given that sin α" not in in_a_row(DECIMALS_OF_A_RANGE)
+
+
+def test_a_second_case_does_not_say_again_what_the_first_one_does() -> None:
+    text = in_a_row(
+        "sphere A: mass 2\nsphere B: mass 3, velocity -i + 2j\nA hits B: along i, e = 1/2\n"
+        "given velocity(B) = 2i + 2j, speed(A) = sqrt(2)/2\nfind velocity(A, 0)"
+    )
+    first, second = text.split("If b = ")[1:]
+    assert "The velocity, from its components" in first
+    assert second.startswith("−½: 𝐮_A = ")

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.data.unused import is_of_open_data, spare_facts
 from restitution.explaining.lines.derivation import (
+    Case,
     Derivation,
     ItemEnd,
     Line,
@@ -164,6 +165,9 @@ class _Writer:
         )
         self.cases = {n: each for each in derivation.cases for n in each.lines}
         self.case: int | None = None
+        #: The title below each heading of a case, by the line at which the cases part.
+        self.titles_of_cases: dict[int, Sentence] = {}
+        self.begins: Case | None = None
         self.group: int | None = None
         self.entered: set[int] = set()
         self.stay: list[Line] = []
@@ -419,6 +423,7 @@ class _Writer:
         number = None if case is None else case.number
         if number != self.case:
             self.case = number
+            self.begins = case
             self.afresh()
             behind = None if case is None else self.derivation.line(case.line)
             if case is not None and behind is not None:
@@ -476,6 +481,11 @@ class _Writer:
         title = None if given else self.leads.title(head)
         spoken = [_spoken(each) for each in (*self.before, self.title) if each is not None]
         named = title is not None and (title == self.title or _spoken(title) in spoken)
+        if self.begins is not None and title is not None and not named:
+            # A second case goes as the first one does.
+            named = self.titles_of_cases.get(self.begins.line) == title
+            self.titles_of_cases.setdefault(self.begins.line, title)
+        self.begins = None
         sentences = given or (
             *self.leads.anyway(head),
             *self.leads.of(head, self.title),
