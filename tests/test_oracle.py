@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import subprocess
 import sys
@@ -366,6 +367,31 @@ def test_what_is_not_decided_is_kept_but_for_want_of_memory(monkeypatch: Any) ->
     for _ in range(2):
         assert Oracle(ROLES).decide(compared(sp.sin(beta), "<", 2 * beta)).answer == "undecided"
     assert asked[1:] == [full, full]
+
+
+def test_a_question_is_the_same_in_each_process() -> None:
+    """Else the steps that it takes would be others, as sets have another order."""
+    code = (
+        "import test_oracle as t\n"
+        "own = t.decision.checked\n"
+        "t.decision.checked = lambda solver: print(solver.sexpr()) or own(solver)\n"
+        "claim = t.compared(t.sp.sin(t.beta) * t.u, '=', t.sp.cos(t.beta) * t.sp.sin(t.alpha))\n"
+        "oracle = t.Oracle(t.ROLES, (t.compared(t.u, '<=', 1),))\n"
+        "oracle.decide_some(claim, frozenset({'beta', 'alpha'}))\n"
+    )
+    asked = {
+        subprocess.run(
+            [sys.executable, "-c", code],
+            capture_output=True,
+            text=True,
+            check=True,
+            cwd=Path(__file__).parent,
+            env={**os.environ, "PYTHONHASHSEED": str(seed)},
+        ).stdout
+        for seed in range(4)
+    }
+    assert len(asked) == 1
+    assert "exists" in asked.pop()
 
 
 def test_a_statement_in_plain_numbers_loads_no_decision_procedure() -> None:

@@ -293,7 +293,7 @@ def covers(
     import z3
 
     question = _Question(world, used, [])
-    bound = {name for name in used if world.depends(name, free)}
+    bound = [name for name in used if world.depends(name, free)]
     rest = [name for name in used if name not in bound]
     outside = z3.And(question.statement(outer), *question.definitions(rest, rest))
     inside = z3.And(question.statement(inner), *question.definitions(bound, used))
