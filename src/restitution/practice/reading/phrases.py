@@ -112,8 +112,8 @@ def is_vague(name: str) -> bool:
 
 
 def names_time(name: str) -> bool:
-    """Whether a phrase names a time, or a gap: since when, or of what, it need not say."""
-    return any(HEADS.get(word) == "time" or word == "gap" for word in name.casefold().split())
+    """Whether a phrase names a time: since when, it need not say."""
+    return any(HEADS.get(word) == "time" for word in name.casefold().split())
 
 
 def names_axis(name: str) -> bool:
@@ -293,7 +293,7 @@ class _Reader(Moments):
 
     def gaps(self) -> Iterator[Expression]:
         """The distances of two spheres whose places are known, at every event, of *gap*."""
-        if not self.features.gap or self.features.wall:
+        if not self.features.gap or self.walls:
             return  # any other distance may be one to a wall
         placed = [sphere.name for sphere in self.problem.spheres if sphere.position is not None]
         named = set(self.features.names)
