@@ -188,9 +188,9 @@ def _noted(problem: Problem, part: PartSolution, desk: Desk) -> Desk:
     """The desk with a note for each item of a part."""
     desk.part = part.part.label
     asked = problem.asked(part.part)
-    for index, ((item, now), each) in enumerate(zip(asked, part.items, strict=True), 1):
-        claim = answer_of(problem, item, each, now)
-        note_unwritten(desk, each, _name(part, index), claim=claim)
+    for index, ((item, now), result) in enumerate(zip(asked, part.items, strict=True), 1):
+        claim = answer_of(problem, item, result, now)
+        note_unwritten(desk, result, _name(part, index), claim=claim)
     return desk
 
 
@@ -231,16 +231,16 @@ def _require_closed(desk: Desk, name: str) -> None:
 
 def pruned(derivation: Derivation) -> Derivation:
     """The same working without lines on which no item rests, numbered anew."""
-    lines = {each.number: each for each in derivation.lines}
+    lines = {line.number: line for line in derivation.lines}
     pending = [item.line for item in derivation.items] + [e.line for e in derivation.cases]
-    pending += [line for each in derivation.notes for line in each.lines]
+    pending += [line for note in derivation.notes for line in note.lines]
     kept: set[int] = set()
     while pending:
         number = pending.pop()
         if number not in kept:
             kept.add(number)
             pending += [ref for ref in lines[number].premises if isinstance(ref, int)]
-    return numbered_anew(derivation, [each for each in derivation.lines if each.number in kept])
+    return numbered_anew(derivation, [line for line in derivation.lines if line.number in kept])
 
 
 def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: bool) -> Desk:
@@ -256,7 +256,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     early, ended = _write_early(solution, part, desk)
     whole: tuple[Desk, int] | None = None
     if early is not desk:
-        left = [each for each in names if each not in ended]
+        left = [name for name in names if name not in ended]
         with suppress(*UNPLANNED):
             whole = _as_far(solution, part, early, left, partial)
     if whole is None or whole[1]:
@@ -280,10 +280,10 @@ def _without_answers(
             return refuted
     if part.branches and not all(isinstance(item.error, MissingError) for item in part.items):
         return None
-    for name, each in zip(names, part.items, strict=True):
-        if each.error is None:
+    for name, item in zip(names, part.items, strict=True):
+        if item.error is None:
             raise NotPlannedError("no solution")
-        note_of(desk, each, name)
+        note_of(desk, item, name)
     return desk
 
 
@@ -292,13 +292,13 @@ def _write_above_event(
 ) -> Desk:
     """The desk with the items above an event that cannot happen, and why the others have no end."""
     named = list(zip(_names(part), part.items, strict=True))
-    left = replace(part, items=tuple(each for _, each in named if each.error is not None))
-    above = [name for name, each in named if each.error is None]
+    left = replace(part, items=tuple(result for _, result in named if result.error is not None))
+    above = [name for name, result in named if result.error is None]
     desk.apart, withheld = len(early.part.branches) > 1, desk.withheld
     desk.withheld = early.late
     desk, _ = _as_far(solution, part, desk, above, partial, early)
     desk.withheld = withheld
-    names = [name for name, each in named if each.error is not None]
+    names = [name for name, result in named if result.error is not None]
     refused = _without_answers(solution, left, desk, names)
     assert refused is not None
     return refused

@@ -163,7 +163,7 @@ class _Writer:
         self.staying = Staying(
             derivation, self.naming, self.measures, self.sources, self.ends, self.rows.instead_of
         )
-        self.cases = {n: each for each in derivation.cases for n in each.lines}
+        self.cases = {n: case for case in derivation.cases for n in case.lines}
         self.case: int | None = None
         #: The title below each heading of a case, by the line at which the cases part.
         self.titles_of_cases: dict[int, Sentence] = {}
@@ -193,8 +193,8 @@ class _Writer:
         self.afresh()
         lets: list[Meaning] = []
         waiting: list[Line] = []
-        shown = [each for each in lines if each.shown != "silent"]
-        notes = self.notes.places(label, [each.item for each in shown])
+        shown = [line for line in lines if line.shown != "silent"]
+        notes = self.notes.places(label, [line.item for line in shown])
         again = self.ends.again(label, shown)
         self.said_again = {end.item for ends in again.values() for end in ends}
         due: list[Note] = []
@@ -378,7 +378,7 @@ class _Writer:
             self.afresh()
             points = tuple(_because(mark) for mark in note.marks)
             item = self.ends.place_of(note.item)
-            label = self.ends.label_of(note.item, *(each.item for each in others))
+            label = self.ends.label_of(note.item, *(note.item for note in others))
             if note.kind in ("unwritten", "standing") and note.claim is not None:
                 line = Line(0, note.item, Move("answer"), (), note.claim)
                 *rows, last = self.rows.of(line, (), True)
@@ -476,10 +476,12 @@ class _Writer:
     def _step(self, line: Line, waiting: Sequence[Line] = ()) -> Step:
         kind: Any = "principle" if line.move.id in TITLED else "solve"
         # What goes on in the same chain has no words of its own.
-        head = next((each for each in waiting if each.move.id == "define"), line)
+        head = next((line for line in waiting if line.move.id == "define"), line)
         given = self.leads.given(head)
         title = None if given else self.leads.title(head)
-        spoken = [_spoken(each) for each in (*self.before, self.title) if each is not None]
+        spoken = [
+            _spoken(sentence) for sentence in (*self.before, self.title) if sentence is not None
+        ]
         named = title is not None and (title == self.title or _spoken(title) in spoken)
         if self.begins is not None and title is not None and not named:
             # A second case goes as the first one does.
@@ -555,9 +557,9 @@ def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:
 def _first_under_its_heading(lines: Sequence[Line], index: int) -> Line:
     """The line whose impact a line stands under: its own, or the next, for ratios put into that."""
     line = lines[index]
-    ratios = list(takewhile(lambda each: each.move.id == "triangle", lines[index:]))
+    ratios = list(takewhile(lambda line: line.move.id == "triangle", lines[index:]))
     after = lines[index + len(ratios)] if index + len(ratios) < len(lines) else line
-    own = {each.number for each in ratios}
+    own = {ratio.number for ratio in ratios}
     of_an_impact = after.move.id in ("law", "define") and after.move.event is not None
     return after if of_an_impact and own.intersection(after.premises) else line
 
@@ -569,9 +571,9 @@ def _without_its_condition(step: Step, condition: Sentence | None) -> Step:
         return step
     last = step.rows[-1]
     kept = tuple(
-        each
-        for each in last.reasons
-        if each.id != "derived.as" or dict(each.slots).get("reasons") != (bound,)
+        reason
+        for reason in last.reasons
+        if reason.id != "derived.as" or dict(reason.slots).get("reasons") != (bound,)
     )
     return replace(step, rows=(*step.rows[:-1], replace(last, reasons=kept)))
 
@@ -587,10 +589,10 @@ def _resolved_with(lines: Sequence[Line]) -> Iterator[Line]:
     first, *rest = lines
     yield first
     if first.move.record == "component":
-        for each in rest:
-            if each.move.record != "component" or each.move.event != first.move.event:
+        for line in rest:
+            if line.move.record != "component" or line.move.event != first.move.event:
                 return
-            yield each
+            yield line
 
 
 def _before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
@@ -598,10 +600,10 @@ def _before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
 
     Of letters that are used before that it is not so.
     """
-    axes = {node for each in lets for node in walk(each.quantity) if _is_axis(node)}
+    axes = {node for meaning in lets for node in walk(meaning.quantity) if _is_axis(node)}
     if len(axes) != 1:
         return False
-    names = {each.letter for each in lets}
+    names = {meaning.letter for meaning in lets}
     for line in lines:
         if not isinstance(line.relation, Relation):
             continue

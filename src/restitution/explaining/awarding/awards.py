@@ -73,13 +73,13 @@ def awarded(
     if style == "none":
         return replace(
             derivation,
-            lines=tuple(replace(each, marks=()) for each in derivation.lines),
+            lines=tuple(replace(line, marks=()) for line in derivation.lines),
             notes=tuple(replace(note, marks=()) for note in derivation.notes),
         )
     proposed = _Awarding(derivation, style, frozenset(justify)).proposed()
     return replace(
         derivation,
-        lines=tuple(replace(each, marks=proposed[each.number]) for each in derivation.lines),
+        lines=tuple(replace(line, marks=proposed[line.number]) for line in derivation.lines),
         notes=tuple(replace(note, marks=marks_of_note(note)) for note in derivation.notes),
     )
 
@@ -116,10 +116,10 @@ class _Awarding:
         self.derivation = derivation
         self.style: Style = style
         self.justify = justify
-        self.lines = {each.number: each for each in derivation.lines}
-        self.place = {each.number: n for n, each in enumerate(derivation.lines)}
+        self.lines = {line.number: line for line in derivation.lines}
+        self.place = {line.number: n for n, line in enumerate(derivation.lines)}
         self.parts = part_of_items(derivation)
-        self.ends: dict[int, ItemEnd | None] = {each.line: each for each in derivation.items}
+        self.ends: dict[int, ItemEnd | None] = {item.line: item for item in derivation.items}
         for note in derivation.notes:
             last = max(note.lines, default=0)
             if note.kind == "agreeing":
@@ -127,17 +127,17 @@ class _Awarding:
             if last and self.lines[last].item == note.item:
                 self.ends.setdefault(last, None)
         # What only shows that a fact holds which no answer needs earns nothing.
-        checks = [e for each in derivation.notes if each.kind == "agreeing" for e in each.lines]
+        checks = [e for note in derivation.notes if note.kind == "agreeing" for e in note.lines]
         spare, needed = (
             {ref for line in lines for ref in lines_under(derivation, line)}
-            for lines in (checks, [each.line for each in derivation.items])
+            for lines in (checks, [item.line for item in derivation.items])
         )
         self.checks = spare - needed
         # A line of an earlier part that a later one has to show was found there.
         self.shown = {
-            each.line
-            for each in derivation.items
-            if each.shown and self.parts.get(self.lines[each.line].item or "") == each.part
+            item.line
+            for item in derivation.items
+            if item.shown and self.parts.get(self.lines[item.line].item or "") == item.part
         }
         self.order = {item: n for n, item in enumerate(self.parts)}
         self.walls = {event.number: event.wall for event in derivation.events}
@@ -189,14 +189,14 @@ class _Awarding:
                 elif earned and is_given(self, line):
                     points[line.number] = []
                 if says_again(self, line):
-                    for each in self._solutions(line):
+                    for solution in self._solutions(line):
                         # The value is asked: it stands there already, under another name.
-                        points[each.number] = [e for e in points[each.number] if e != "A"]
+                        points[solution.number] = [e for e in points[solution.number] if e != "A"]
                 if line.move.record == "component":
-                    for each in self.cited(line):
+                    for other in self.cited(line):
                         # One fact, from which the component is read off, is one mark.
-                        if each.move.id == "law" and each.number not in self.ends:
-                            points[each.number] = []
+                        if other.move.id == "law" and other.number not in self.ends:
+                            points[other.number] = []
             if points[line.number]:
                 earned.add(self.part(line))
         self._with_a_method(points)
@@ -208,18 +208,18 @@ class _Awarding:
         A value that is read off in one line has its B1 alone.
         """
         for part in dict.fromkeys(self.parts.values()):
-            own = [each for each in self.derivation.lines if self.part(each) == part]
-            marked = [each for each in own if points[each.number]]
+            own = [line for line in self.derivation.lines if self.part(line) == part]
+            marked = [line for line in own if points[line.number]]
             if len(marked) != 1 or points[marked[0].number] != ["A"]:
                 continue
             under = lines_under(self.derivation, marked[0].number)
             steps = [
-                each
-                for each in own
-                if each.number in under
-                and each.shown != "silent"
-                and isinstance(each.relation, Relation)
-                and any(self.cited(each))
+                line
+                for line in own
+                if line.number in under
+                and line.shown != "silent"
+                and isinstance(line.relation, Relation)
+                and any(self.cited(line))
             ]
             if len(steps) > 1:
                 points[steps[0].number].append("M")
@@ -276,8 +276,8 @@ class _Awarding:
         """Points as marks that agree with each other, part by part."""
         kept = self._cut(
             {
-                number: tuple(each) if self._answers_twice(self.lines[number]) else _once(each)
-                for number, each in points.items()
+                number: tuple(point) if self._answers_twice(self.lines[number]) else _once(point)
+                for number, point in points.items()
             }
         )
         kept = self._with_accuracy(kept)
@@ -351,8 +351,8 @@ class _Awarding:
         is done again; an item keeps its last.
         """
         for part in dict.fromkeys(self.parts.values()):
-            own = [each for each in self.derivation.lines if self.part(each) == part]
-            over = sum(len(points[each.number]) for each in own) - self._room(part) - 1
+            own = [line for line in self.derivation.lines if self.part(line) == part]
+            over = sum(len(points[line.number]) for line in own) - self._room(part) - 1
             for kind in "AB":
                 for line in reversed(own):
                     if over > 0 and line.number not in self.ends and kind in points[line.number]:
@@ -362,9 +362,9 @@ class _Awarding:
 
     def _with_accuracy(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """The same, with marks for accuracy between three or more methods in a row."""
-        marked = [each for each in self.derivation.lines if points[each.number]]
+        marked = [line for line in self.derivation.lines if points[line.number]]
         for (_, alone), run in groupby(
-            marked, lambda each: (self.part(each), points[each.number] == ("M",))
+            marked, lambda line: (self.part(line), points[line.number] == ("M",))
         ):
             lines = list(run)
             if not alone or len(lines) < _LONG_RUN:
@@ -377,7 +377,7 @@ class _Awarding:
                     break
                 if method is not None and line.move.id == "identity":
                     # A formula that is quoted comes after the value that goes into it.
-                    closes = any(each.kind == "given" for each in self.facts(line))
+                    closes = any(fact.kind == "given" for fact in self.facts(line))
                     points[method.number] = ("M", "A")
                     points[line.number] = ("M",) if closes else ()
                     method = None
@@ -395,22 +395,22 @@ class _Awarding:
         if isinstance(line.relation, Meaning) or any(e.kind == "given" for e in self.facts(line)):
             return False
         ends = [links[-1].right for links in line.relation.options]
-        return not any(letters(each) & self.new or has_quantity(each) for each in ends)
+        return not any(letters(end) & self.new or has_quantity(end) for end in ends)
 
     def _room(self, part: str | None) -> int:
         """How many lines a part has."""
-        own = [each for each in self.derivation.lines if self.part(each) == part]
-        return sum(map(length, own)) + sum(each.move.record in PAIR for each in own)
+        own = [line for line in self.derivation.lines if self.part(line) == part]
+        return sum(map(length, own)) + sum(line.move.record in PAIR for line in own)
 
     def _solutions(self, line: Line) -> Iterator[Line]:
         """The lines among the premises of one, in its item, that solve principles together."""
-        for each in self.cited(line):
+        for other in self.cited(line):
             if (
-                each.item == line.item
-                and each.number not in self.ends
-                and events_solved(self, each)
+                other.item == line.item
+                and other.number not in self.ends
+                and events_solved(self, other)
             ):
-                yield each
+                yield other
 
     # --- what a line rests on -------------------------------------------------------------------
 
@@ -442,18 +442,18 @@ class _Awarding:
     def _value_of(self, line: Line) -> int:
         """The line that simplifies a line, or is it itself."""
         last = line
-        for each in self.below(line):
-            if each.item != line.item or each.move.id not in ("rearrange", "put", "value"):
+        for other in self.below(line):
+            if other.item != line.item or other.move.id not in ("rearrange", "put", "value"):
                 break
-            if each.shown == "silent":
+            if other.shown == "silent":
                 break
-            if [e.number for e in self.cited(each)] != [last.number]:
+            if [e.number for e in self.cited(other)] != [last.number]:
                 break
-            if subject_of(each) != subject_of(last) or aligned(each) != aligned(last):
+            if subject_of(other) != subject_of(last) or aligned(other) != aligned(last):
                 break
-            if subject_of(each) is None and aligned(each) is None:
+            if subject_of(other) is None and aligned(other) is None:
                 break
-            last = each
+            last = other
         return last.number
 
     def _unknown_of(self, line: Line) -> Iterator[int]:
@@ -462,15 +462,15 @@ class _Awarding:
         Between them that equation is only rearranged.
         """
         last = line
-        for each in self.below(line):
-            if each.item != line.item or each.move.id not in ("rearrange", "cancel", "roots"):
+        for other in self.below(line):
+            if other.item != line.item or other.move.id not in ("rearrange", "cancel", "roots"):
                 return
-            if each.shown == "silent" or last not in list(self.cited(each)):
+            if other.shown == "silent" or last not in list(self.cited(other)):
                 return
-            if each.number not in self.ends and self._is_settled(each):
-                yield each.number
+            if other.number not in self.ends and self._is_settled(other):
+                yield other.number
                 return
-            last = each
+            last = other
 
     def _is_settled(self, line: Line) -> bool:
         """Whether a line says what a letter of the working is, by what the statement has."""
@@ -488,7 +488,7 @@ class _Awarding:
         unknown = self.new & letters_of_line(line)
         numbers = []
         seen: set[int] = set()
-        open_ = [each.number for each in self.cited(line)]
+        open_ = [other.number for other in self.cited(line)]
         while open_:
             number = open_.pop()
             if number in seen:
@@ -500,7 +500,7 @@ class _Awarding:
                 # An unknown of the impact has been found, if a method above speaks of it.
                 numbers += [n for n in methods if unknown & letters_of_line(self.lines[n])]
             else:
-                open_ += [each.number for each in self.cited(self.lines[number])]
+                open_ += [line.number for line in self.cited(self.lines[number])]
         if works_out(self, line) and not any(map(self._resolves_what_was_found, numbers)):
             return ()
         return tuple(sorted(set(numbers)))
@@ -516,17 +516,17 @@ class _Awarding:
         open_ = [line.number]
         while open_:
             number = open_.pop()
-            for each in self.cited(self.lines[number]):
-                if each.number in seen or self._is_solved_by(each, self.lines[number]):
+            for other in self.cited(self.lines[number]):
+                if other.number in seen or self._is_solved_by(other, self.lines[number]):
                     continue
-                seen.add(each.number)
-                if each.item == line.item:
-                    open_.append(each.number)
+                seen.add(other.number)
+                if other.item == line.item:
+                    open_.append(other.number)
                 elif (
-                    self._is_value(each)
-                    and self._earlier(each, line)
-                    and not self._is_of_data(each)
-                    and self._has_earned(each, marks)
+                    self._is_value(other)
+                    and self._earlier(other, line)
+                    and not self._is_of_data(other)
+                    and self._has_earned(other, marks)
                 ):
                     return True
         return False
@@ -534,8 +534,8 @@ class _Awarding:
     def _is_of_data(self, line: Line) -> bool:
         """Whether a line is a component of the data, or one that stays what it is by these."""
         return line.move.record in ("unchanged", "component") and all(
-            isinstance(each.relation, Meaning) or self._is_of_data(each)
-            for each in self.cited(line)
+            isinstance(other.relation, Meaning) or self._is_of_data(other)
+            for other in self.cited(line)
         )
 
     def _has_earned(self, line: Line, marks: Mapping[int, Marks]) -> bool:

@@ -91,10 +91,10 @@ def _repeated(work: Work, line: Line) -> bool:
     """An earlier part has the same principle for the same bodies at the same event."""
     move, part = line.move, work.part(line)
     return any(
-        _is_law(each, (move.record or "",), move.event)
-        and set(each.move.bodies) == set(move.bodies)
-        and work.part(each) != part
-        for each in work.above(line)
+        _is_law(other, (move.record or "",), move.event)
+        and set(other.move.bodies) == set(move.bodies)
+        and work.part(other) != part
+        for other in work.above(line)
     )
 
 
@@ -146,7 +146,7 @@ def _alike(work: Work, line: Line) -> list[Line]:
         plain = not _zero(work, each) and not _by_its_letter(work, each)
         return plain and _is_late(each) == _is_late(line)
 
-    return [each for each in work.derivation.lines if same(each)]
+    return [line for line in work.derivation.lines if same(line)]
 
 
 def _is_late(line: Line) -> bool:
@@ -160,9 +160,9 @@ def _read_off(work: Work, line: Line) -> bool:
     """None of the components that stand together is a sum of products."""
     return not any(
         _is_sum(node)
-        for each in _alike(work, line)
-        if isinstance(each.relation, Relation)
-        for node in walk(each.relation.only[0].right)
+        for other in _alike(work, line)
+        if isinstance(other.relation, Relation)
+        for node in walk(other.relation.only[0].right)
     )
 
 
@@ -171,7 +171,7 @@ def _resolved_again(work: Work, line: Line) -> bool:
     match line.relation:
         case Relation(((Link(_, _, Binary("+" | "-")), *_),)) if not rests_on_facts(work, line):
             lines = {ref for ref in line.premises if isinstance(ref, int)}
-            own = (each for each in work.derivation.lines if each.move.record == "component")
+            own = (line for line in work.derivation.lines if line.move.record == "component")
             others = [e for e in own if e.move.event == line.move.event and e != line]
             return bool(lines) and not others
     return False
@@ -184,7 +184,7 @@ def _origins(work: Work, line: Line) -> frozenset[int | None]:
         return frozenset((line.move.event,)) if direction else frozenset()
     if line.move.id not in ("put", "rearrange", "cancel"):
         return frozenset()
-    return frozenset(event for each in work.cited(line) for event in _origins(work, each))
+    return frozenset(event for other in work.cited(line) for event in _origins(work, other))
 
 
 def events_solved(work: Work, line: Line) -> frozenset[int | None]:
@@ -195,8 +195,8 @@ def events_solved(work: Work, line: Line) -> frozenset[int | None]:
 
 
 def _events_solved(work: Work, line: Line) -> frozenset[int | None]:
-    cited = [each for each in work.cited(line) if isinstance(each.relation, Relation)]
-    events = [_origins(work, each) for each in cited]
+    cited = [other for other in work.cited(line) if isinstance(other.relation, Relation)]
+    events = [_origins(work, line) for line in cited]
     if line.move.id == "combine":
         return frozenset.intersection(*events) if len(events) == 2 else frozenset()
     if line.move.id != "put" or len(cited) < 2:
@@ -216,10 +216,10 @@ def _solved_before(work: Work, line: Line) -> list[Line]:
     """The lines above, in the same part, that solve the same principles."""
     events = events_solved(work, line)
     return [
-        each
-        for each in work.above(line)
-        if (line.move.id == "put" or work.part(each) == work.part(line))
-        and events_solved(work, each) & events
+        other
+        for other in work.above(line)
+        if (line.move.id == "put" or work.part(other) == work.part(line))
+        and events_solved(work, other) & events
     ]
 
 
@@ -238,8 +238,8 @@ def _sought(work: Work, line: Line) -> bool:
     """
     own = line.relation.options[0][0].left if isinstance(line.relation, Relation) else None
     axes = any(
-        isinstance(each.relation, Relation) and each.relation.options[0][0].sign == "parallel to"
-        for each in work.cited(line)
+        isinstance(other.relation, Relation) and other.relation.options[0][0].sign == "parallel to"
+        for other in work.cited(line)
     )
     if axes and own is not None and not isinstance(own, Quantity):
         return True
@@ -252,11 +252,11 @@ def _sought(work: Work, line: Line) -> bool:
         if isinstance(tree, Letter)
     }
     equation = own is not None and not isinstance(own, Quantity | Letter)
-    resolved = [each for each in work.cited(line) if each.move.record == "component"]
+    resolved = [other for other in work.cited(line) if other.move.record == "component"]
     return any(
         node in asked
-        for each in (line, *(resolved if equation else ()))
-        for fact in work.facts(each)
+        for value in (line, *(resolved if equation else ()))
+        for fact in work.facts(value)
         if fact.id.startswith("e ") or (equation and fact.kind == "data")
         for tree in trees_of(fact.relation)
         for node in walk(tree)
@@ -270,9 +270,9 @@ def rests_on_facts(work: Work, line: Line) -> bool:
     """
     whole = line.move.record == "total"
     return all(
-        isinstance(each.relation, Meaning)
-        or (whole and each.move.record == "energy" and rests_on_facts(work, each))
-        for each in work.cited(line)
+        isinstance(other.relation, Meaning)
+        or (whole and other.move.record == "energy" and rests_on_facts(work, other))
+        for other in work.cited(line)
     )
 
 
@@ -280,9 +280,9 @@ def _at_sight(work: Work, line: Line) -> bool:
     """It rests on the statement alone; a right angle also on a component that stays zero."""
     square = line.move.record == "perpendicular"
     return all(
-        isinstance(each.relation, Meaning)
-        or (square and each.move.id == "law" and _zero(work, each))
-        for each in work.cited(line)
+        isinstance(other.relation, Meaning)
+        or (square and other.move.id == "law" and _zero(work, other))
+        for other in work.cited(line)
     )
 
 
@@ -307,11 +307,11 @@ def _of_one_component(work: Work, line: Line) -> bool:
 def _of_a_product(work: Work, line: Line) -> bool:
     """It rests on a scalar product of the same item, or on velocities that stand as vectors."""
     cited = tuple(work.cited(line))
-    further = [own for each in cited if each.move.id == "put" for own in work.cited(each)]
+    further = [own for line in cited if line.move.id == "put" for own in work.cited(line)]
     if any(own.move.record == "product" and own.item == line.item for own in (*cited, *further)):
         return True
     lefts = [
-        each.relation.options[0][0].left for each in cited if isinstance(each.relation, Relation)
+        line.relation.options[0][0].left for line in cited if isinstance(line.relation, Relation)
     ]
     whole = bool(lefts) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in lefts)
     return whole and line.number in work.ends
@@ -334,13 +334,13 @@ def _of_angles(work: Work, line: Line) -> bool:
 def _of_one_term(work: Work, line: Line) -> bool:
     """There is nothing to put together: only one component is not zero."""
     nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
-    squares = any(_is_sum(each) and _has_power(each) for each in nodes)
+    squares = any(_is_sum(node) and _has_power(node) for node in nodes)
     rooted = any(
-        isinstance(each, Apply) and each.function in ("sqrt", "abs") and _is_sum(each.argument)
-        for each in nodes
+        isinstance(node, Apply) and node.function in ("sqrt", "abs") and _is_sum(node.argument)
+        for node in nodes
     )
-    angled = any(_is_over_a_ratio(each) for each in nodes)
-    axes = {each.axis for each in nodes if isinstance(each, Unit)}
+    angled = any(_is_over_a_ratio(node) for node in nodes)
+    axes = {node.axis for node in nodes if isinstance(node, Unit)}
     return not (squares or rooted or angled or len(axes) > 1)
 
 
@@ -423,11 +423,11 @@ def _new_inequality(work: Work, line: Line) -> bool:
     if line.move.id == "sign" and _is_sum_that_is_positive(line) and not [*work.cited(line)]:
         return False
     return _unequal(line) and not any(
-        _unequal(each)
-        and work.part(each) == work.part(line)
-        and not (isinstance(each.relation, Relation) and _tells_a_quadrant(each.relation))
-        and not _says_a_quantity_is_positive(each)
-        for each in work.cited(line)
+        _unequal(other)
+        and work.part(other) == work.part(line)
+        and not (isinstance(other.relation, Relation) and _tells_a_quadrant(other.relation))
+        and not _says_a_quantity_is_positive(other)
+        for other in work.cited(line)
     )
 
 
@@ -463,7 +463,7 @@ def _of_a_sum(work: Work, line: Line) -> bool:
         sides is not None
         and isinstance(sides[0], Apply)
         and sides[0].function == "tan"
-        and any(each.move.record == "sum-of-angles" for each in work.cited(line))
+        and any(other.move.record == "sum-of-angles" for other in work.cited(line))
         and any(link.sign in FLIPPED for end in ends for link in end.answer.options[0])
     )
 
@@ -478,14 +478,14 @@ def _claim_without_method(work: Work, line: Line) -> bool:
     end = work.ends.get(line.number)
     if line.number not in work.ends or (end is not None and line.number not in work.shown):
         return False
-    own = [each for each in work.above(line) if each.item == line.item]
-    rules = (work.rule(each) for each in own)
+    own = [other for other in work.above(line) if other.item == line.item]
+    rules = (work.rule(line) for line in own)
     return not any(rule is not None and "M" in rule.earned(work.style) for rule in rules)
 
 
 def _bounds_a_quantity(fact: Fact) -> bool:
     """Whether it is given between what bounds a quantity of the motion is."""
-    links = [link for each in fact.relation.options for link in each]
+    links = [link for option in fact.relation.options for link in option]
     unequal = all(link.sign in ("<", "<=", ">", ">=") for link in links)
     return fact.kind == "given" and unequal and any(map(has_quantity, trees_of(fact.relation)))
 
@@ -500,11 +500,11 @@ def _fact_of_motion(work: Work, line: Line) -> bool:
         return False
     used = {
         fact.id
-        for each in work.above(line)
-        if each.move.id in ("put", "fact", "law") and each.shown != "silent"
-        for fact in _facts_used(work, each)
+        for other in work.above(line)
+        if other.move.id in ("put", "fact", "law") and other.shown != "silent"
+        for fact in _facts_used(work, other)
     }
-    lets = (each for each in work.derivation.facts if each.id.startswith("let "))
+    lets = (fact for fact in work.derivation.facts if fact.id.startswith("let "))
     named = {e.id[4:] for e in lets if has_quantity(e.relation.only[0].left)}
     return any(
         fact.kind == "given"
@@ -519,9 +519,9 @@ def _facts_used(work: Work, line: Line) -> Iterator[Fact]:
     """The facts that a line cites, or that a line which it cites only copies."""
     if not _is_copied(work, line):
         yield from work.facts(line)
-    for each in work.cited(line):
-        if _is_copied(work, each):
-            yield from work.facts(each)
+    for other in work.cited(line):
+        if _is_copied(work, other):
+            yield from work.facts(other)
 
 
 def _is_copied(work: Work, line: Line) -> bool:
@@ -530,7 +530,7 @@ def _is_copied(work: Work, line: Line) -> bool:
     return (
         line.move.id == "fact"
         and sides is not None
-        and not any(isinstance(each.relation, Relation) for each in work.cited(line))
+        and not any(isinstance(other.relation, Relation) for other in work.cited(line))
         and line.number not in work.ends
         and isinstance(sides[0], Letter | Quantity)
         and not has_quantity(sides[1])
@@ -543,11 +543,11 @@ def _another_assembled(work: Work, line: Line) -> bool:
     if getattr(subject_of(line), "kind", None) != "velocity":
         return False
     return any(
-        each.move.record in ("assemble", "changed-velocity")
-        and each.move.event == line.move.event
-        and work.part(each) == work.part(line)
-        and each.number not in work.ends
-        for each in work.above(line)
+        other.move.record in ("assemble", "changed-velocity")
+        and other.move.event == line.move.event
+        and work.part(other) == work.part(line)
+        and other.number not in work.ends
+        for other in work.above(line)
     )
 
 
@@ -555,34 +555,38 @@ def _by_its_letter(work: Work, line: Line) -> bool:
     """A letter stands for the component already: nothing is read off."""
     cited = list(work.cited(line))
     return len(cited) <= 2 and any(
-        isinstance(each.relation, Meaning)
-        and isinstance(each.relation.quantity, Quantity)
-        and each.relation.quantity.kind in ("along", "across")
-        for each in cited
+        isinstance(line.relation, Meaning)
+        and isinstance(line.relation.quantity, Quantity)
+        and line.relation.quantity.kind in ("along", "across")
+        for line in cited
     )
 
 
 def _of_an_offset(work: Work, line: Line) -> bool:
     """A line of centres by the sine of its angle to a path, for the first time."""
-    facts = [each for each in work.facts(line) if each.id.startswith("axis ")]
+    facts = [fact for fact in work.facts(line) if fact.id.startswith("axis ")]
     above = {
-        fact.id for each in work.above(line) for fact in work.facts(each) if each.move.id == "fact"
+        fact.id
+        for other in work.above(line)
+        for fact in work.facts(other)
+        if other.move.id == "fact"
     }
     return any(
-        each.id not in above
+        fact.id not in above
         and any(isinstance(node, Apply) and node.function == "arcsin" for node in walk(tree))
-        for each in facts
-        for tree in trees_of(each.relation)
+        for fact in facts
+        for tree in trees_of(fact.relation)
     )
 
 
 def _of_an_impulse(work: Work, line: Line) -> bool:
     """An impulse by one that stands above, or that is given."""
-    relations = [each.relation for each in work.cited(line)]
-    relations += [each.relation for each in work.facts(line)]
+    relations = [other.relation for other in work.cited(line)]
+    relations += [fact.relation for fact in work.facts(line)]
     return any(
-        isinstance(each, Relation) and getattr(each.options[0][0].left, "kind", None) == "impulse"
-        for each in relations
+        isinstance(relation, Relation)
+        and getattr(relation.options[0][0].left, "kind", None) == "impulse"
+        for relation in relations
     )
 
 

@@ -283,8 +283,8 @@ class FactsOf(Arrangement):
         first, second = (self.sphere(each) for each in (step.first, step.second))
         if self.radius is None:
             return theirs
-        met = {body for each in self.events[: number - 1] for body in each.bodies}
-        places = [each.position for each in (first, second)]
+        met = {body for event in self.events[: number - 1] for body in event.bodies}
+        places = [sphere.position for sphere in (first, second)]
         if met & {first.name, second.name} and axis_of_all(self) is None:
             return None
         axis = step.along.operand if isinstance(step.along, Negate) else step.along
@@ -393,12 +393,14 @@ class FactsOf(Arrangement):
         if not any(_is_about_the_sense(tree) for tree in all_trees(self.problem)):
             return False
         velocities = [self.sphere(each).velocity for each in (step.first, step.second)]
-        directions = [each for each in (step.along, *velocities) if isinstance(each, Expression)]
-        nodes = (each for tree in directions for each in walk(tree))
+        directions = [
+            velocity for velocity in (step.along, *velocities) if isinstance(velocity, Expression)
+        ]
+        nodes = (node for tree in directions for node in walk(tree))
         if len(directions) != 3 or any(isinstance(node, Letter | Polar) for node in nodes):
             return False
         world = world_of(self.problem)
-        centres, *both = (world.value(each) for each in directions)
+        centres, *both = (world.value(direction) for direction in directions)
         if not isinstance(centres, Plane) or not any(isinstance(each, Plane) for each in both):
             return False
         # Who is at rest has 0 for its velocity.
@@ -413,7 +415,7 @@ class FactsOf(Arrangement):
     def _touching(self, step: Impact) -> Expression | None:
         """Both radii of spheres that begin at places, where nothing else tells how they meet."""
         first, second = (self.sphere(each) for each in (step.first, step.second))
-        placed = all(isinstance(each.position, Expression) for each in (first, second))
+        placed = all(isinstance(sphere.position, Expression) for sphere in (first, second))
         if not placed or step.along is not None or step.offset is not None:
             return None
         return None if self.radius is None else self._doubled(self.radius)
@@ -528,7 +530,7 @@ class FactsOf(Arrangement):
                 for left, sign, right in zip(trees, operators, trees[1:], strict=False):
                     yield (Link(left, sign, right),)
             case Aligned(left, how, right):
-                a, b = (self.settled(each, events) for each in (left, right))
+                a, b = (self.settled(tree, events) for tree in (left, right))
                 if how == "opposite to":
                     b = Negate(b)
                 sign_: Sign = "perpendicular to" if how == "perpendicular to" else "parallel to"
@@ -555,8 +557,8 @@ class FactsOf(Arrangement):
             case _:
                 return None
         a, b = (
-            self._direction(self.settled(each, events), events)
-            for each in (relation.left, relation.right)
+            self._direction(self.settled(side, events), events)
+            for side in (relation.left, relation.right)
         )
         left = Quantity("along" if isinstance(b, Unit) else "dot", (a, b))
         return Link(left, sign, Number(Fraction(0)))
@@ -568,7 +570,7 @@ class FactsOf(Arrangement):
 
         None where they have not met: who is ahead is not plain then.
         """
-        pair = tuple(each.name for each in (first, second) if isinstance(each, Name))
+        pair = tuple(tree.name for tree in (first, second) if isinstance(tree, Name))
         met = [e for e in self.events[:events] if set(e.bodies) == set(pair)]
         if not met:
             return None
@@ -577,7 +579,7 @@ class FactsOf(Arrangement):
             Quantity("along", (Quantity("velocity", (Name(body),), events), axis))
             for body in met[-1].bodies
         )
-        left, right = (settled(each, self.events) for each in (behind, ahead))
+        left, right = (settled(quantity, self.events) for quantity in (behind, ahead))
         other: Expression = Number(Fraction(0)) if met[-1].wall else right
         return Link(left, ">" if happens else "<=", other)
 
@@ -592,21 +594,21 @@ class FactsOf(Arrangement):
         if not has_quantity(tree):
             return tree
 
-        def change(each: Expression) -> Expression:
-            if not isinstance(each, Quantity) or each.kind not in _STAGED:
-                return each
-            if each.stage is None and each.kind == "direction" and self._is_wall(each):
-                return each
-            if each.stage not in (None, "before"):
-                return each
-            if each.kind == "distance" and not self._is_between_bodies(each):
-                return each
-            bodies = [a.name for a in each.arguments if isinstance(a, Name)]
+        def change(tree: Expression) -> Expression:
+            if not isinstance(tree, Quantity) or tree.kind not in _STAGED:
+                return tree
+            if tree.stage is None and tree.kind == "direction" and self._is_wall(tree):
+                return tree
+            if tree.stage not in (None, "before"):
+                return tree
+            if tree.kind == "distance" and not self._is_between_bodies(tree):
+                return tree
+            bodies = [a.name for a in tree.arguments if isinstance(a, Name)]
             latest = self.latest(bodies, events)
-            if each.stage == "before":
-                return replace(each, stage=max(0, latest - 1))
-            stage = latest if each.kind in _OF_AN_EVENT else events
-            return replace(each, stage=stage)
+            if tree.stage == "before":
+                return replace(tree, stage=max(0, latest - 1))
+            stage = latest if tree.kind in _OF_AN_EVENT else events
+            return replace(tree, stage=stage)
 
         return settled(rebuilt(tree, change), self.events)
 
@@ -645,7 +647,7 @@ def _is_range(relation: Relation) -> bool:
     links = [link for option in relation.options for link in option]
     trees = [tree for link in links for side in (link.left, link.right) for tree in walk(side)]
     return all(link.sign in ("<", "<=", ">", ">=", "!=") for link in links) and not any(
-        isinstance(each, Quantity | Apply) for each in trees
+        isinstance(tree, Quantity | Apply) for tree in trees
     )
 
 

@@ -167,7 +167,7 @@ class Reader:
         yield from self._axes()
         for position, line in enumerate(self.derivation.lines):
             above = self.derivation.lines[:position]
-            bad = list(self._premises(line, {each.number for each in above}))
+            bad = list(self._premises(line, {line.number for line in above}))
             yield from bad
             if not bad:
                 yield from self._line(line)
@@ -288,11 +288,11 @@ class Reader:
         """What stands above all cases with what stands in one: a line may be another in each."""
         numbers = {ref: self._cases_of(ref) for ref, _ in trees}
         for case in sorted(frozenset().union(*numbers.values())) or (0,):
-            yield [each for each in trees if not numbers[each[0]] or case in numbers[each[0]]]
+            yield [tree for tree in trees if not numbers[tree[0]] or case in numbers[tree[0]]]
 
     def _cases_of(self, ref: Ref) -> frozenset[int]:
         """The cases in which a line stands; none of one above all, or of a fact."""
-        return frozenset(each.number for each in self.derivation.cases if ref in each.lines)
+        return frozenset(case.number for case in self.derivation.cases if ref in case.lines)
 
     def _relations(self) -> Iterator[tuple[Ref, Relation]]:
         for fact in self.derivation.facts:
@@ -417,7 +417,7 @@ class Reader:
             return False
         if self._keeps_its_range(line, ref):
             return True
-        others = {r for each in line.premises if each != ref for r in self._under_ref(each)}
+        others = {r for other in line.premises if other != ref for r in self._under_ref(other)}
         return any(
             fact.kind in ("given", "range")
             and fact.id not in others
@@ -454,7 +454,7 @@ class Reader:
         line = self.lines[number]
         assert isinstance(line.relation, Relation)
         trial, premises = self._trial(line), line.premises
-        every = (*premises, *(each for each in more if each not in premises))
+        every = (*premises, *(ref for ref in more if ref not in premises))
         try:
             if trial.follows(line.move, premises, line.relation) or not trial.follows(
                 line.move, every, line.relation
@@ -498,7 +498,7 @@ class Reader:
     def _said_before(self, line: Line, above: Iterable[Line]) -> Iterator[Complaint]:
         if line.move.id in ("answer", "shown") or isinstance(line.relation, Meaning):
             return
-        case = {each.number for each in self.derivation.cases if line.number in each.lines}
+        case = {case.number for case in self.derivation.cases if line.number in case.lines}
         own = statement_of(line.relation)
         for each in above:
             if isinstance(each.relation, Meaning) or statement_of(each.relation) != own:
@@ -548,10 +548,10 @@ class Reader:
             ]
             named = [each.quantity for each in cited if isinstance(each, Meaning)]
             used = {
-                each.arguments[1]
+                node.arguments[1]
                 for tree in (*trees_of(line.relation), *named)
-                for each in walk(tree)
-                if isinstance(each, Quantity) and each.kind in ("along", "across")
+                for node in walk(tree)
+                if isinstance(node, Quantity) and node.kind in ("along", "across")
             }
             for ref in line.premises:
                 for axis, direction in self._axes_of(ref):
@@ -559,8 +559,8 @@ class Reader:
                     if axis not in used or ref in known:
                         continue
                     if any(
-                        not self._are_apart(ref, other) and not self._same_sense(direction, each)
-                        for other, each in known.items()
+                        not self._are_apart(ref, other) and not self._same_sense(direction, tree)
+                        for other, tree in known.items()
                     ):
                         yield Complaint("axis-turned", line.number, ref)
                     known[ref] = direction
@@ -593,7 +593,7 @@ class Reader:
 
     def _in_force(self, end: ItemEnd, under: AbstractSet[Ref]) -> Iterator[Complaint]:
         """Facts of one part hold for no other, by whatever lines they come to it."""
-        for ref in sorted(each for each in under if isinstance(each, str)):
+        for ref in sorted(ref for ref in under if isinstance(ref, str)):
             if ref in self.facts and not self._holds(ref, end.part):
                 yield Complaint("premise-of-another-part", end.line, ref)
 
@@ -609,13 +609,13 @@ class Reader:
         if not end.shown:
             return
         statement = statement_of(end.answer)
-        for each in self.derivation.lines:
-            if each.number == end.line:
+        for other in self.derivation.lines:
+            if other.number == end.line:
                 break
-            if line.move.id == "answer" and each.number in line.premises:
+            if line.move.id == "answer" and other.number in line.premises:
                 continue  # the bound of a greatest or least value
-            if isinstance(each.relation, Relation) and statement_of(each.relation) == statement:
-                yield Complaint("shown-by-itself", each.number, end.item)
+            if isinstance(other.relation, Relation) and statement_of(other.relation) == statement:
+                yield Complaint("shown-by-itself", other.number, end.item)
 
     # --- notes ----------------------------------------------------------------------------------
 
@@ -659,10 +659,10 @@ class Reader:
 def _tells_an_axis(relation: Relation) -> bool:
     """Whether a relation is of a line of centres and a direction."""
     return any(
-        isinstance(each, Quantity) and each.kind == "line_of_centres"
+        isinstance(side, Quantity) and side.kind == "line_of_centres"
         for links in relation.options
         for link in links
-        for each in (link.left, link.right)
+        for side in (link.left, link.right)
     )
 
 

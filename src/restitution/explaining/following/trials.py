@@ -101,7 +101,7 @@ class Trial:
         right = right or self.follows
         kept = tuple(premises)
         for ref in doubted:
-            fewer = tuple(each for each in kept if each != ref)
+            fewer = tuple(other for other in kept if other != ref)
             try:
                 if right(move, fewer, relation):
                     kept = fewer
@@ -235,20 +235,20 @@ def on_either_side(derivation: Derivation) -> frozenset[int]:
     It is not given, all spheres start along **i** or are at rest, and nothing that is given tells
     one side from the other.
     """
-    facts = {each.id: each for each in derivation.facts}
+    facts = {fact.id: fact for fact in derivation.facts}
     match derivation.events:
         case (event,) if event.kind == "impact":
             pass
         case _:
             return frozenset()
-    kinds = {each.partition(" ")[0] for each in facts}
+    kinds = {ref.partition(" ")[0] for ref in facts}
     if kinds & {"axis", "wall", "position", "let"}:
         return frozenset()
     for body in event.bodies[:1] if event.wall else event.bodies:
         fact = facts.get(" ".join(("velocity", body)))
         if fact is None or not _is_along_i(fact.relation.only[0].right):
             return frozenset()
-    given = [each.relation for each in derivation.facts if each.kind in ("given", "earlier")]
+    given = [fact.relation for fact in derivation.facts if fact.kind in ("given", "earlier")]
     if any(_tells_a_side(tree) for relation in given for tree in trees_of(relation)):
         return frozenset()
     return frozenset({event.number})
@@ -275,7 +275,7 @@ def _tells_a_side(tree: Expression) -> bool:
             return True
         case Quantity("angle" | "along" | "dot", arguments):
             own = [argument for argument in arguments if not _is_mirrored(argument)]
-            return any(each == Unit("j") or _tells_a_side(each) for each in own)
+            return any(tree == Unit("j") or _tells_a_side(tree) for tree in own)
         case Quantity("direction" | "across" | "position" | "momentum"):
             return True
         case Quantity("impulse", arguments) if arguments:
@@ -338,7 +338,7 @@ def _by_roles(ref: str, relation: Relation, setting: Setting) -> bool:
     formulas = []
     for links in relation.options:
         for link in links:
-            left, right = (step.world.scalar(each) for each in (link.left, link.right))
+            left, right = (step.world.scalar(side) for side in (link.left, link.right))
             formulas.append(
                 compared(
                     step.world.expression(left, roles),

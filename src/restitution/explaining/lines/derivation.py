@@ -93,7 +93,7 @@ class Relation:
         if len(self.options) != 1:
             return None
         (links,) = self.options
-        if any(each.sign != "=" for each in links):
+        if any(link.sign != "=" for link in links):
             return None
         if any(a.right != b.left for a, b in pairwise(links)):
             return None
@@ -283,21 +283,21 @@ class Derivation:
     # The first of several that have the same name, or number.
     @cached_property
     def _facts(self) -> Mapping[str, Fact]:
-        return {each.id: each for each in reversed(self.facts)}
+        return {fact.id: fact for fact in reversed(self.facts)}
 
     @cached_property
     def _numbered(self) -> Mapping[int, Line]:
-        return {each.number: each for each in reversed(self.lines)}
+        return {line.number: line for line in reversed(self.lines)}
 
     @cached_property
     def asked(self) -> Mapping[str, str | None]:
         """The part of each item, in the order asked."""
-        parts = {each.item: each.part for each in self.items}
+        parts = {item.item: item.part for item in self.items}
         order = list(parts)
-        for each in sorted(self.notes, key=lambda note: note.place):
-            if each.item not in parts:
-                parts[each.item] = each.part
-                order.insert(each.place, each.item)
+        for note in sorted(self.notes, key=lambda note: note.place):
+            if note.item not in parts:
+                parts[note.item] = note.part
+                order.insert(note.place, note.item)
         return {item: parts[item] for item in order}
 
     @cached_property
@@ -337,7 +337,7 @@ def of_part(derivation: Derivation, part: str | None) -> Derivation:
         needed.add(number)
         open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
     own = tuple(line for line in derivation.lines if line.number in needed)
-    cited = {ref for each in own for ref in each.premises}
+    cited = {ref for line in own for ref in line.premises}
     return Derivation(
         tuple(e for e in derivation.facts if e.part in (None, part) or e.id in cited),
         own,
@@ -367,7 +367,7 @@ def whole_of(links: tuple[Link, ...]) -> Link | None:
 
 def citing(premises: Iterable[Ref], others: Mapping[Ref, Ref]) -> tuple[Ref, ...]:
     """Premises with some of them replaced by others, none of them twice."""
-    return tuple(dict.fromkeys(others.get(each, each) for each in premises))
+    return tuple(dict.fromkeys(others.get(ref, ref) for ref in premises))
 
 
 def equation(left: Expression, right: Expression) -> Relation:
@@ -385,11 +385,11 @@ def scopes_of(facts: Iterable[Fact]) -> dict[Ref, frozenset[str | None] | None]:
     """
     own = tuple(facts)
     parts: dict[Relation, set[str | None]] = {}
-    for each in own:
-        parts.setdefault(each.relation, set()).add(each.part)
+    for fact in own:
+        parts.setdefault(fact.relation, set()).add(fact.part)
     return {
-        each.id: None if None in parts[each.relation] else frozenset(parts[each.relation])
-        for each in own
+        fact.id: None if None in parts[fact.relation] else frozenset(parts[fact.relation])
+        for fact in own
     }
 
 

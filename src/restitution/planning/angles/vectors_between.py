@@ -97,12 +97,12 @@ def _by_directions(
         for fact in scene.desk.facts
         if any(isinstance(e, Polar) for tree in trees_of(fact.relation) for e in walk(tree))
     }
-    if any(by_angles & set(each.refs) for each in sources):
+    if any(by_angles & set(source.refs) for source in sources):
         return None
     vectors = [Vector(*(tidy(scene.put(each)[0]) for each in source.value)) for source in sources]
-    if not is_long(right) and not all(_has_letters(each) for each in vectors):
+    if not is_long(right) and not all(_has_letters(vector) for vector in vectors):
         return None
-    a, b = (short_direction(each, scene.model.sign) for each in vectors)
+    a, b = (short_direction(vector, scene.model.sign) for vector in vectors)
     if a is None or b is None or 0 in (*a, *b) or tidy(a.dot(b)) == 0 or tidy(a.cross(b)) == 0:
         return None
     pairs = [(tree_of(p), tree_of(q)) for p, q in zip(a, b, strict=True)]
@@ -112,9 +112,9 @@ def _by_directions(
     mark = scene.desk.mark()
     letter, meaning = letter_of(scene, asked)
     ratio = Apply("cos", Letter(letter))
-    more = (ref for each in sources for part in each.value for ref in scene.put(part)[1])
+    more = (ref for source in sources for part in source.value for ref in scene.put(part)[1])
     pool = together((meaning,), *(source.whole for source in sources), more)
-    names = {name for each in vectors for part in each for name in symbol_names(part)}
+    names = {name for vector in vectors for part in vector for name in symbol_names(part)}
     relation = chain(ratio, (swept(shorter), None))
     refs = scene.judge.enough(move, pool, relation, background(scene, names))
     if refs is None:
@@ -125,7 +125,7 @@ def _by_directions(
 
 
 def _has_letters(vector: Vector) -> bool:
-    return any(sp.sympify(each, strict=True).free_symbols for each in vector)
+    return any(sp.sympify(component, strict=True).free_symbols for component in vector)
 
 
 def has_its_product(scene: Scene, asked: Quantity) -> bool:

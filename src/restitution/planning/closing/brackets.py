@@ -24,21 +24,21 @@ def bracket_alone(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     """
     link = scene.desk.last_link(number)
     brackets = [
-        each
+        node
         for side in (link.left, link.right)
-        for each in walk(side)
-        if _is_bracket(each, symbol.name)
+        for node in walk(side)
+        if _is_bracket(node, symbol.name)
     ]
     if link.sign != "=" or len(brackets) != 1 or brackets[0] in (link.left, link.right):
         return None
     (bracket,) = brackets
     sides = [
-        rebuilt(side, lambda each: Letter("_sum") if each == bracket else each)
+        rebuilt(side, lambda tree: Letter("_sum") if tree == bracket else tree)
         for side in (link.left, link.right)
     ]
-    if any(symbol.name in letters(each) for each in sides):
+    if any(symbol.name in letters(side) for side in sides):
         return None
-    left, right = (scene_value(scene, each, {"_sum": IN_PLACE}) for each in sides)
+    left, right = (scene_value(scene, side, {"_sum": IN_PLACE}) for side in sides)
     parts = coefficients_in_place(left - right)
     if parts is None or len(parts) != 2:
         return None

@@ -55,8 +55,8 @@ def _parted(whole: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Exp
         return None
     factor, rest = poly.nth(*(1 for _ in roots)), poly.nth(*(0 for _ in roots))
     common = sp.gcd(factor, rest)
-    factor, rest = (expanded(sp.cancel(each / common)) for each in (factor, rest))
-    if not all(each.is_polynomial(symbol) for each in (factor, rest)):
+    factor, rest = (expanded(sp.cancel(value / common)) for value in (factor, rest))
+    if not all(value.is_polynomial(symbol) for value in (factor, rest)):
         return None
     return factor, expanded(sp.Mul(*(root.base for root in roots))), rest
 
@@ -81,7 +81,7 @@ def _rewritten(scene: Scene, number: int, relation: object) -> int | None:
 
 
 def _given(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:
-    return tuple(each for each in scene.judge.known(names) if each in scene.facts)
+    return tuple(ref for ref in scene.judge.known(names) if ref in scene.facts)
 
 
 def in_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
@@ -115,7 +115,7 @@ def _of_square(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     if own is not None:
         shown = chain(square(Letter(symbol.name)), (own, None))
         line = scene.judge.write((Move("rearrange"),), [line], shown) or line
-    options = [option(Letter(symbol.name), each) for each in (first, last)]
+    options = [option(Letter(symbol.name), value) for value in (first, last)]
     alternatives = Relation(tuple(options))
     refs = scene.judge.enough(
         Move("roots"), (line,), alternatives, background(scene, {symbol.name})

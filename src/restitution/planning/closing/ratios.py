@@ -42,8 +42,8 @@ _RATIOS = (sp.sin, sp.cos, sp.tan)
 
 def inside_functions(x: sp.Expr) -> set[Any]:
     """The letters that stand in functions, or under roots."""
-    roots = (each for each in x.atoms(sp.Pow) if not each.exp.is_Integer)
-    return {s for each in (*x.atoms(sp.Function), *roots) for s in each.free_symbols}
+    roots = (power for power in x.atoms(sp.Pow) if not power.exp.is_Integer)
+    return {s for value in (*x.atoms(sp.Function), *roots) for s in value.free_symbols}
 
 
 def _functions(scene: Scene, own: sp.Expr, symbol: sp.Symbol) -> frozenset[sp.Expr] | None:
@@ -99,12 +99,12 @@ def _one_term_a_side(scene: Scene, line: int, symbol: sp.Symbol) -> int:
     """``a sin²θ + b cos²θ = c cos²θ`` with a term of each on a side: the difference as it is."""
     link = scene.desk.last_link(line)
     ratios = sp.sin(symbol), sp.cos(symbol)
-    values = [sp.sympify(scene_value(scene, each), strict=True) for each in (link.left, link.right)]
-    if not all(each.is_polynomial(*ratios) for each in values):
+    values = [sp.sympify(scene_value(scene, side), strict=True) for side in (link.left, link.right)]
+    if not all(value.is_polynomial(*ratios) for value in values):
         return line
-    sides = [sp.Poly(each, *ratios) for each in values]
+    sides = [sp.Poly(value, *ratios) for value in values]
     powers = [(2, 0), (0, 2)]
-    if any(set(each.monoms()) - set(powers) for each in sides):
+    if any(set(side.monoms()) - set(powers) for side in sides):
         return line
     for one, other in (powers, powers[::-1]):
         for near, far in (sides, sides[::-1]):
@@ -377,7 +377,7 @@ def _form(terms: list[tuple[tuple[int, int], sp.Expr]], symbol: sp.Symbol) -> Ex
     sine, cosine = (Apply(each, Letter(symbol.name)) for each in ("sin", "cos"))
     return total(
         product(tree_of(k), *_power(sine, m[0]), *_power(cosine, m[1]))
-        for m, k in sorted(terms, key=lambda each: -each[0][0])
+        for m, k in sorted(terms, key=lambda term: -term[0][0])
     )
 
 
@@ -445,7 +445,7 @@ def divided_angle(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     if functions is None:
         return None
     factors = {function.args[0] / symbol for function in functions}
-    if not all(each.is_Rational for each in factors) or len(factors) != 2:
+    if not all(factor.is_Rational for factor in factors) or len(factors) != 2:
         return None
     small, large = sorted(factors)
     if large != 2 * small:
@@ -569,14 +569,14 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
     """The line with ratios of a sum of angles by those of an angle; None where it has none."""
     link = scene.desk.last_link(line)
     sums = [
-        each
+        node
         for side in (link.left, link.right)
-        for each in walk(side)
-        if isinstance(each, Apply)
-        and each.function in ("sin", "cos", "tan")
-        and isinstance(each.argument, Binary)
-        and each.argument.op in ("+", "-")
-        and symbol.name in letters(each.argument)
+        for node in walk(side)
+        if isinstance(node, Apply)
+        and node.function in ("sin", "cos", "tan")
+        and isinstance(node.argument, Binary)
+        and node.argument.op in ("+", "-")
+        and symbol.name in letters(node.argument)
     ]
     if not sums:
         return None
@@ -620,16 +620,16 @@ def _expanded(scene: Scene, line: int, sums: Sequence[Apply], symbol: sp.Symbol)
     """
     expansions: dict[Expression, Expression] = {}
     sine, cosine = sp.sin(symbol), sp.cos(symbol)
-    for each in sums:
-        value = sp.expand(sp.expand_trig(scene.scalar(each)))
+    for function in sums:
+        value = sp.expand(sp.expand_trig(scene.scalar(function)))
         rest = value - value.coeff(sine) * sine - value.coeff(cosine) * cosine
-        if each.function == "tan" or rest != 0:
+        if function.function == "tan" or rest != 0:
             return None
-        parts = [(cosine, "cos"), (sine, "sin")] if each.function == "cos" else []
+        parts = [(cosine, "cos"), (sine, "sin")] if function.function == "cos" else []
         parts = parts or [(sine, "sin"), (cosine, "cos")]
         shares = [(tidy(value.coeff(ratio)), name) for ratio, name in parts]
         shares.sort(key=lambda own: scene.model.sign(own[0]) < 0)
-        expansions[each] = total(
+        expansions[function] = total(
             product(tree_of(share), Apply(name, Letter(symbol.name)))
             for share, name in shares
             if share != 0

@@ -220,12 +220,12 @@ def _settled(tree: Expression) -> Expression:
 
 def _with_angles(scene: Scene, number: int, symbol: sp.Symbol | None) -> int:
     """The line with sums of angles by the formulae, where an angle is known."""
-    for each in sorted(residual(scene, number).free_symbols, key=lambda s: s.name):
-        known = scene.desk.known(Letter(each.name))
-        if _is_known(scene, Letter(each.name)):
+    for other in sorted(residual(scene, number).free_symbols, key=lambda s: s.name):
+        known = scene.desk.known(Letter(other.name))
+        if _is_known(scene, Letter(other.name)):
             continue  # 60° − 45° is an angle by itself
-        if each != symbol and known is not None and _is_angle(scene, each.name):
-            written = without_sums(scene, number, each)
+        if other != symbol and known is not None and _is_angle(scene, other.name):
+            written = without_sums(scene, number, other)
             if written is not None:
                 number = written
     return number
@@ -275,13 +275,13 @@ def _is_ratio(tree: Expression) -> bool:
 
 
 def _with(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
-    return rebuilt(tree, lambda each: values.get(each, each))
+    return rebuilt(tree, lambda tree: values.get(tree, tree))
 
 
 def _replaced(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
     """A tree with values for ratios, and then for letters."""
     for ratios in (True, False):
-        chosen = {each: value for each, value in values.items() if _is_ratio(each) is ratios}
+        chosen = {tree: value for tree, value in values.items() if _is_ratio(tree) is ratios}
         tree = _with(tree, chosen)
     return tree
 
@@ -359,7 +359,7 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if not any(_has_root(side, symbol) for side in sides):
         return None
     squares = [_square_of(scene, side) for side in sides]
-    if any(each is None for each in squares):
+    if any(tree is None for tree in squares):
         return None
     relation = Relation(((Link(squares[0], "=", squares[1]),),))  # type: ignore[arg-type]
     move = Move("rearrange")
@@ -397,7 +397,7 @@ def _square_of(scene: Scene, tree: Expression) -> Expression | None:
         case Negate(operand):
             return _square_of(scene, operand)
         case Binary("*" | "/" as op, left, right) if any(map(_is_size, walk(tree))):
-            squares = [_square_of(scene, each) for each in (left, right)]
+            squares = [_square_of(scene, tree) for tree in (left, right)]
             if None in squares:
                 return None
             return Binary(op, squares[0], squares[1])  # type: ignore[arg-type]
@@ -415,7 +415,7 @@ def _square_of_size(scene: Scene, tree: Expression) -> Expression | None:
     value = scene.value(tree)
     if not isinstance(value, Vector):
         return square(tree)
-    parts = [tidy(expanded(each)) for each in value]
+    parts = [tidy(expanded(other)) for other in value]
     return total(square(tree_of(part)) for part in parts if part != 0)
 
 
@@ -452,7 +452,7 @@ def _in_its_degrees(
     No formula joins 40° and 70°, though the value may be one in 20° alone.
     """
     value = -poly.nth(0) / poly.nth(1)
-    if len({each.args for each in value.atoms(sp.sin, sp.cos) if each.is_number}) < 2:
+    if len({sine.args for sine in value.atoms(sp.sin, sp.cos) if sine.is_number}) < 2:
         return None
     own = in_tangents(value)
     relation = chain(Letter(symbol.name), (tree_of(own, as_it_is=True), None))
@@ -463,7 +463,7 @@ def _in_its_degrees(
 def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """The unknown of a line that has tangents of other angles alone, in these; None of another."""
     link = scene.desk.last_link(number)
-    ratios = {each for side in (link.left, link.right) for each in walk(side) if _is_ratio(each)}
+    ratios = {node for side in (link.left, link.right) for node in walk(side) if _is_ratio(node)}
     gap = scene_value(scene, link.left) - scene_value(scene, link.right)
     back: dict[Expression, Expression] = {}
     for each in ratios:
@@ -485,7 +485,7 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if poly.degree() != 1 or any(e.free_symbols or isinstance(e, sp.cos) for e in functions):
         return None
     value = tidy(-poly.nth(0) / poly.nth(1))
-    tree = rebuilt(tree_of(value), lambda each: back.get(each, each))
+    tree = rebuilt(tree_of(value), lambda tree: back.get(tree, tree))
     line = rearranged(scene, number, chain(Letter(symbol.name), (tree, None)))
     return None if line is None else known_as(scene, symbol, scene.scalar(tree), line)
 
@@ -508,8 +508,8 @@ def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:
     if not below.is_Add:
         return chain(letter, (last, None))
     above = cancelled(-poly.nth(0) / letters_)
-    lowest = sp.ilcm(*(each.as_coeff_Mul()[0].q for each in below.args))
-    above, below = (expanded(each * lowest) for each in (above, below))
+    lowest = sp.ilcm(*(argument.as_coeff_Mul()[0].q for argument in below.args))
+    above, below = (expanded(value * lowest) for value in (above, below))
     if below.is_negative:
         above, below = -above, -below
     top, others = _without_letters(above) if above.free_symbols else (above, sp.Integer(1))
@@ -617,9 +617,9 @@ def _without_a_factor(scene: Scene, number: int, symbol: sp.Symbol) -> Source | 
     whole = factored(numerator(residual(scene, number)))
     ratios = {sp.sin(symbol), sp.cos(symbol)}
     common = [
-        each
-        for each in sp.Mul.make_args(whole)
-        if each.as_base_exp()[0] in ratios and proved_sign(scene.model.ground, each)
+        factor
+        for factor in sp.Mul.make_args(whole)
+        if factor.as_base_exp()[0] in ratios and proved_sign(scene.model.ground, factor)
     ]
     if not common:
         return None
@@ -639,7 +639,7 @@ def _without_an_angle(scene: Scene, number: int, symbol: sp.Symbol) -> Source | 
     """An angle of the data goes, as sin² + cos² = 1; what is left is solved."""
     whole = numerator(residual(scene, number))
     angles = {f.args[0] for f in whole.atoms(sp.sin, sp.cos)} - {symbol}
-    gone = [each for each in sorted(angles, key=str) if each.is_Symbol and _goes(whole, each)]
+    gone = [angle for angle in sorted(angles, key=str) if angle.is_Symbol and _goes(whole, angle)]
     if not gone or symbol in inside_functions(whole):
         return None
     move = Move("identity", "pythagoras")

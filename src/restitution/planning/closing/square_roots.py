@@ -85,10 +85,10 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     if len(sums) != 1:
         return None
     (base,) = sums
-    sides = [rebuilt(each, _replace(base, Letter("_sum"))) for each in (link.left, link.right)]
-    if any(symbol.name in letters(each) for each in sides):
+    sides = [rebuilt(side, _replace(base, Letter("_sum"))) for side in (link.left, link.right)]
+    if any(symbol.name in letters(side) for side in sides):
         return None
-    left, right = (scene_value(scene, each, {"_sum": IN_PLACE}) for each in sides)
+    left, right = (scene_value(scene, side, {"_sum": IN_PLACE}) for side in sides)
     parts = coefficients_in_place(left - right)
     power = 0 if parts is None else len(parts) - 1
     if parts is None or power not in (2, 4) or any(part != 0 for part in parts[1:-1]):
@@ -125,8 +125,8 @@ def as_square(value: sp.Expr) -> Expression | None:
     if not any(isinstance(e, sp.Add) and e.is_number for e in sp.preorder_traversal(value)):
         return None
     root = tidy(sp.sqrt(value))
-    powers = [each for each in root.atoms(sp.Pow) if not each.exp.is_Integer]
-    if root.atoms(sp.Abs) or not all(each.base.is_Rational for each in powers):
+    powers = [power for power in root.atoms(sp.Pow) if not power.exp.is_Integer]
+    if root.atoms(sp.Abs) or not all(power.base.is_Rational for power in powers):
         return None
     return Binary("^", tree_of(root), TWO)
 
@@ -193,11 +193,11 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     link = scene.desk.last_link(number)
     if symbol.name not in letters(link.left) | letters(link.right):
         return None
-    left, right = (_root_of(each) for each in (link.left, link.right))
+    left, right = (_root_of(side) for side in (link.left, link.right))
     if left is None or right is None:
         return None
     relation = Relation(((Link(left, "=", swept(right)),),))
-    if all(is_not_negative(scene, each) for each in (left, right)):
+    if all(is_not_negative(scene, tree) for tree in (left, right)):
         taken = in_another_form(scene, number, relation)
         if taken is not None:
             return taken
@@ -224,19 +224,19 @@ def sides_but_for_sign(
     None of a line that does not say so, and where it is known which of the two they are.
     """
     link = scene.desk.last_link(number)
-    left, right = (_root_of(each) for each in (link.left, link.right))
+    left, right = (_root_of(side) for side in (link.left, link.right))
     if link.sign != "=" or left is None or right is None:
         return None
-    if all(is_not_negative(scene, each) for each in (left, right)):
+    if all(is_not_negative(scene, tree) for tree in (left, right)):
         return None
-    sides = (sp.sympify(scene_value(scene, each), strict=True) for each in (left, right))
+    sides = (sp.sympify(scene_value(scene, tree), strict=True) for tree in (left, right))
     one, other = _side_by_side(*sides)
-    for each in (one, other):
-        if not each.is_polynomial(symbol) or sp.degree(each, symbol) != 1:
+    for value in (one, other):
+        if not value.is_polynomial(symbol) or sp.degree(value, symbol) != 1:
             return None
     # Equal and opposite sides are two equations of the first degree.
     ends = (sp.expand(one - other), sp.expand(one + other))
-    return (one, other) if all(sp.degree(each, symbol) == 1 for each in ends) else None
+    return (one, other) if all(sp.degree(end, symbol) == 1 for end in ends) else None
 
 
 def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
@@ -277,19 +277,19 @@ def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
 @remembered(512)
 def _side_by_side(one: sp.Expr, other: sp.Expr) -> tuple[sp.Expr, ...]:
     """Two sides without what is below a line, and without a common factor."""
-    (a, b), (c, d) = (sp.fraction(sp.together(each)) for each in (one, other))
+    (a, b), (c, d) = (sp.fraction(sp.together(value)) for value in (one, other))
     if any(
-        each.is_number and not each.is_Rational for x in (b, d) for each in sp.preorder_traversal(x)
+        node.is_number and not node.is_Rational for x in (b, d) for node in sp.preorder_traversal(x)
     ):
         # Of denominators with roots of numbers none is a factor of the other.
         parts = [sp.expand(a * d), sp.expand(c * b)]
-        contents = [sp.factor_terms(each).as_coeff_Mul()[0] for each in parts]
+        contents = [sp.factor_terms(part).as_coeff_Mul()[0] for part in parts]
         common = sp.gcd(*contents)
-        return tuple(sp.expand(each / common) for each in parts)
+        return tuple(sp.expand(part / common) for part in parts)
     below = sp.lcm(b, d)
-    parts = [sp.cancel(each * below) for each in (one, other)]
+    parts = [sp.cancel(value * below) for value in (one, other)]
     common = sp.gcd(*parts)
-    return tuple(sp.cancel(each / common) for each in parts)
+    return tuple(sp.cancel(part / common) for part in parts)
 
 
 def _root_of(tree: Expression) -> Expression | None:
@@ -298,7 +298,7 @@ def _root_of(tree: Expression) -> Expression | None:
         case Binary("^", base, _) if _is_square(tree):
             return base
         case Binary("*" | "/" as op, left, right):
-            roots = [_root_of(each) for each in (left, right)]
+            roots = [_root_of(tree) for tree in (left, right)]
             if None in roots:
                 return None
             if op == "*":

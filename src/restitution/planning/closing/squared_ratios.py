@@ -108,7 +108,7 @@ def _write(
     first = chain(own.left, (right, None))
     end = printed or tree_of(value)
     squares = root_of_a_square(scene, end) if _is_root_of_roots(scene, put) else ()
-    last = chain(own.left, (put, None), *((each, "rearrange") for each in (*squares, end)))
+    last = chain(own.left, (put, None), *((tree, "rearrange") for tree in (*squares, end)))
     names = symbol_names(value)
     known = together(not_negative(scene, value), background(scene, names))
     premises = scene.judge.enough(own.move, own.refs, first, known)
@@ -126,11 +126,11 @@ def _write(
 def _is_last(scene: Scene) -> bool:
     """Whether nothing that is asked needs a component itself: no vector, and no other body."""
     asked = {tree for tree in _asked(scene.problem) if not _is_square(scene, tree)}
-    speeds = {each for each in asked if each.kind == "speed" and each.stage}
+    speeds = {quantity for quantity in asked if quantity.kind == "speed" and quantity.stage}
     return (
-        all(each.kind in KINDS for each in asked)
+        all(quantity.kind in KINDS for quantity in asked)
         and len(speeds) <= 1
-        and all(each.stage == scene.events for each in speeds)
+        and all(speed.stage == scene.events for speed in speeds)
     )
 
 
@@ -151,7 +151,7 @@ def _is_square(scene: Scene, quantity: Quantity) -> bool:
     """Whether a deflection is a right angle, which the scalar product tells."""
     match quantity:
         case Quantity("deflection", (Name(body),), int(event)):
-            early, late = (scene.velocity(body, each) for each in (event - 1, event))
+            early, late = (scene.velocity(body, number) for number in (event - 1, event))
             return scene.model.identically_zero(scene.model.in_data(early.dot(late)))
     return False
 
@@ -166,10 +166,10 @@ def angles_by_squares(scene: Scene) -> Iterator[sp.Symbol]:
         if role is None or role.kind != "angle" or (scene.final(symbol) / sp.pi).is_Rational:
             continue
         letter = Letter(symbol.name)
-        others = [scene.desk.known(Apply(each, letter)) for each in ("sin", "cos")]
+        others = [scene.desk.known(Apply(ratio, letter)) for ratio in ("sin", "cos")]
         if _squared_tangent(scene, letter) is None:
             continue
-        if any(_is_used(scene, each) for each in others if each is not None):
+        if any(_is_used(scene, source) for source in others if source is not None):
             continue
         squares = _squares(scene, symbol).values()
         roots = (tidy(sp.sqrt(each)) for each in squares)
@@ -182,7 +182,7 @@ def _is_used(scene: Scene, source: Source) -> bool:
     (line, *rest) = source.refs
     if rest or not isinstance(line, int) or scene.desk.line(line).move.id != "triangle":
         return True
-    return any(line in each.premises for each in scene.desk.lines)
+    return any(line in other.premises for other in scene.desk.lines)
 
 
 def _is_root_of_roots(scene: Scene, tree: Expression) -> bool:
@@ -276,7 +276,7 @@ def _with_squares(
         case Binary(op, left, right) if op in "+-" or (
             op in "*/" and (_is_sum(left) or _is_sum(right))
         ):
-            parts = [_with_squares(scene, each, symbol, squares) for each in (left, right)]
+            parts = [_with_squares(scene, tree, symbol, squares) for tree in (left, right)]
             return None if None in parts else Binary(op, *parts)  # type: ignore[arg-type]
     put_in = expanded(expanded(value).xreplace(squares))
     return None if symbol in put_in.free_symbols else tree_of(tidy(put_in))

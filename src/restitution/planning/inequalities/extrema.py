@@ -300,7 +300,7 @@ class _Extremum:
     def _of_tied_letter(self, asked: Letter) -> int | None:
         """A letter that no line gives by others: by the equation that ties it to them."""
         lines = self.claims.ties.lines()
-        if any(self.claims.ties.subject(each, asked.name) is not None for each in lines):
+        if any(self.claims.ties.subject(number, asked.name) is not None for number in lines):
             return None
         bound = self.claims.write(self._relation)
         role = roles(self.scene.problem)[asked.name]
@@ -347,13 +347,13 @@ class _Extremum:
             sp.N(value.subs({**data, letter: place.subs(data) + step})) for step in (_STEP, -_STEP)
         )
         goal = sp.N(wanted.subs(data))
-        return any(bool(each.is_real) and abs(each - goal) < _CLOSE for each in near)
+        return any(bool(value.is_real) and abs(value - goal) < _CLOSE for value in near)
 
     def _line(self) -> int:
         match self.asked:
             case Letter(letter):
-                for each in self.claims.ties.lines():
-                    line = self.claims.ties.subject(each, letter)
+                for number in self.claims.ties.lines():
+                    line = self.claims.ties.subject(number, letter)
                     if line is not None:
                         return line
                 raise NotPlannedError(f"{letter} by other letters")
@@ -370,12 +370,12 @@ class _Extremum:
             case _:
                 return None
         subject, known = Apply("tan", Letter(name)), set(roles(self.scene.problem))
-        for each in self.scene.desk.lines:
-            match each.relation:
+        for other in self.scene.desk.lines:
+            match other.relation:
                 case Relation(((Link(left, "="), *_),)) if left in (subject, self.asked):
-                    own = self.scene.desk.last_link(each.number).right
-                    if self.scene.desk.holds(each.number) and letters(own) <= known:
-                        line, _, _ = self.claims.worths.lettered(each.number, angle)
+                    own = self.scene.desk.last_link(other.number).right
+                    if self.scene.desk.holds(other.number) and letters(own) <= known:
+                        line, _, _ = self.claims.worths.lettered(other.number, angle)
                         self.end, self.lets = replace(self.end, left=subject), [let]
                         return self._put(line)
         return None
@@ -570,8 +570,8 @@ class _Extremum:
         x = self._value(line)
         if self.angle:
             return None
-        for each in (x, x**2):
-            above, below = sp.fraction(factored(one_fraction(each)))
+        for value in (x, x**2):
+            above, below = sp.fraction(factored(one_fraction(value)))
             if self.symbol in below.free_symbols:
                 continue
             try:
@@ -580,7 +580,7 @@ class _Extremum:
                 continue
             if poly.degree() != 2 or poly.nth(1) == 0:
                 continue
-            outside = sp.cancel(each / poly.as_expr())
+            outside = sp.cancel(value / poly.as_expr())
             if self.scene.model.sign(poly.LC() * outside) != (1 if self.least else -1):
                 continue
             primitive = poly.primitive()[1]
@@ -589,8 +589,8 @@ class _Extremum:
             factor = tidy(sp.sympify(common, strict=True) ** 2 / (4 * a))
             squared = product(tree_of(factor), square(tree_of(tidy(inner.as_expr()))))
             own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
-            outer = tidy(cancelled(each / primitive.as_expr()))
-            if each != x:
+            outer = tidy(cancelled(value / primitive.as_expr()))
+            if value != x:
                 own, outer = Apply("sqrt", own), tidy(sp.sqrt(outer))
             known = self._known(*self._names(x))
             link = Link(self.scene.desk.last_link(line).left, "=", product(tree_of(outer), own))
@@ -644,7 +644,7 @@ class _Extremum:
             return False
         right = self.scene.desk.last_link(line).right
         inside = right.argument if isinstance(right, Apply) and right.function == "sqrt" else right
-        own = [each for each in outer_terms(inside) if self.symbol.name in letters(each)]
+        own = [term for term in outer_terms(inside) if self.symbol.name in letters(term)]
         match own:
             case [Binary("^", Binary("+" | "-"), Number(Fraction(numerator=2, denominator=1)))]:
                 return is_left(self.claims.worths, right, self.value)
@@ -674,7 +674,7 @@ class _Extremum:
         desk = self.scene.desk
         own = desk.line(line)
         links = desk.relation(line).only
-        used = any(line in each.premises for each in desk.lines)
+        used = any(line in other.premises for other in desk.lines)
         if len(links) < 2 or used or own.move.record not in ("energy", "total"):
             return None
         first = Relation((links[:1],))

@@ -91,7 +91,7 @@ def _condition(text: str) -> Relation | None:
         condition = relation_of_condition(text)
     except RestitutionError:
         return None
-    if len(condition.options) > 1 or any(each.sign not in FLIPPED for each in condition.only):
+    if len(condition.options) > 1 or any(link.sign not in FLIPPED for link in condition.only):
         return None
     if len(condition.only) > 1:
         return condition

@@ -239,14 +239,14 @@ class Course:
 
     def _express_waiting(self, values: Sequence[sp.Expr]) -> None:
         """Expresses the components in some values of which the laws are written."""
-        wanted = [symbol for each in values for symbol in self.scene.unknown(each)]
-        for symbol in [each for each in self.waiting if each in wanted]:
-            self._express(symbol, {s for each in values for s in symbols_in(each)})
+        wanted = [symbol for value in values for symbol in self.scene.unknown(value)]
+        for symbol in [value for value in self.waiting if value in wanted]:
+            self._express(symbol, {s for value in values for s in symbols_in(value)})
         self._settle_tied(values)
 
     def _settle_tied(self, values: Sequence[sp.Expr]) -> None:
         """A component in some values that is known by another one, which is known, is a line."""
-        scene, free = self.scene, {s for each in values for s in symbols_in(each)}
+        scene, free = self.scene, {s for value in values for s in symbols_in(value)}
         for symbol in sorted(self._letters.keys() & free, key=lambda symbol: symbol.name):
             tied = scene.desk.known(plain_letter(symbol.name))
             others = set() if tied is None else tied.value.free_symbols & self._letters.keys()
@@ -271,7 +271,7 @@ class Course:
         """
         scene = self.scene
         _frame, lines, symbols = self.waiting.pop(symbol)
-        residuals = [residual(scene, each) for each in lines]
+        residuals = [residual(scene, number) for number in lines]
         other = self._beside(symbol, symbols, residuals)
         value = tidy(_two_by_two(tuple(residuals), (symbol, other))[symbol])
         letter, tree = Letter(symbol.name), Letter(other.name)
@@ -313,11 +313,11 @@ class Course:
 
         It is the other component, or a letter where that stands in both laws with its value.
         """
-        (other,) = (each for each in symbols if each != symbol)
+        (other,) = (other for other in symbols if other != symbol)
         if any(other in each.free_symbols for each in residuals):
             return other
         both = set.intersection(*(set(self.scene.unknown(each)) for each in residuals))
-        others = [each for each in both if each != symbol]
+        others = [value for value in both if value != symbol]
         if len(others) != 1:
             raise NotPlannedError(f"{symbol} is not expressed")
         return others[0]
@@ -325,9 +325,9 @@ class Course:
     def _is_settled(self, *values: sp.Expr) -> bool:
         """Whether values in letters have come to numbers, since these have been found."""
         scene = self.scene
-        put = [scene.put(each)[0] for each in values]
-        return all(each.free_symbols & scene.model.final.keys() for each in values) and not any(
-            each.free_symbols & scene.model.final.keys() or each.has(sp.Add) for each in put
+        put = [scene.put(value)[0] for value in values]
+        return all(value.free_symbols & scene.model.final.keys() for value in values) and not any(
+            value.free_symbols & scene.model.final.keys() or value.has(sp.Add) for value in put
         )
 
     def _only_apart(self, value: sp.Expr, number: int) -> bool:

@@ -81,8 +81,8 @@ def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
     if len(refs) < 2:
         return refs
     return (
-        *(each for each in refs if isinstance(each, str)),
-        *sorted(each for each in refs if isinstance(each, int)),
+        *(ref for ref in refs if isinstance(ref, str)),
+        *sorted(ref for ref in refs if isinstance(ref, int)),
     )
 
 
@@ -193,17 +193,17 @@ class Desk:
         """Writes a line, and returns its number. One that stands already is not written again."""
         own = tuple(premises)
         refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
-        for each in self.lines if move.id not in _LAST else ():
-            if not self.holds(each.number):
+        for line in self.lines if move.id not in _LAST else ():
+            if not self.holds(line.number):
                 continue
-            if _is_same(each.relation, relation):
-                return each.number
+            if _is_same(line.relation, relation):
+                return line.number
             if (
-                each.move == move
-                and _goes_further(each.relation, relation)
-                and set(each.premises) == set(refs)
+                line.move == move
+                and _goes_further(line.relation, relation)
+                and set(line.premises) == set(refs)
             ):
-                return each.number
+                return line.number
         return self._added(move, refs, relation, shown)
 
     def write_again(self, move: Move, premises: Iterable[Ref], relation: Relation) -> int:
@@ -236,9 +236,9 @@ class Desk:
     def introducing(self, names: Collection[str]) -> list[int]:
         """The lines that introduce some letters."""
         return [
-            each.number
-            for each in self.lines
-            if isinstance(each.relation, Meaning) and each.relation.letter in names
+            line.number
+            for line in self.lines
+            if isinstance(line.relation, Meaning) and line.relation.letter in names
         ]
 
     def meant(self, tree: Expression) -> Expression:
@@ -315,9 +315,9 @@ class Desk:
 
     def known(self, quantity: Expression) -> Source | None:
         """The latest value of a quantity, or of a letter, that is in force; None without one."""
-        for each in reversed(self._sources.get(quantity, [])):
-            if all(self.holds(ref) for ref in each.refs):
-                return each
+        for source in reversed(self._sources.get(quantity, [])):
+            if all(self.holds(ref) for ref in source.refs):
+                return source
         return None
 
     def components(self) -> Iterator[tuple[Expression, Source]]:
@@ -337,7 +337,7 @@ class Desk:
     def forget_value(self, letter: Expression, source: Source) -> None:
         """What a letter is known to be is forgotten; the lines stay."""
         self.version += 1
-        self._sources[letter] = [each for each in self._sources[letter] if each is not source]
+        self._sources[letter] = [other for other in self._sources[letter] if other is not source]
 
     def forget_components(self, mark: Mark) -> None:
         """Forgets what components have come to since a mark, of which the lines stay."""
@@ -360,7 +360,7 @@ class Desk:
             early=dict(self.early),
             waiting=dict(self.waiting),
             shown=list(self.shown),
-            _sources={each: list(own) for each, own in self._sources.items()},
+            _sources={tree: list(own) for tree, own in self._sources.items()},
             _scopes=dict(self._scopes),
         )
 
@@ -369,7 +369,7 @@ class Desk:
         number = len(self.lines)
         self.version += 1
         for key, own in self._sources.items():
-            self._sources[key] = [each for each in own if number not in each.whole]
+            self._sources[key] = [source for source in own if number not in source.whole]
         del self._scopes[number], self.lines[-1]
 
     def rewrite(self, line: Line) -> None:
@@ -431,7 +431,7 @@ class Desk:
         self._scopes = dict(mark.scopes)
         self.splits = mark.splits
         del self.others[mark.others :]
-        self.shown = [each for each in self.shown if each <= mark.lines]
+        self.shown = [number for number in self.shown if number <= mark.lines]
 
 
 @dataclass(frozen=True)

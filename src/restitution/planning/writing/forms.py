@@ -99,7 +99,7 @@ def _with_contents_out(value: Any) -> Any:
 def _of_one_ratio(value: sp.Expr) -> sp.Expr | None:
     """A sum of ratios of degrees that is a multiple of one: 3.4 cos 40°, of 65° and of 25°."""
     ratios = value.atoms(sp.sin, sp.cos)
-    if not value.is_Add or len(ratios) < 2 or any(each.free_symbols for each in ratios):
+    if not value.is_Add or len(ratios) < 2 or any(ratio.free_symbols for ratio in ratios):
         return None
     plain = sp.sympify(tidy(value), strict=True)
     is_one = not plain.is_Add and len(plain.atoms(sp.sin, sp.cos)) <= 1
@@ -122,12 +122,12 @@ def _with_tangents(value: Any) -> Any:
     """Tan 26° for sin 26°/cos 26°, in products of numbers."""
     if not isinstance(value, sp.Expr) or value.is_Atom:
         return value
-    if not any(not each.free_symbols for each in value.atoms(sp.cos)):
+    if not any(not cosine.free_symbols for cosine in value.atoms(sp.cos)):
         return value
     if not isinstance(value, sp.Mul):
         return value.func(*map(_with_tangents, value.args))
     powers = value.as_powers_dict()
-    for sine in [each for each in powers if isinstance(each, sp.sin) and not each.free_symbols]:
+    for sine in [power for power in powers if isinstance(power, sp.sin) and not power.free_symbols]:
         cosine = sp.cos(sine.args[0])
         if powers[sine] * powers.get(cosine, 0) == -1:
             tangent = sp.tan(sine.args[0], evaluate=False)
@@ -143,7 +143,7 @@ def tree_of(value: Any, *, angle: bool = False, as_it_is: bool = False) -> Expre
     UnwrittenError where a line cannot say the value.
     """
     if isinstance(value, Vector | tuple):
-        return vector(*(tree_of(each, as_it_is=as_it_is) for each in value))
+        return vector(*(tree_of(other, as_it_is=as_it_is) for other in value))
     return _tree_of(sp.sympify(value, strict=True), angle, as_it_is)
 
 
@@ -188,7 +188,7 @@ def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
         case lay.Letter(name, subscript):
             return plain_letter(names.get((name, subscript), name))
         case lay.Sum(terms):
-            return _sum_of([(sign, of(each)) for sign, each in terms])
+            return _sum_of([(sign, of(layout)) for sign, layout in terms])
         case lay.Product(factors):
             return product(*(of(factor) for factor in factors))
         case lay.Fraction(above, below):
@@ -216,8 +216,8 @@ def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
 def _sum_of(terms: list[tuple[str, Expression]]) -> Expression:
     (sign, first), *rest = terms
     total = first if sign == "+" else Negate(first)
-    for sign, each in rest:
-        total = Binary("+" if sign == "+" else "-", total, each)
+    for sign, tree in rest:
+        total = Binary("+" if sign == "+" else "-", total, tree)
     return total
 
 
@@ -236,7 +236,7 @@ def product(*factors: Expression) -> Expression:
         if each != ONE:
             kept.append(each)
     if not any(map(_begins_with_a_number, kept)):
-        kept.sort(key=lambda each: not is_rational(each))  # 2w, not w × 2; but 2m × 4/3
+        kept.sort(key=lambda tree: not is_rational(tree))  # 2w, not w × 2; but 2m × 4/3
     total: Expression = kept[0] if kept else ONE
     for each in kept[1:]:
         total = Binary("*", total, each)
@@ -378,8 +378,8 @@ def swept(tree: Expression) -> Expression:
     Nothing is multiplied out and no numbers are put together.
     """
 
-    def change(each: Expression) -> Expression:
-        match each:
+    def change(tree: Expression) -> Expression:
+        match tree:
             case Negate(operand):
                 return negative(operand)
             case Binary("*", left, right):
@@ -393,8 +393,8 @@ def swept(tree: Expression) -> Expression:
             case Binary("^", left, right):
                 if right == ONE:
                     return left
-                return square(left) if right == Number(Fraction(2)) else each
-        return each
+                return square(left) if right == Number(Fraction(2)) else tree
+        return tree
 
     return rebuilt(tree, change)
 
@@ -490,9 +490,9 @@ def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
     """The sign of a product, and its factors above and below the line, sorted."""
     sign, above, below = 1, list[str](), list[str]()
 
-    def take(each: Expression, up: list[str], down: list[str]) -> None:
+    def take(tree: Expression, up: list[str], down: list[str]) -> None:
         nonlocal sign
-        match each:
+        match tree:
             case Negate(operand):
                 sign = -sign
                 take(operand, up, down)
@@ -505,8 +505,8 @@ def _factors(tree: Expression) -> tuple[int, list[str], list[str]]:
             case Binary("/", left, right):
                 take(left, up, down)
                 take(right, down, up)
-            case _ if each != ONE:
-                up.append(_shape(each))
+            case _ if tree != ONE:
+                up.append(_shape(tree))
 
     take(tree, above, below)
     return sign, sorted(above), sorted(below)
@@ -523,14 +523,14 @@ def tangents_opened(*sides: Expression) -> tuple[Expression, ...]:
             case Apply("tan", Binary("/", angle, below) as half) if below == TWO:
                 of_double[angle] = half
 
-    def change(each: Expression) -> Expression:
-        match each:
+    def change(tree: Expression) -> Expression:
+        match tree:
             case Apply("tan", Binary("*", whole, angle)) if whole == TWO:
                 single = angle
             case Apply("tan", angle) if angle in of_double:
                 single = of_double[angle]
             case _:
-                return each
+                return tree
         own = Apply("tan", single)
         return Binary("/", product(TWO, own), difference(ONE, square(own)))
 

@@ -165,7 +165,7 @@ class Scene:
             else:
                 self.frames[number] = frame_of(self.model, self.facts, number)
         own = self.frames[number]
-        if not any(symbols_in(each) for each in own.n):
+        if not any(symbols_in(component) for component in own.n):
             return own
         state = self._state()
         kept, put = self._turned.get(number, (None, own))
@@ -240,7 +240,7 @@ class Scene:
         if self._names is None or self._names[0] != len(final):
             self._worths.clear()
             self._gaps.clear()
-            names = {each.name: each for each in final}
+            names = {value.name: value for value in final}
             names |= {e.symbol.name: e.symbol for e in self.model.components.values()}
             self._names = len(final), names
         return self._names[1]
@@ -313,7 +313,7 @@ class Scene:
     def put(self, value: Any) -> tuple[Any, tuple[Ref, ...]]:
         """A value with everything put in that stands on the desk, and what that rests on."""
         if isinstance(value, Vector):
-            x, y = (self.put(each) for each in value)
+            x, y = (self.put(other) for other in value)
             return Vector(x[0], y[0]), together(x[1], y[1])
         own = sp.sympify(value, strict=True)
         changed, refs = self.with_values(own)
@@ -343,7 +343,7 @@ class Scene:
         for _ in range(12):
             changes: dict[sp.Basic, sp.Expr] = {}
             ratios, bare = _ratios_and_letters(own)
-            if times and any(times.get(each, 0) >= _MOST for each in bare):
+            if times and any(times.get(value, 0) >= _MOST for value in bare):
                 raise NotPlannedError("letters that are known by each other")
             for symbol in bare:
                 source = (
@@ -353,16 +353,16 @@ class Scene:
                     changes[symbol] = source.value
                     refs += source.refs
             if changes:
-                for each in changes:
-                    times[each] = times.get(each, 0) + 1
+                for change in changes:
+                    times[change] = times.get(change, 0) + 1
                 own = own.xreplace(changes)
                 continue
-            for each in ratios:
-                if each.free_symbols & self.kept:
+            for ratio in ratios:
+                if ratio.free_symbols & self.kept:
                     continue
-                source = self._ratio(each) or self._angle(each)
+                source = self._ratio(ratio) or self._angle(ratio)
                 if source is not None:
-                    changes[each] = source.value
+                    changes[ratio] = source.value
                     refs += source.refs
             if not changes:
                 break
@@ -490,8 +490,8 @@ class Scene:
 
     def lets_in(self, link: Link) -> tuple[Ref, ...]:
         """The facts that let letters of a link stand for something."""
-        names = [each.name for side in (link.left, link.right) for each in _letters_of(side)]
-        nodes = [each for side in (link.left, link.right) for each in walk(side)]
+        names = [letter.name for side in (link.left, link.right) for letter in _letters_of(side)]
+        nodes = [node for side in (link.left, link.right) for node in walk(side)]
         return tuple(
             f"let {name}"
             for name in dict.fromkeys(names)
@@ -520,18 +520,18 @@ class Scene:
             fact = self.facts[name] if name in lets else None
             return tree if fact is None else rebuilt(fact.relation.only[0].left, change)
 
-        left, right = (rebuilt(each, change) for each in (link.left, link.right))
+        left, right = (rebuilt(side, change) for side in (link.left, link.right))
         return Link(left, link.sign, right, link.by)
 
     def _residuals(self, link: Link) -> Iterable[sp.Expr]:
         story = self.model.story
         if link.sign == "=":
             left, right = self.value(link.left), self.value(link.right)
-            for each in solve_facts.equal(story, left, right, None):
-                if isinstance(each, Equation):
-                    yield sp.sympify(each.value, strict=True)
+            for condition in solve_facts.equal(story, left, right, None):
+                if isinstance(condition, Equation):
+                    yield sp.sympify(condition.value, strict=True)
         elif link.sign in ("perpendicular to", "parallel to"):
-            a, b = (story.direction(each, self.events) for each in (link.left, link.right))
+            a, b = (story.direction(side, self.events) for side in (link.left, link.right))
             yield a.dot(b) if link.sign == "perpendicular to" else a.cross(b)
 
     # --- data -----------------------------------------------------------------------------------
@@ -608,7 +608,7 @@ class Scene:
 
     def _by_multiple(self, polar: Polar, velocity: Vector) -> Vector:
         """Components of a velocity at 2θ by the sine and cosine of that, as it is given."""
-        angle, size = (self.scalar(each) for each in (polar.angle, polar.size))
+        angle, size = (self.scalar(tree) for tree in (polar.angle, polar.size))
         letters = angle.free_symbols
         if len(letters) != 1 or angle in letters or not (angle / next(iter(letters))).is_Rational:
             return velocity
@@ -620,7 +620,7 @@ class Scene:
                     return form
             return component
 
-        return Vector(*(of(sp.sympify(each, strict=True)) for each in velocity))
+        return Vector(*(of(sp.sympify(component, strict=True)) for component in velocity))
 
     def tree(self, value: Any) -> Expression:
         """The tree of a value."""
@@ -633,8 +633,8 @@ def _ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbo
     ratios = x.atoms(*_RATIOS)
     bare = x.xreplace(dict.fromkeys(ratios, sp.Integer(1))) if ratios else x
     return (
-        tuple(sorted(ratios, key=lambda each: each.sort_key())),
-        tuple(sorted(bare.free_symbols, key=lambda each: each.name)),
+        tuple(sorted(ratios, key=lambda ratio: ratio.sort_key())),
+        tuple(sorted(bare.free_symbols, key=lambda symbol: symbol.name)),
     )
 
 

@@ -45,7 +45,9 @@ def short_direction(vector: Vector, sign: Callable[[sp.Expr], int]) -> Vector | 
     """
     x, y = vector
     if 0 in vector:
-        return Vector(*(sp.Integer(sign(each)) for each in vector)) if any(vector) else None
+        return (
+            Vector(*(sp.Integer(sign(component)) for component in vector)) if any(vector) else None
+        )
     ratio = sp.sympify(tidy(y / x), strict=True)
     if not ratio.is_number:
         return None

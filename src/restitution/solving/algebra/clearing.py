@@ -100,7 +100,7 @@ def polynomial_of(x: sp.Expr, unknowns: set[sp.Symbol]) -> sp.Expr:
 
 @remembered(1024)
 def _polynomial_of(x: sp.Expr, unknowns: frozenset[sp.Symbol]) -> sp.Expr:
-    return sp.Mul(*[gathered(numerator(each)) for each in _rational(x, unknowns)])
+    return sp.Mul(*[gathered(numerator(value)) for value in _rational(x, unknowns)])
 
 
 def _rational(x: sp.Expr, unknowns: AbstractSet[sp.Symbol], depth: int = 6) -> list[sp.Expr]:
@@ -167,7 +167,7 @@ def _rational(x: sp.Expr, unknowns: AbstractSet[sp.Symbol], depth: int = 6) -> l
     else:
         afford(sp.count_ops(even) ** 2 + sp.count_ops(odd) ** 2 * sp.count_ops(square))
         rational = [even**2 - odd**2 * square]
-    return [part for each in rational for part in _rational(each, unknowns, depth - 1)]
+    return [part for value in rational for part in _rational(value, unknowns, depth - 1)]
 
 
 def _has_radicals(x: sp.Expr) -> bool:
@@ -181,7 +181,7 @@ def by_tangent(x: sp.Expr, c: sp.Symbol, s: sp.Symbol, t: sp.Symbol) -> sp.Expr 
     if x.is_Mul:
         parts = [by_tangent(argument, c, s, t) for argument in x.args if argument.is_Add]
         rest = _by_tangent_of_sum(sp.Mul(*[f for f in x.args if not f.is_Add]), c, s, t)
-        whole = [each for each in (rest, *parts) if each is not None]
+        whole = [part for part in (rest, *parts) if part is not None]
         return sp.Mul(*whole) if len(whole) > len(parts) else None
     return _by_tangent_of_sum(x, c, s, t)
 

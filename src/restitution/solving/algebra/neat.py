@@ -59,8 +59,8 @@ def ratio_in_numbers(above: sp.Expr, below: sp.Expr) -> sp.Expr | None:
 def _numbers_of_terms(x: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     """The terms of an expression without the numbers before them, each with its number."""
     numbers: dict[sp.Expr, sp.Expr] = {}
-    for each in sp.Add.make_args(sp.expand(x)):
-        number, term = each.as_independent(*x.free_symbols, as_Add=False)
+    for other in sp.Add.make_args(sp.expand(x)):
+        number, term = other.as_independent(*x.free_symbols, as_Add=False)
         numbers[term] = numbers.get(term, sp.Integer(0)) + number
     return numbers
 
@@ -76,7 +76,7 @@ def _reduced(x: sp.Expr) -> sp.Expr:
     """A quotient with cos²θ = 1 − sin²θ used throughout, where that is shorter."""
     above, below = sp.fraction(x)
     for angle in sorted({atom.args[0] for atom in x.atoms(sp.sin)}, key=sp.default_sort_key):
-        above, below = (without_cos_squared(each, angle) for each in (above, below))
+        above, below = (without_cos_squared(value, angle) for value in (above, below))
     if below == 0:
         return x
     form = reduced(above / below)

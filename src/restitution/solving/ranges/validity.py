@@ -115,7 +115,7 @@ def _of_unwieldy(outcome: Outcome, trial: Trial) -> Iterator[Limitation]:
             continue
         bounded = _bounded(name, role, value, trial.root.angles.get(name))
         names = sorted(symbol_names(value))
-        if bounded is None or any(each.startswith("_") or each not in roles for each in names):
+        if bounded is None or any(name.startswith("_") or name not in roles for name in names):
             continue
         inside, (low, high), limit = bounded
         rng = random.Random(53)
@@ -212,8 +212,8 @@ def _at_contacts(outcome: Outcome, trial: Trial) -> tuple[Demand, ...]:
         value = sp.together(sp.sympify(need.value, strict=True))
         if not value.free_symbols & put.keys():
             continue
-        hidden = {each for each in value.free_symbols - put.keys() if each.name.startswith("_")}
-        positive = [each for each in hidden if each.is_positive]
+        hidden = {other for other in value.free_symbols - put.keys() if other.name.startswith("_")}
+        positive = [value for value in hidden if value.is_positive]
         value = sp.Mul(*(x for x in sp.Mul.make_args(value) if x.as_base_exp()[0] not in positive))
         value = forms.tidy(sp.together(value.xreplace(put)))
         demands.append(Demand(Relation(value, need.relation), need.reason, need.kind))
@@ -227,7 +227,9 @@ def range_limitations(outcome: Outcome, region: Region, values: sp.Set) -> tuple
     gap = _gap(values)
     if not region.trials:
         return ()
-    facts = [each for each in presupposed(outcome) if region.letter not in letters_of(each)]
+    facts = [
+        formula for formula in presupposed(outcome) if region.letter not in letters_of(formula)
+    ]
     base = Oracle(region.roles, tuple(facts))
     if gap is None or base.decide(gap.formula):
         return _defined(outcome, region.trials[0], base, values.args[:2])
@@ -246,11 +248,11 @@ def _defined(
     outcome: Outcome, trial: Trial, base: Oracle, values: Iterable[sp.Expr]
 ) -> tuple[Limitation, ...]:
     rest = [
-        each
-        for each in _existence(values)
-        if _is_of_visible_letters(each)
-        and letters_of(each.formula) <= base.roles.keys()
-        and not base.decide(each.formula)
+        demand
+        for demand in _existence(values)
+        if _is_of_visible_letters(demand)
+        and letters_of(demand.formula) <= base.roles.keys()
+        and not base.decide(demand.formula)
     ]
     return tuple(_limits(outcome, trial, base, _needed(base, rest))) if rest else ()
 
@@ -258,7 +260,7 @@ def _defined(
 def _existence(values: Iterable[sp.Expr]) -> list[Demand]:
     """That no divisor in some values is zero, and that no root is that of less than zero."""
     demands: list[Demand] = []
-    for power in {each for value in values for each in value.atoms(sp.Pow)}:
+    for power in {power for value in values for power in value.atoms(sp.Pow)}:
         inside, exponent = power.as_base_exp()
         if not inside.free_symbols or not exponent.is_Rational:
             continue
@@ -273,7 +275,7 @@ def _existence(values: Iterable[sp.Expr]) -> list[Demand]:
 def always_exist(values: sp.Set, base: Oracle) -> bool:
     """Whether the ends of a range have values for all that the other letters may be."""
     ends = values.args[:2] if isinstance(values, sp.Interval) else ()
-    return all(base.decide(each.formula) for each in _existence(ends))
+    return all(base.decide(demand.formula) for demand in _existence(ends))
 
 
 def _gap(values: sp.Interval) -> Demand | None:
@@ -346,7 +348,7 @@ def _needed(base: Oracle, demands: list[Demand]) -> list[Demand]:
     """Demands of which none follows from the others, the shortest of them kept."""
     kept = sorted(demands, key=_size)
     for demand in reversed(list(kept)):
-        others = [each for each in kept if each is not demand]
+        others = [other for other in kept if other is not demand]
         if others and base.with_facts(d.formula for d in others).decide(demand.formula):
             kept = others
     return kept
@@ -362,7 +364,7 @@ def _limits(
     if not demands:
         return
     names = sorted(
-        {name for each in demands for name in letters_of(each.formula)},
+        {name for demand in demands for name in letters_of(demand.formula)},
         key=lambda name: (KINDS.index(_role(base, name).kind), -_share(name, demands), name),
     )
     for name in names if len(names) <= MOST_LETTERS else []:
@@ -399,7 +401,7 @@ def _is_everywhere(base: Oracle, values: sp.Interval) -> bool:
 def _has_roots(values: sp.Set) -> bool:
     """Whether letters stand under roots in the ends of some intervals."""
     parts = values.args if isinstance(values, sp.Union) else (values,)
-    ends = [end for each in parts if isinstance(each, sp.Interval) for end in each.args[:2]]
+    ends = [end for part in parts if isinstance(part, sp.Interval) for end in part.args[:2]]
     return any(
         x.base.free_symbols for end in ends for x in end.atoms(sp.Pow) if not x.exp.is_Integer
     )

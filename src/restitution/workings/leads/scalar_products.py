@@ -95,13 +95,13 @@ def _directions(
 
 def _value(derivation: Derivation, line: Line, velocity: Expression) -> Vector | None:
     """The last vector that a velocity is said to be above a line, or in the data."""
-    relations = [each.relation for each in derivation.facts]
+    relations = [fact.relation for fact in derivation.facts]
     relations += [
-        each.relation
-        for each in derivation.lines[: line.number]
-        if isinstance(each.relation, Relation)
+        other.relation
+        for other in derivation.lines[: line.number]
+        if isinstance(other.relation, Relation)
     ]
-    links = [each.options[0] for each in relations if len(each.options) == 1]
+    links = [relation.options[0] for relation in relations if len(relation.options) == 1]
     trees = [own[-1].right for own in links if own[0].left == velocity and own[-1].sign == "="]
     try:
         value = in_letters(trees[-1]) if trees else None

@@ -46,11 +46,11 @@ class DataAngles:
     def in_order(self, lines: Sequence[Line]) -> Iterator[Line]:
         """Lines with the ratios of angles that follow each other in the order of the statement."""
         order = {fact.id: n for n, fact in enumerate(self._derivation.facts)}
-        for ratios, run in groupby(lines, lambda each: each.move.id == "triangle"):
+        for ratios, run in groupby(lines, lambda line: line.move.id == "triangle"):
             own = list(run)
             places = {e.number: [order[r] for r in e.premises if r in order] for e in own}
             if ratios and all(places.values()):
-                own.sort(key=lambda each: min(places[each.number]))
+                own.sort(key=lambda line: min(places[line.number]))
             yield from own
 
     def before(self, line: Line) -> Iterator[Sentence]:
@@ -63,7 +63,7 @@ class DataAngles:
             fact = self._of_velocities.get(ref) if isinstance(ref, str) else None
             if fact is None:
                 continue
-            for node in (each for tree in trees_of(fact.relation) for each in walk(tree)):
+            for node in (node for tree in trees_of(fact.relation) for node in walk(tree)):
                 if not isinstance(node, Apply) or node.function not in _ARCS:
                     continue
                 if node not in self._seen and not letters(node.argument):
