@@ -349,7 +349,7 @@ CHAIN = (
     "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, at rest\nsphere C: mass 3m, at rest\n"
     "A hits B: along i, e = 1/2\nB hits C: along i, e = 1/2\nshow A and B collide again\n"
 )
-TWO = (
+NUMBERS = (
     "sphere A: mass 3, velocity 4i + 2j\nsphere B: mass 2, velocity -i - j\n"
     "A hits B: along i, e = 2/5\nfind velocity(A), velocity(B)\n"
 )
@@ -358,7 +358,7 @@ TWO = (
 def test_relations_and_words_that_only_blanks_part() -> None:
     assert verdicts(CHAIN, "yes, as 1.5u > -0.375u A catches B") == ["true"]
     lines = "3x4 + 2x1 = 3a+2b", "b-a = 2", "14 = 5a + 4 a = 2 b = 4"
-    assert verdicts(TWO, *lines) == ["false", "true", "follows"]
+    assert verdicts(NUMBERS, *lines) == ["false", "true", "follows"]
     assert verdicts(CHAIN, "2(3u) = 2v + w", "w - v = 1.5u", "2w = 6u w = 3u") == ["true"] * 3
 
 

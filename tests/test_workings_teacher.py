@@ -78,7 +78,7 @@ SAYS = {
         WALL.format(e="")
         + "part a\nshow tan(angle(velocity(P), W)) = e tan(alpha)\n"
         + "part b\ngiven e = 1/2, alpha = 45°\nfind angle(velocity(P), W)",
-        ["tan β = e tan α", "Since e = ½ and α = 45°:", "tan β = ½ tan 45° = ½", "arctan(1/2)"],
+        ["= e tan α", "Since e = ½ and α = 45°, from (1):", "tan β = ½", "arctan(1/2)"],
     ),
     "a later part puts its values into a velocity that stands": (
         REST.format(m="k m", e="").replace("u at alpha", "u i + u j")
@@ -89,7 +89,12 @@ SAYS = {
         REST.format(m="m", e="")
         + "part a\nshow tan(direction(A)) = 2 tan(alpha)/(1 - e)\n"
         + "part b\ngiven e = 1/2, tan(alpha) = 1/2\nfind direction(A)",
-        ["tan θ = 2 tan α/(1 − e)", "tan θ = (2 × ½)/(1 − ½) = 2", "θ = arctan 2"],
+        [
+            "= 2 tan α/(1 − e), and θ = 90° if e = 1",
+            "Since tan α = ½ and e = ½, from (4):",
+            "tan θ = 2",
+            "θ = arctan 2",
+        ],
     ),
     # v_A = ((5 − 3e)i − √3(1 + e)j)u/8.
     "a deflection from i in letters is read off the velocity": (
@@ -264,7 +269,7 @@ SAYS = {
             "Substituting in (1):\n    component of 𝐯_P along 𝐣 = 1",
             "(b)\n\nFrom part (a):\n    e = ¼",
             "(c)",
-            "by the scalar product, with 𝐯_P from part (a):",
+            "by the scalar product, with 𝐯_P\nfrom part (a):",
             "cos δ = (3 × 3 − 4)/(√(3² + 4²)√(3² + 1²)) = √10/10",
         ],
     ),

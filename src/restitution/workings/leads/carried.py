@@ -28,6 +28,8 @@ _PUTTING: frozenset[SentenceId] = frozenset(
 )
 # No sentences: what goes with them stands behind a comma.
 _PHRASES: frozenset[SentenceId] = _PUTTING | {
+    "derived-between.title-of",
+    "derived-between.title-turned",
     "derived.add",
     "derived.by-from",
     "derived.combine",

@@ -540,6 +540,8 @@ class Naming(Moments):
         if event.wall and kind == "along":
             wall = event.bodies[1]
             if wall not in self.circles and not self.bold.leads_into(event):
+                if unit is not None:
+                    return say("derived.component-unit", axis=self.layout(unit), of=of)
                 return say("derived.component-across-vector", axis=wall, of=of)
             return say("derived.component-towards", of=of, wall=wall)
         if event.wall and event.bodies[1] in self.circles:
