@@ -74,19 +74,6 @@ def _is_law(line: Line, records: Collection[str], event: int | None) -> bool:
     return line.move.id == "law" and line.move.record in records and line.move.event == event
 
 
-def _kept_on(work: Work, line: Line) -> bool:
-    """A component that an impact before has left as it is: the next wall is parallel to that."""
-    subject = subject_of(line)
-    return any(
-        each.move.id == "law"
-        and each.move.record == "unchanged"
-        and isinstance(own := subject_of(each), Quantity)
-        and isinstance(subject, Quantity)
-        and own.arguments[-1] == subject.arguments[-1]
-        for each in work.cited(line)
-    )
-
-
 def _repeated(work: Work, line: Line) -> bool:
     """An earlier part has the same principle for the same bodies at the same event."""
     move, part = line.move, work.part(line)
@@ -592,7 +579,6 @@ def _of_an_impulse(work: Work, line: Line) -> bool:
 
 CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "repeated": _repeated,
-    "kept-on": _kept_on,
     "sought": _sought,
     "zero": _zero,
     "wall": lambda work, line: work.walls.get(line.move.event or 0, False),

@@ -91,7 +91,6 @@ RULES: tuple[Rule, ...] = (
     # Principles. What an earlier part has used at the same impact is no method again.
     _rule("repeated", ("law",), "", when=("repeated",)),
     _rule("component-that-stays-zero", ("law",), "", ("unchanged",), ("zero",)),
-    _rule("component-kept-on", ("law",), "", ("unchanged",), ("wall", "kept-on")),
     _rule("coefficient-sought", ("law",), "M A", ("restitution-wall",), ("sought",)),
     _rule(
         "component-at-a-wall", ("law",), "B", ("unchanged", "restitution-wall"), ("wall",), m4="M A"
