@@ -105,6 +105,7 @@ def test_a_fact_stands_beside_the_angle_that_it_tells():
         ("m", "u cos(alpha) i + u sin(alpha) j", "", ["where α is acute"]),
         ("2", "u i - j", "", ["(u𝐢 − 𝐣) m s⁻¹"]),
         ("m", "u(2i + j)", "", ["velocity u(2𝐢 + 𝐣)."]),
+        ("m", "-v j", "find v", ["velocity −v𝐣, where v is a positive constant."]),
     ],
 )
 def test_units_stand_behind_numbers(mass, velocity, facts, wanted):
