@@ -198,7 +198,7 @@ def test_a_line_that_stands_takes_a_letter_at_which_it_is_least() -> None:
     """At e = 1 the slope of v against e is 0: what is put in is seen in the line itself."""
     for asked, line in (
         ("find v", "v = √3 u/2 ≈ 0.866u"),
-        ("find range of v", "w = 0 A moves perpendicular to the line of centres: v = √3 u/2"),
+        ("find range of v", "w = 0 M1 A moves perpendicular to the line of centres: v = √3 u/2"),
     ):
         explanation = explain(solve(parse(AT_ITS_LEAST.format(asked))), check=True)
         assert f"Since e = 1, from (3): {line}" in " ".join(to_text(explanation).split())

@@ -664,7 +664,7 @@ def test_two_forgotten_data_are_found_from_two_results(hide: Any, data: st.DataO
         moved = tell(both(x, y))
         assume(moved is not None and moved.tale.blows == both(x, y).blows)
         now = of_results(moved)
-        slopes.append([(now[q] - possible[q]) * 1000 for q in (first, second)])
+        slopes.append([_moved_by(q, now[q] - possible[q]) * 1000 for q in (first, second)])
     assume(abs(cross(slopes[0], slopes[1])) > 1e-2)
     forward = solved(exact_words(hidden).statement(f"find {first}, {second}"))
     facts = ", ".join(f"{q} = {as_typed(forward[q].answers[0].exact)}" for q in (first, second))
@@ -674,6 +674,11 @@ def test_two_forgotten_data_are_found_from_two_results(hide: Any, data: st.DataO
     pairs = [(x, y) for x in xs for y in ys if explains(both(x, y), (first, second), possible)]
     assert any(close(x, hidden.value, 1e-7) and close(y, f, 1e-7) for x, y in pairs), (xs, ys)
     assert {x for x, _ in pairs} == set(xs) and {y for _, y in pairs} == set(ys)
+
+
+def _moved_by(quantity: str, gap: float) -> float:
+    """By how much a result has moved; a direction of 180° is that of −180°."""
+    return math.remainder(gap, 2 * math.pi) if quantity.startswith("direction") else gap
 
 
 def explains(tale: Tale, stated: tuple[str, ...], wanted: dict[str, float]) -> bool:

@@ -228,6 +228,7 @@ class Eliminated(InStages):
         mark = self.worths.mark()
         written: list[int] = []
         whole = line
+        alone = sum(map(self._is_open, relation.only)) == 1
         for link in relation.only:
             if not is_zero(link.left) and not is_zero(link.right):
                 line = write_in_one_tangent(self.scene, whole) or whole
@@ -241,7 +242,7 @@ class Eliminated(InStages):
             end = self._by_difference(line, own) if own.left == sides.left else None
             if end is None and square(own.left) == sides.left:
                 end = self._by_difference_of_squares_from(line, own)
-            if end is None:
+            if end is None and alone:
                 end = self._by_its_tangent_from(line, own)
             if end is None:
                 end = self.judge.write((Move("sign"),), pool, Relation(((own,),)))
@@ -250,6 +251,11 @@ class Eliminated(InStages):
                 return None
             written.append(end)
         return self._joined(written, relation, mark)
+
+    def _is_open(self, link: Link) -> bool:
+        """Whether an end of a range does not hold by the range of its letter alone."""
+        names = self.judge.known(letters(link.left) | letters(link.right))
+        return not self.judge.proves(names, Relation(((link,),)))
 
     def _by_its_tangent_from(self, line: int, link: Link) -> int | None:
         """A bound of an angle of which a line gives the tangent or its square, by that of these."""
