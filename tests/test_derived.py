@@ -515,7 +515,7 @@ find speed(P)
         ("position(P, 3)", "position of P when P reaches N"),
         ("impulse(2)", "magnitude of the impulse at the impact"),
         ("along(velocity(P, 2), i)", "component of 𝐯_P along 𝐢"),
-        ("along(velocity(P, 2), line_of_centres(2))", "component of 𝐯_P perpendicular to W"),
+        ("along(velocity(P, 2), line_of_centres(2))", "component of 𝐯_P along 𝐢"),
         ("restitution(2)", "coefficient of restitution at the impact"),
         ("energy(0)", "kinetic energy at the start"),
     ],

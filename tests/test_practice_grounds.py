@@ -313,4 +313,4 @@ def test_a_component_that_stays_is_seen_in_a_remark() -> None:
         next(each["state"] for each in one["marks"]["points"] if each["kind"] == "B1")
         for one in (seen, unseen)
     ]
-    assert states == ["earned", "earned"]
+    assert states == ["earned", "lost"]
