@@ -237,3 +237,24 @@ find line_of_centres
     words = printed(text)
     assert words.index("m = 3") < words.index("(b)") < words.index("the line of centres is")
     assert "From part (a)" not in words
+
+
+def test_a_speed_of_an_earlier_part_stands_above_both_energies() -> None:
+    statement = """
+wall OX: along i
+wall OY: along j
+sphere P: mass m, velocity u at alpha to OX
+P hits OX
+P hits OY
+part a
+show velocity(P) = -e velocity(P, 0)
+part b
+given total_energy_lost = 7/16 energy(0)
+find e
+"""
+    text = str(explain(solve(parse(statement))))
+    _, later = text.split("(b)")
+    assert later.startswith("\n\nWith 𝐯₂ from part (a):\n    speed of P = eu\nKinetic energy:"), (
+        text
+    )
+    assert later.count("Kinetic energy:") == 1

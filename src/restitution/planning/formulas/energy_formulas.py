@@ -564,8 +564,9 @@ def total_energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         own = energy_lost_formula(scene, Quantity("energy_lost", (), 1))
         return replace(own, quantity=quantity, move=Move("define", "total-lost", 1))
     terms, values, refs = [], [], []
-    for stage in (0, quantity.stage):
-        own = energy_formula(scene, Quantity("energy", (), stage))
+    # Lines for speeds that the second takes stand above both.
+    both = [energy_formula(scene, Quantity("energy", (), each)) for each in (0, quantity.stage)]
+    for own in both:
         number = write_formula(scene, own)
         terms.append(tree_of(own.value))
         values.append(own.value)

@@ -40,7 +40,6 @@ _PHRASES: frozenset[SentenceId] = _PUTTING | {
     "derived.since-in",
     "derived.solve",
     "derived.square-add",
-    "so",
 }
 _BY_COMPONENTS: frozenset[SentenceId] = frozenset(
     {"derived-speed.title", "derived-speed.title-of", "derived-assembled.title"}
@@ -133,6 +132,8 @@ class Carried:
             label = self._ends.part(lines[0])
             return spoken, say("carried.in", label=label) if label else say("carried.in-above")
         sources = tuple(self._sources_of(lines))
+        if last is not None and last.id == "so":
+            spoken = spoken[:-1]  # it follows from what is named
         if not spoken:
             return spoken, say("carried.with" if title else "carried.with-alone", sources=sources)
         phrase = last is not None and (last.id in _PHRASES or last.topic.startswith("resolved"))
