@@ -80,4 +80,5 @@ def test_angles_of_paths_at_whole_degrees_are_read_off() -> None:
     )
     shown = " ".join(to_text(explain(solve(parse(text))), 80).split())
     assert "arctan" not in shown
-    assert "= 1/tan 10° DM1 (i) β = 80°" in shown
+    assert "angle between 𝐯₁ and BC = 30° + 50° = 80°" in shown
+    assert "(i) angle between 𝐯₂ and BC = 80°" in shown
