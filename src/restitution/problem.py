@@ -15,7 +15,7 @@ from functools import cached_property, lru_cache, wraps
 from typing import Any, Literal, NamedTuple, TypeVar
 
 from restitution.errors import StatementError
-from restitution.expression.tree import Expression, Name, Pair, Place, letters, rational
+from restitution.expression.tree import Expression, Letter, Name, Pair, Place, letters, rational
 from restitution.mending import Note
 from restitution.shapes import Circle, Line, Segment, Shape
 
@@ -446,6 +446,13 @@ class Problem:
                     yield item, events
             elif isinstance(step, Show):
                 yield step, events
+
+    def letters_asked(self) -> Iterator[Letter]:
+        """The letters of which the value is asked, in their order."""
+        for _, step in self.steps():
+            for item in step.items if isinstance(step, Find) else ():
+                if isinstance(item, Value) and isinstance(item.expression, Letter):
+                    yield item.expression
 
 
 # --- what a problem speaks of ------------------------------------------------------------------

@@ -36,7 +36,6 @@ from restitution.problem import (
     Relation,
     Show,
     Unknown,
-    Value,
     trees,
 )
 
@@ -252,13 +251,7 @@ def _letters_of(operands: Iterable[Expression]) -> frozenset[str]:
 
 def _idle_questions(problem: Problem) -> Iterator[Note]:
     """Letters that are asked for and of which nothing is told."""
-    asked = [
-        item.expression
-        for _, step in problem.steps()
-        if isinstance(step, Find)
-        for item in step.items
-        if isinstance(item, Value) and isinstance(item.expression, Letter)
-    ]
+    asked = list(problem.letters_asked())
     used = set(_used(problem, asked)) if asked else set()
     noted: set[str] = set()
     for letter in asked:

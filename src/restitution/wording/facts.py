@@ -10,7 +10,7 @@ from typing import Any, Literal
 from restitution.expression.dimensions import SPEED
 from restitution.expression.evaluate import letters_of_vector
 from restitution.expression.tree import Expression, Letter, Polar, letters, walk
-from restitution.problem import Compare, Find, Given, Impact, Kick, Problem, Relation, Value
+from restitution.problem import Compare, Given, Impact, Kick, Problem, Relation
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import mathematics
@@ -209,7 +209,7 @@ def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
     """Letters that stand for numbers: positive ones, and components of either sign."""
     positive: set[str] = set()
     signed: set[str] = set()
-    asked = _letters_asked(scene.problem)
+    asked = {letter.name for letter in scene.problem.letters_asked()}
     for sphere in scene.problem.spheres:
         mass, velocity = sphere.mass, sphere.velocity
         if isinstance(mass, Expression):
@@ -243,17 +243,6 @@ def _constants(scene: Scene) -> tuple[frozenset[str], frozenset[str]]:
     } - bounded
     lets = named_letters(scene.problem)
     return frozenset(positive - more - lets), frozenset((signed | (positive & more)) - lets)
-
-
-def _letters_asked(problem: Problem) -> frozenset[str]:
-    """The letters of which the value is asked."""
-    return frozenset(
-        item.expression.name
-        for _, step in problem.steps()
-        if isinstance(step, Find)
-        for item in step.items
-        if isinstance(item, Value) and isinstance(item.expression, Letter)
-    )
 
 
 def _components(tree: Expression) -> frozenset[str]:

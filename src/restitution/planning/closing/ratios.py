@@ -282,15 +282,12 @@ def _background(scene: Scene, line: int) -> tuple[Any, ...]:
 
 def even(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """Squares of sine and cosine beside numbers: sin² + cos² = 1 leaves one of them."""
-    own = residual(scene, line)
-    functions = _functions(scene, own, symbol)
-    if functions is None or any(function.args != (symbol,) for function in functions):
+    own = _of_one_angle(scene, line, symbol)
+    if own is None:
         return None
     if (written := write_in_tangents(scene, line, symbol)) is not None:
         return _by_one(scene, *written, sp.tan, symbol)
-    s, c = sp.sin(symbol), sp.cos(symbol)
-    mixed = sp.Poly(numerator(_in_sines(own, symbol)), s, c)
-    mixed = sp.Poly(mixed.primitive()[1].as_expr() if mixed.domain.is_QQ else mixed.as_expr(), s, c)
+    mixed = _in_both_ratios(own, symbol)
     monomials = mixed.monoms()
     asked = asked_ratio(scene, symbol)
     whole = all(sum(m) % 2 == 0 for m in monomials)
@@ -341,13 +338,27 @@ def with_the_sum_of_squares(scene: Scene, line: int, symbol: sp.Symbol) -> int |
 
     None of another equation, and where it stands so.
     """
+    own = _of_one_angle(scene, line, symbol)
+    if own is None:
+        return None
+    return _with_the_sum_of_squares(scene, line, _in_both_ratios(own, symbol), symbol)
+
+
+def _of_one_angle(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr | None:
+    """The residual of an equation of the ratios of one angle; None of another equation."""
     own = residual(scene, line)
     functions = _functions(scene, own, symbol)
     if functions is None or any(function.args != (symbol,) for function in functions):
         return None
-    mixed = sp.Poly(numerator(_in_sines(own, symbol)), sp.sin(symbol), sp.cos(symbol))
-    mixed = sp.Poly(mixed.primitive()[1].as_expr(), sp.sin(symbol), sp.cos(symbol))
-    return _with_the_sum_of_squares(scene, line, mixed, symbol)
+    return own
+
+
+def _in_both_ratios(own: sp.Expr, symbol: sp.Symbol) -> sp.Poly:
+    """A residual as a polynomial in the sine and the cosine of an angle."""
+    s, c = sp.sin(symbol), sp.cos(symbol)
+    mixed = sp.Poly(numerator(_in_sines(own, symbol)), s, c)
+    whole = mixed.primitive()[1] if mixed.domain.is_QQ else mixed
+    return sp.Poly(whole.as_expr(), s, c)
 
 
 def _with_the_sum_of_squares(
