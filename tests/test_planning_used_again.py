@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from restitution.explaining.following.follower import follow
 from restitution.language import parse
 from restitution.oracle import Oracle
@@ -216,3 +218,55 @@ find range of k
     shown = " ".join(to_text(explain(solve(parse(text)))).split())
     assert "e ≤ 1" not in shown
     assert "k > 0 B1" in shown
+
+
+GREATEST_TURN = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+given e < 1/3
+part a
+find maximum of {} over alpha
+part b
+given e = 1/5
+find maximum of {} over alpha
+"""
+
+
+@pytest.mark.parametrize("asked", ["deflection(A)", "tan(deflection(A))"])
+def test_a_greatest_value_in_letters_takes_the_values_of_a_later_part(asked: str) -> None:
+    explanation = explain(solve(parse(GREATEST_TURN.format(asked, asked))), check=True)
+    shown = " ".join(to_text(explanation).split()).partition(" (b) Since ")[2]
+    assert shown.startswith("e = ⅕, from (5): tan δ ≤ 9√10/20 ")
+    assert shown.endswith("when tan α = √10/10, so α ≈ 17.5° A1 A1")
+    assert "√10 tan α" not in shown
+    assert explanation.followed
+
+
+SHOWN_IN_LETTERS = "show energy_lost = m M (1 - e^2)(u cos(alpha) + v cos(beta))^2/(2(m + M))"
+LOST_BY_TWO_IN_LETTERS = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass M, velocity v at beta from -i
+A hits B: along i
+{}
+"""
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        SHOWN_IN_LETTERS,
+        f"find impulse\n{SHOWN_IN_LETTERS}",
+        "find maximum of energy_lost over e",
+    ],
+)
+def test_squares_of_long_components_are_products_where_the_loss_is_shown_or_greatest(
+    asked: str,
+) -> None:
+    text = LOST_BY_TWO_IN_LETTERS.format(asked)
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation).split())
+    assert "= ½m(u cos α − w)(u cos α + w) − ½M(x + v cos β)(x − v cos β)" in shown
+    assert "= ½(1 − e)M(x + v cos β)(u cos α + v cos β)" in shown
+    assert "(m + M)²" not in shown
+    assert explanation.followed

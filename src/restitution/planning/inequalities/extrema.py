@@ -33,6 +33,7 @@ from restitution.planning.inequalities.angle_pairs import (
 from restitution.planning.inequalities.angles_at_ends import AngleAtEnds, is_angle_of_motion
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.completed_squares import write_completed
+from restitution.planning.inequalities.extrema_above import write_bound_again
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities.letter_ranges import ranges_of
 from restitution.planning.inequalities.quotients import by_tangent, write_quotient
@@ -137,6 +138,10 @@ class _Extremum:
 
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
+        again = write_bound_again(self.claims, self.move, self.end) if self.attained else None
+        if again is not None:
+            self.end = self.scene.desk.last_link(again)
+            return again
         if _is_angle(self.asked) or is_of_two_angles(self.asked):
             start, end, value = self.claims.worths.mark(), self.end, self.value
             try:

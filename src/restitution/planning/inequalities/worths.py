@@ -31,6 +31,7 @@ from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import write_turn_tangent
 from restitution.planning.angles.turning import is_angle
 from restitution.planning.angles.wall_turns import tangent_at_a_wall
+from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.impacts import in_direction, scene_value
 from restitution.planning.formulas.named_angles import letter_of
@@ -307,6 +308,9 @@ class Worths:
             if line is not None:
                 return line
         own = self.formula(quantity)
+        lost = write_loss_by_products(scene, quantity)
+        if lost is not None:
+            return lost
         left, extra = self.named(own, quantity)
         if by_letter and not extra:
             name, let = self.letter_for(quantity)

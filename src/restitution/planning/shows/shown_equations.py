@@ -31,6 +31,7 @@ from restitution.planning.angles.angle_sums import write_tangent_of_two
 from restitution.planning.angles.angles_by_letters import write_by_equal_letters
 from restitution.planning.angles.deflections import cosine_of_deflection
 from restitution.planning.angles.turning import angle_line, is_angle, write_ratio
+from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
@@ -514,6 +515,8 @@ class ShownEquation:
         if line is not None:
             return line
         own = claims.worths.formula(quantity)
+        if quantity == self.link.left and (line := self._loss(quantity)) is not None:
+            return line
         match self.link.left:
             case Apply("cos", _) if quantity.kind == "deflection":
                 own = cosine_of_deflection(self.scene, quantity)
@@ -523,6 +526,18 @@ class ShownEquation:
             if line is not None:
                 return line
         return None
+
+    def _loss(self, quantity: Quantity) -> int | None:
+        """The energy that an impact takes, by products where its squares are long."""
+        mark = self.claims.worths.mark()
+        lost = write_loss_by_products(self.scene, quantity)
+        if lost is None or says(self.scene, lost, self.link):
+            return lost
+        names = self._known(letters(self.link.right))
+        line = self._last([lost, *names])
+        if line is None:
+            self.claims.worths.back(mark)
+        return line
 
     def _turned(self, angle: Quantity) -> int | None:
         """The tangent of an angle between two velocities, by their angles to one line."""
