@@ -831,3 +831,13 @@ def test_what_is_positive_below_a_component_is_said() -> None:
     )
     text = " ".join(to_text(explain(solve(parse(statement)))).split())
     assert "1 − ek < 0, as α is acute and 1 + k > 0" in text
+
+
+def test_a_sphere_with_a_component_that_is_still_a_letter_moves_along_no_line() -> None:
+    statement = (
+        "sphere A: mass 3, velocity 5i + 2j\nsphere B: mass 1, velocity -3i + 4j\n"
+        "A hits B: along i\ngiven velocity(A) perpendicular to velocity(B, 0)\nfind e\n"
+    )
+    text = " ".join(to_text(explain(solve(parse(statement)))).split())
+    assert "v = 8/3" in text
+    assert "moves perpendicular to the line of centres" not in text
