@@ -307,7 +307,7 @@ READINGS = [
     (AGAIN, "v₂ = 3u/4 < 9u/4 = w₂"),
     (BOUNDED, " m s⁻¹ < speed of B < "),
     (BOUNDED, " J < kinetic energy lost < "),
-    (MEETING, "Time = distance ÷ speed in that direction:"),
+    (MEETING, "Time = distance ÷ speed parallel to the y-axis:"),
     (DEAD, "Newton's experimental law, as the coefficient of restitution is 0:"),
     (VECTORS, "Let 𝐮_A and 𝐮_B be the velocities of A and B before the impact."),
     (VECTORS, "Let 𝐯_A and 𝐯_B be the velocities of A and B after the impact."),

@@ -153,7 +153,33 @@ def test_a_blow_is_no_impact_that_changes_nothing() -> None:
         "wall W: along i, through (0, 0)\nsphere P: mass 0.4, at (0, 5), at rest\n"
         "P receives 1.2i - 1.6j\nP hits W: e = 0.5\nfind time(2)"
     )
-    assert "Time = distance ÷ speed in that direction: t₂ = 5/4" in shown
+    assert "Time = distance ÷ speed parallel to the y-axis: t₂ = 5/4" in shown
+
+
+@pytest.mark.parametrize(
+    ("statement", "title"),
+    [
+        # (3, -3): both components are 3, and it is across W that P comes to it.
+        (
+            "wall W: along i, through (0, 0)\nsphere P: at (0, 6), velocity 3i - 3j\n"
+            "P hits W: e = 1/2\nfind time(1)",
+            "Time = distance ÷ speed parallel to the y-axis: t = 6/3 = 2 s",
+        ),
+        (
+            "wall W: along i, through (0, 0)\nsphere P: at (0, 6), velocity -3j\n"
+            "P hits W: e = 1/2\nfind time(1)",
+            "Time = distance ÷ speed: t = 6/3 = 2 s",
+        ),
+        (
+            "wall L: along j, through (0, 0)\nwall R: along j, through (d, 0)\n"
+            "sphere P: at (0, 0), velocity u i + 2u j\nP hits R: e = 1/3\nP hits L: e = 1/2\n"
+            "find time(2) - time(1)",
+            "Time = distance ÷ speed parallel to the x-axis: t₂ − t₁ = d/(u/3)",
+        ),
+    ],
+)
+def test_the_speed_by_which_a_time_is_worked_out_is_named(statement: str, title: str) -> None:
+    assert title in working(statement)
 
 
 def test_an_answer_has_three_figures_at_once() -> None:

@@ -1206,13 +1206,16 @@ SENTENCES: Mapping[SentenceId, str] = {
     "distance.along-one": "The positions differ in their {axis}-coordinates alone",
     "distance.displacements": "Distance, by Pythagoras",
     "distance.coordinates": "Distance, from the coordinates",
-    "flight.several-ways": (
-        "Time = distance ÷ speed in that direction, which no impact in between changes"
-    ),
-    "flight.whole-way": "Time = distance ÷ speed in that direction, which no impact changes",
+    "flight.several-ways": "Time = distance ÷ {speed}, which no impact in between changes",
+    "flight.whole-way": "Time = distance ÷ {speed}, which no impact changes",
     "flight.closing": "Time = gap ÷ speed at which it closes",
-    "flight.time": "Time = distance ÷ speed in that direction",
-    "flight.time-of": "Time = distance ÷ speed in that direction, for {body}",
+    "flight.time": "Time = distance ÷ {speed}",
+    "flight.time-of": "Time = distance ÷ {speed}, for {body}",
+    "flight.speed": "speed",
+    "flight.speed-along": "speed parallel to the {axis}-axis",
+    "flight.speed-across-wall": "speed perpendicular to {wall}",
+    "flight.speed-along-wall": "speed parallel to {wall}",
+    "flight.speed-there": "speed in that direction",
     "flight.at-once": "{bodies:and} are at one place at the start",
     "flight.rest": "{body} is at rest, so it stays where it is",
     "flight.origin-taken": (

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.place_trees import is_duration
+from restitution.workings.leads.speeds_of_flights import speed_of_a_flight
 from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import is_displacement, is_time
@@ -45,7 +46,12 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
     if (several := _several_ways(derivation, naming, line, left)) is not None:
         return several
     if is_time(left) or (isinstance(left, Letter) and _names_a_time(derivation, left)):
-        return say("flight.time") if one else say("flight.time-of", body=body)
+        speed = speed_of_a_flight(derivation, naming, line)
+        return (
+            say("flight.time", speed=speed)
+            if one
+            else say("flight.time-of", body=body, speed=speed)
+        )
     if isinstance(left, Quantity) and left.kind == "position":
         if is_of_a_body_at_rest(derivation, line):
             return say("flight.rest", body=body)
@@ -145,8 +151,8 @@ def _several_ways(
     if not any(body in impact.bodies and early < impact.number < late for impact in naming.impacts):
         return None
     if early or late < derivation.events[-1].number:
-        return say("flight.several-ways")
-    return say("flight.whole-way")
+        return say("flight.several-ways", speed=speed_of_a_flight(derivation, naming, line))
+    return say("flight.whole-way", speed=speed_of_a_flight(derivation, naming, line))
 
 
 def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:

@@ -299,7 +299,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         lasting = [e.relation for e in own if isinstance(e.relation, Relation)]
         parts = [e.options[0][0].left for e in lasting if not is_zero(e.options[0][-1].right)]
         # A component that is still a letter may be anything.
-        parts += [e.relation.quantity for e in own if isinstance(e.relation, Meaning)]
+        open_ = [e.relation for e in own if isinstance(e.relation, Meaning)]
+        parts += [e.quantity for e in open_ if Letter(e.letter) not in parts]
         right = line.relation.options[0][0].right
         if len(parts) != 1 or any(
             isinstance(e, Binary) and e.op == "+" for e in under_a_root(right)
