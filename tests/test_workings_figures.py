@@ -188,3 +188,12 @@ P hits X: e = 1/2
 find direction(P)
 """
     assert "𝐯₂ ≈ −0.3428u((√3/2)𝐢" in to_text(explain(solve(parse(text))), 100)
+
+
+def test_a_decimal_that_ends_with_its_fourth_figure_is_not_rounded() -> None:
+    text = printed(
+        "sphere A: mass 3, velocity 5i\nsphere B: mass 2, velocity -2i\nA hits B: along i, e = 1/2\n"
+        "find energy_lost, energy_lost/energy(0)\n"
+    )
+    assert "= 441/20 = 22.05 J" in text
+    assert "fraction lost = (441/20)/(83/2) = 441/830 ≈ 0.531" in text

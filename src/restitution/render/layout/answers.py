@@ -31,11 +31,19 @@ from restitution.render.layout.nodes import (
 from restitution.render.layout.ranges import from_set
 from restitution.render.layout.sides import as_layout, equation
 
+_ROUNDED = 3
+# A decimal of so many figures is not rounded.
+_EXACT = 4
+# No decimal of four figures has more places.
+_PLACES = 12
+
 
 def display(
     value: Any, *, angle: bool = False, percentage: bool = False, decimals: bool = False
 ) -> Layout:
     """An answer: its exact form and, where that says more, its value to 3 significant figures.
+
+    A decimal that ends with the fourth figure is given as it is (``441/20 = 22.05``).
 
     ``√103 u/16 = 0.634u``, ``arctan(3/4) = 36.9°``, ``60°``, ``3/7 = 0.429``, ``7u/11``. An angle
     is given in radians and shown in degrees. A fraction of letters is a decimal too where those
@@ -77,7 +85,7 @@ def _display_sides(
     value = sympy.sympify(value, strict=True)
     if percentage:
         return _display_percentage(value)
-    rounded = _rounded(value, angle, decimals)
+    rounded = _rounded(value, angle, decimals, _exact_figures(value))
     if rounded is None:
         return [from_sympy(value, degrees=angle)]
     if _is_long(value):
@@ -96,20 +104,29 @@ def _display_percentage(value: Expr) -> list[Layout]:
     if value.free_symbols:
         return [Percent(bracketed(from_sympy(hundred)))]
     rounded = Percent(decimal_number(hundred))
-    if isinstance(hundred, Rational) and 1000 % hundred.q == 0 and _figures(hundred) <= 3:
+    if isinstance(hundred, Rational) and 1000 % hundred.q == 0 and _figures(hundred) <= _EXACT:
         size = Percent(plain_number(Ratio(int(abs(hundred.p)), int(hundred.q))))
         return [negative(size) if hundred.p < 0 else size]
     return [from_sympy(value), rounded]
 
 
 def _figures(value: Rational) -> int:
-    """How many significant figures a terminating decimal has."""
-    scaled = abs(value) * 1000
-    return len(str(int(scaled)).strip("0")) if scaled.q == 1 else 99
+    """How many significant figures a decimal has that ends; more than any if it does not."""
+    scaled = abs(value) * 10**_PLACES
+    return len(str(int(scaled)).strip("0")) if scaled.q == 1 else _PLACES
+
+
+def _exact_figures(value: Expr) -> int:
+    """To how many figures a number, or what stands before letters, is given: four if exact."""
+    number, _ = _number_and_letters(value)
+    is_exact = isinstance(number, Rational) and _figures(number) == _EXACT
+    return _EXACT if is_exact else _ROUNDED
 
 
 @lru_cache(maxsize=1024)
-def _rounded(value: Expr, angle: bool, decimals: bool = False) -> Layout | None:
+def _rounded(
+    value: Expr, angle: bool, decimals: bool = False, figures: int = _ROUNDED
+) -> Layout | None:
     """The value to 3 significant figures, or None where the exact form says enough.
 
     It does for a fraction of letters, unless the data have ``decimals``.
@@ -130,7 +147,7 @@ def _rounded(value: Expr, angle: bool, decimals: bool = False) -> Layout | None:
         _simple(coefficient) or (rest is not S.One and not decimals)
     ):
         return None
-    return _times_letters(decimal_number(coefficient), rest)
+    return _times_letters(decimal_number(coefficient, figures), rest)
 
 
 def _times_letters(number: Layout, rest: Expr) -> Layout:

@@ -37,6 +37,8 @@ from restitution.wording.units import style_of
 from restitution.work import remembered
 
 _FIGURES = 3
+# A decimal of so many figures is exact, and not rounded to three.
+_EXACT_FIGURES = 4
 
 
 class Measures:
@@ -353,7 +355,7 @@ def as_answer(
     if isinstance(value, Vector):
         x, y = (sp.sympify(component, strict=True) for component in (value.x, value.y))
         shown = lay.display_point(x, y) if place else lay.display_vector(x, y, decimals=decimals)
-        exact = _is_decimal(x) and _is_decimal(y)
+        exact = all(_is_decimal(component, _FIGURES) for component in (x, y))
     elif isinstance(value, sp.Expr):
         shown = lay.display(value, angle=_is_angle(tree), decimals=decimals)
         exact, place = _is_decimal(value), False
@@ -379,15 +381,15 @@ def _without_zeros(layout: Any) -> Any:
     return layout
 
 
-def _is_decimal(value: sp.Expr) -> bool:
-    """Whether a number, or what stands before letters, is a decimal of three figures."""
+def _is_decimal(value: sp.Expr, figures: int = _EXACT_FIGURES) -> bool:
+    """Whether a number, or what stands before letters, is a decimal of so many figures."""
     number, rest = value.as_coeff_Mul()
     factors = sp.Mul.make_args(rest) if rest != 1 else ()
     if not isinstance(number, sp.Rational) or any(not factor.free_symbols for factor in factors):
         return False
-    while number and abs(number) < 100:
+    while number and abs(number) < 10 ** (figures - 1):
         number *= 10
-    return bool(number.q == 1 and abs(number) < 1000) or not number
+    return bool(number.q == 1 and abs(number) < 10**figures) or not number
 
 
 def percentage(tree: Expression) -> tuple[lay.Layout, str] | None:
