@@ -192,7 +192,8 @@ find direction(P)
 
 def test_a_decimal_that_ends_with_its_fourth_figure_is_not_rounded() -> None:
     text = printed(
-        "sphere A: mass 3, velocity 5i\nsphere B: mass 2, velocity -2i\nA hits B: along i, e = 1/2\n"
+        "sphere A: mass 3, velocity 5i\nsphere B: mass 2, velocity -2i\n"
+        "A hits B: along i, e = 1/2\n"
         "find energy_lost, energy_lost/energy(0)\n"
     )
     assert "= 441/20 = 22.05 J" in text

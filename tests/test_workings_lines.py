@@ -235,7 +235,7 @@ def test_a_component_in_which_a_value_is_put_stands_before_its_use() -> None:
 
 def test_angles_of_one_tangent_are_one_angle() -> None:
     text = working(THREE_CHORDS)
-    for each in ("α + α = 90° − α", "α = 30°"):
+    for each in ("3α = 90°", "α = 30°"):
         assert each in text
     assert "tan²α" not in text
 

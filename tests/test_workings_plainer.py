@@ -285,3 +285,21 @@ def test_a_second_case_does_not_say_again_what_the_first_one_does() -> None:
     first, second = text.split("If b = ")[1:]
     assert "The velocity, from its components" in first
     assert second.startswith("−½: 𝐮_A = ")
+
+
+def test_the_formula_for_the_tangent_by_that_of_its_half_is_named() -> None:
+    text = in_a_row(
+        "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/4\n"
+        "given angle(velocity(P), W) = 1/2 alpha\nfind alpha\n"
+    )
+    assert "By the formula tan α = 2t/(1 − t²): t = ¼ × (2t/(1 − t²))" in text
+    assert "half angle" not in text
+
+
+def test_a_velocity_along_an_axis_has_one_component() -> None:
+    text = in_a_row(
+        "wall W: along theta\nsphere P: velocity 2i\nP hits W: e = 1/2\n"
+        "given velocity(P) parallel to j\nfind theta, speed(P)\n"
+    )
+    assert "The velocity of P has one component only: speed of P = √2" in text
+    assert "from its components" not in text

@@ -82,3 +82,15 @@ def test_a_component_in_the_other_sense_is_that_with_the_unit_vector() -> None:
     text = " ".join(text_of(SLANTING).split())
     assert "in the direction of −4𝐢 + 3𝐣 = −𝐮_P · 𝐧 = −5 m s⁻¹" in text
     assert "in the direction of −4𝐢 + 3𝐣 = −𝐯_P · 𝐧 = 3 m s⁻¹" in text
+
+
+def test_a_letter_of_which_the_sign_is_open_leaves_a_change_its_sense() -> None:
+    text = text_of(
+        "sphere A: mass 3, velocity 2i + 4j\nsphere B: mass 2, velocity -3i - j\n"
+        "A hits B: e = 1/2\ngiven velocity(B) parallel to j\nfind velocity(A), line_of_centres\n"
+    )
+    assert (
+        "The impulse on B acts in the direction from A to B:\n"
+        "    the direction from A to B is that of 3𝐢 + (s + 1)𝐣"
+    ) in text
+    assert "approach each other" not in text

@@ -104,6 +104,8 @@ def write_round(scene: Scene, own: Round) -> int:
             pool.append(f"acute: {other.name}")
     a, b, c = angles
     total = chain(Binary("+", a, b), (Binary("-", RIGHT_ANGLE, c), None))
+    if len({*angles}) == 1:
+        total = chain(product(tree_of(len(angles)), a), (RIGHT_ANGLE, None))
     move = move_of(own)
     closing = scene.desk.write(move, together(premises), total)
     if all(scene.coefficient(n).value == 1 for n in own.hits):

@@ -36,7 +36,10 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
     if towards != (body == event.bodies[0]):
         return None
-    if not event.wall and (sides := _approaching(derivation, event, before, one)) is not None:
+    sides = None
+    if not event.wall and not _is_multiple(one, other):
+        sides = _approaching(derivation, event, before, one)
+    if sides is not None:
         slots = {"one": event.bodies[0], "other": event.bodies[1], "vector": naming.side(own)}
         reason = _closing(derivation, naming, sides, own)
         if reason is None:
@@ -45,6 +48,11 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     opposite = "sense.opposite-wall" if event.wall else "sense.opposite"
     name = opposite if towards else "sense.away"
     return say(name, body=pushed, other=from_)
+
+
+def _is_multiple(one: Vector, other: Vector) -> bool:
+    """Whether a vector is a number times another, so that no letter decides which sense it has."""
+    return bool(sp.cancel(one.dot(other) / other.dot(other)).is_number)
 
 
 def _approaching(

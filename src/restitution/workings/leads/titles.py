@@ -219,7 +219,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "perpendicular", _ if last.sign in FLIPPED:
                 return None
-            case "round", Binary("+", left, right) if left == right and left in walk(last.right):
+            case "round", Binary("*"):
                 return say("round.title-same")
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
@@ -301,6 +301,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         # A component that is still a letter may be anything.
         open_ = [e.relation for e in own if isinstance(e.relation, Meaning)]
         parts += [e.quantity for e in open_ if Letter(e.letter) not in parts]
+        if len(parts) > 1:
+            # Beside the velocity along **i** or **j** there is the letter for its component.
+            whole = [e for e in lasting if _has_one_component(e.options[0][-1].right)]
+            parts = [part for part in parts if part not in [e.options[0][0].left for e in whole]]
         right = line.relation.options[0][0].right
         if len(parts) != 1 or any(
             isinstance(e, Binary) and e.op == "+" for e in under_a_root(right)

@@ -188,13 +188,32 @@ class TurnLeads(LinesAround):
             case Apply("tan", Binary("/", Letter() as whole, _)) as half:
                 pass
             case _:
-                return None
+                return self._by_its_half(line, base)
         sine, cosine = Apply("sin", whole), Apply("cos", whole)
         if not {sine, cosine} <= {node for side in trees_of(base.relation) for node in walk(side)}:
             return None
         right = Binary("/", sine, Binary("+", Number(Fraction(1)), cosine))
         formula = self._naming.relation(Relation(((Link(half, "=", right),),)))
         return say("derived.by-formula", formula=formula)
+
+    def _by_its_half(self, line: Line, base: Line) -> Sentence | None:
+        """The formula for the tangent of an angle by the letter for that of its half."""
+        assert isinstance(base.relation, Relation)
+        sides = (base.relation.only[0].left, base.relation.only[-1].right)
+        nodes = {node for side in sides for node in walk(side) if isinstance(node, Apply)}
+        for cited in map(self._cited, line.premises):
+            let = None if cited is None else cited.relation
+            if isinstance(let, Meaning) and isinstance(let.quantity, Apply):
+                wholes = [node for node in nodes - {let.quantity} if node.function != "sqrt"]
+                if [node.function for node in wholes] != ["tan"]:
+                    return None
+                one, two = (Number(Fraction(n)) for n in (1, 2))
+                t = Letter(let.letter)
+                below = Binary("-", one, Binary("^", t, two))
+                link = Link(wholes[0], "=", Binary("/", Binary("*", two, t), below))
+                formula = self._naming.relation(Relation(((link,),)))
+                return say("derived.by-formula", formula=formula)
+        return None
 
     def _by_squares(self, line: Line) -> Sentence | None:
         """The identity of sine and cosine, for the one angle to which it is applied."""
