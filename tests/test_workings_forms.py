@@ -161,19 +161,25 @@ def test_a_blow_is_no_impact_that_changes_nothing() -> None:
     [
         # (3, -3): both components are 3, and it is across W that P comes to it.
         (
-            "wall W: along i, through (0, 0)\nsphere P: at (0, 6), velocity 3i - 3j\n"
-            "P hits W: e = 1/2\nfind time(1)",
+            (
+                "wall W: along i, through (0, 0)\nsphere P: at (0, 6), velocity 3i - 3j\n"
+                "P hits W: e = 1/2\nfind time(1)"
+            ),
             "Time = distance ÷ speed parallel to the y-axis: t = 6/3 = 2 s",
         ),
         (
-            "wall W: along i, through (0, 0)\nsphere P: at (0, 6), velocity -3j\n"
-            "P hits W: e = 1/2\nfind time(1)",
+            (
+                "wall W: along i, through (0, 0)\nsphere P: at (0, 6), velocity -3j\n"
+                "P hits W: e = 1/2\nfind time(1)"
+            ),
             "Time = distance ÷ speed: t = 6/3 = 2 s",
         ),
         (
-            "wall L: along j, through (0, 0)\nwall R: along j, through (d, 0)\n"
-            "sphere P: at (0, 0), velocity u i + 2u j\nP hits R: e = 1/3\nP hits L: e = 1/2\n"
-            "find time(2) - time(1)",
+            (
+                "wall L: along j, through (0, 0)\nwall R: along j, through (d, 0)\n"
+                "sphere P: at (0, 0), velocity u i + 2u j\nP hits R: e = 1/3\nP hits L: e = 1/2\n"
+                "find time(2) - time(1)"
+            ),
             "Time = distance ÷ speed parallel to the x-axis: t₂ − t₁ = d/(u/3)",
         ),
     ],

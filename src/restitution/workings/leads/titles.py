@@ -296,15 +296,15 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         assert isinstance(line.relation, Relation)
         numbers = [ref for ref in line.premises if isinstance(ref, int)]
         own = [e for e in map(self._cited, numbers) if e is not None]
-        lasting = [e.relation for e in own if isinstance(e.relation, Relation)]
-        parts = [e.options[0][0].left for e in lasting if not is_zero(e.options[0][-1].right)]
+        lasting = [e.relation.options[0] for e in own if isinstance(e.relation, Relation)]
+        parts = [links[0].left for links in lasting if not is_zero(links[-1].right)]
         # A component that is still a letter may be anything.
         open_ = [e.relation for e in own if isinstance(e.relation, Meaning)]
         parts += [e.quantity for e in open_ if Letter(e.letter) not in parts]
         if len(parts) > 1:
             # Beside the velocity along **i** or **j** there is the letter for its component.
-            whole = [e for e in lasting if _has_one_component(e.options[0][-1].right)]
-            parts = [part for part in parts if part not in [e.options[0][0].left for e in whole]]
+            whole = {links[0].left for links in lasting if _has_one_component(links[-1].right)}
+            parts = [part for part in parts if part not in whole]
         right = line.relation.options[0][0].right
         if len(parts) != 1 or any(
             isinstance(e, Binary) and e.op == "+" for e in under_a_root(right)
