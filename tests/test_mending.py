@@ -96,6 +96,13 @@ BROKEN = {
     "wall V: in direction 3i + 4j": "wall V: along 3i + 4j",
     # events
     "A hits W: 1/2": "A hits W: e = 1/2",
+    "A hits W: impulse = 10": "A hits W\ngiven impulse = 10",
+    "A hits W: impulse of 10 N s": "A hits W\ngiven impulse = 10 N s",
+    "A hits W: J = 10, e = 1/2": "A hits W: e = 1/2\ngiven impulse = 10",
+    "A hits W: e = 1/2, speed(A) = 3": "A hits W: e = 1/2\ngiven speed(A) = 3",
+    "A hits B: along i, velocity(B) = (1, 0), e = 1/2": (
+        "A hits B: along i, e = 1/2\ngiven velocity(B) = (1, 0)"
+    ),
     "A hits W directly": "A hits W",
     "A hits the wall with e = 1/2": "A hits W: e = 1/2",
     "A hits B along j with e = 1/2": "A hits B: along j, e = 1/2",

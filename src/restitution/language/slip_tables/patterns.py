@@ -88,3 +88,7 @@ STRIKES = (
     r"|impacts?(?:\s+(?:on|with))?|bumps?\s+into|(?:bounces?|rebounds?)\s+(?:off|on|against|from)"
     r"|meets?|impinges?\s+on|hits\s+(?:into|against|with|on))"
 )
+
+# What a fact gives of the motion, and its value up to a comma outside brackets.
+OF_MOTION = rf"(?:impulse|energy_lost|(?:impulse|velocity|speed|energy|deflection)\({NAME}\))"
+VALUE = r"(?:\([^()]*\)|[^(),=])+"

@@ -2,19 +2,41 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from restitution.language.slip_tables.patterns import (
     ALONG,
     BODY_LINES,
     CUT,
     NAME,
+    OF_MOTION,
     SIZE,
+    VALUE,
     Cure,
     Slip,
     either,
     meant,
 )
 
+
+def _facts_at_events() -> Iterator[Slip]:
+    """What is given of the motion on the line of an impact: a line of its own below that."""
+    quantities = (
+        (rf"(?P<q>{OF_MOTION})\s*=", "{q}"),
+        (r"(?:impulse(?:\s+(?:is|of))?|J\s*=)", "impulse"),
+    )
+    for quantity, name in quantities:
+        fact = f"given {name} = {{v}}"
+        message = f"what is given of the motion stands on a line of its own: '{fact}'"
+        for sign in (":", ","):
+            start = rf"(?P<x>\s*{sign}\s*{quantity}\s*(?P<v>{VALUE}?)\s*"
+            yield "event", rf"{start})$", Cure(message, f"\n{fact}", tight=True)
+            rest = Cure(message, f"{sign} {{r}}\n{fact}", tight=True)
+            yield "event", rf"{start},\s*(?P<r>.+))$", rest
+
+
 PROPERTIES: tuple[Slip, ...] = (
+    *_facts_at_events(),
     ("let", r"(?P<x>,)\s*\w+\s*=", "a line 'let' names one quantity"),
     ("", r"(?:\bmass\b|\bradius\b|=)\s*\d+(?P<x>,)\d", Cure("a decimal point is '.'", ".")),
     ("point", r":\s*(?P<x>[^()\s,]+\s*,\s*[^()\s,]+)\s*$", meant("({x})")),
