@@ -193,25 +193,18 @@ def _display_pair(x: Any, y: Any, build: Any, decimals: bool = False) -> Layout:
         return whole
     long = any(_is_long(each) for each in (first, second))
     parts = [
-        layout if layout is not None else _short_decimal(value)
+        layout if layout is not None else _with_three_figures(value)
         for layout, value in zip(rounded, (first, second), strict=True)
     ]
     return build(*parts) if long else equation(whole, build(*parts))
 
 
-def _short_decimal(value: Expr) -> Layout:
-    """A simple number beside one that is rounded: 0.5, not ½."""
-    if isinstance(value, Rational):
-        size = (
-            plain_number(Ratio(int(abs(value.p)), int(value.q)))
-            if 1000 % value.q == 0
-            else decimal_number(abs(value))
-        )
-        return negative(size) if value.p < 0 else size
+def _with_three_figures(value: Expr) -> Layout:
+    """A component beside one that is rounded: it has three figures too, unless it is 0 or *a*."""
     number, rest = _number_and_letters(value)
-    if isinstance(number, Rational) and number.q != 1:
-        return _times_letters(_short_decimal(number), rest)
-    return from_sympy(value)
+    if number is None or value == 0 or (abs(number) == 1 and rest != 1):
+        return from_sympy(value)
+    return _times_letters(decimal_number(number), rest)
 
 
 def _ends(values: Any) -> list[Expr]:
