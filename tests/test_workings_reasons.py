@@ -816,6 +816,13 @@ def test_a_tangent_is_no_factor_that_is_gone() -> None:
             ),
             "Substituting for e",
         ),
+        (  # smooth spheres: what gives the direction is that of the line of centres
+            (
+                "sphere A: mass 2m, velocity 3u i + u j\nsphere B: mass 3m, velocity -u i\n"
+                "A hits B: along i + j, e = 1/2\nfind impulse(B)"
+            ),
+            "Impulse = change of momentum of B along the line of centres: impulse on B = 3m(",
+        ),
     ],
 )
 def test_what_a_line_comes_of(text: str, reason: str) -> None:

@@ -275,7 +275,9 @@ class Rows:
         if (angle := self._tangent_of(line, links[0])) is not None:
             sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
         match links[0].right:
-            case Binary("/") | Negate(Binary("/")) if line.move.record in _BY_A_LENGTH:
+            case Binary("/") | Negate(Binary("/")) if (
+                line.move.record in _BY_A_LENGTH and len(links) > 1
+            ):
                 sides[1] = self._unrationalised(links[0].right)
             case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
                 line.move.record in _TANGENTS

@@ -197,6 +197,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
+            case "impulse-vector", _ if self._by_components(line):
+                name = RECORDS["impulse"].title(event)  # a component times its unit vector
             case "product", _ if wall := self._along_which(line):
                 return say("derived-product.along", wall=wall)
             case "opposite-impulses", Quantity("impulse", (Name(body),)) if self._weighs(line):
@@ -253,6 +255,18 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{slot: slots[slot][0] for slot in slots_of(name)})
 
+    def _by_components(self, line: Line) -> bool:
+        """Whether a line rests on a component along the line of its impact."""
+        for cited in map(self._cited, line.premises):
+            match None if cited is None else cited.relation:
+                case Meaning(_, Quantity("along", (_, Quantity("line_of_centres")))):
+                    return True
+                case Relation(
+                    ((Link(Quantity("along", (_, Quantity("line_of_centres")))), *_), *_)
+                ):
+                    return True
+        return False
+
     def _along_which(self, line: Line) -> str | None:
         """The wall to which a velocity is at right angles by a scalar product; None of another."""
         for other in self._derivation.lines:
@@ -299,8 +313,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         lasting = [e.relation.options[0] for e in own if isinstance(e.relation, Relation)]
         parts = [links[0].left for links in lasting if not is_zero(links[-1].right)]
         # A component that is still a letter may be anything.
-        open_ = [e.relation for e in own if isinstance(e.relation, Meaning)]
-        parts += [e.quantity for e in open_ if Letter(e.letter) not in parts]
+        known = {links[0].left for links in lasting}
+        still_open = [e.relation for e in own if isinstance(e.relation, Meaning)]
+        parts += [e.quantity for e in still_open if Letter(e.letter) not in known]
         if len(parts) > 1:
             # Beside the velocity along **i** or **j** there is the letter for its component.
             whole = {links[0].left for links in lasting if _has_one_component(links[-1].right)}
