@@ -28,6 +28,7 @@ from restitution.planning.writing.forms import (
     neat,
     product,
     reordered,
+    square,
     swept,
     total,
     tree_of,
@@ -56,6 +57,8 @@ def by_scalar_product(
     value, refs = tidy(value), together(source.refs, more, frame.refs)
     move = Move("define", "component", frame.number, (body,))
     last = tree_of(value)
+    if form is None and not more:
+        form = _whole_size(source.value, direction)
     if form is None and frame.number in scene.desk.paths:
         form = _with_a_ratio(exact)  # by the angle with the path
     if form is None and more and not scene.last_event(body, frame.number - 1):
@@ -75,6 +78,17 @@ def by_scalar_product(
     shown: Showing = "line" if any(source.value) else "silent"
     number = scene.desk.write(move, refs, Relation((links,)), shown)
     return scene.desk.know(quantity, value, (number,))
+
+
+def _whole_size(vector: Vector, direction: Vector) -> Expression | None:
+    """The size of a vector of numbers that is along a direction, by its components.
+
+    None of any other vector, and of one along **i** or **j**.
+    """
+    if not all(part.is_Rational and part for part in vector) or vector.cross(direction) != 0:
+        return None
+    size = Apply("sqrt", total(square(tree_of(abs(part))) for part in vector))
+    return size if vector.dot(direction) > 0 else Negate(size)
 
 
 def by_the_angle_of_the_line(scene: Scene, kind: str, body: str, frame: Frame) -> Expression | None:

@@ -286,7 +286,11 @@ def time_from_the_centre(scene: Scene, body: str, number: int, flight: Expressio
     radius, more = scene.put(scene.scalar(circle[1]))
     speed = _speed_on_a_chord(scene, body, 0)
     value = tidy(radius / speed.value)
-    ratio = swept(Binary("/", tree_of(radius), tree_of(speed.value)))
+    parts = scene.initial(body).value
+    pace = tree_of(speed.value)
+    if all(part.is_Rational and part for part in parts):
+        pace = Apply("sqrt", total(square(tree_of(abs(part))) for part in parts))
+    ratio = swept(Binary("/", tree_of(radius), pace))
     line = scene.judge.write(
         (Move("define", "chord", number, (body,)),),
         ("start", place.id, f"contact {number}", *speed.refs, *more),
