@@ -303,3 +303,13 @@ def test_a_velocity_along_an_axis_has_one_component() -> None:
     )
     assert "The velocity of P has one component only: speed of P = √2" in text
     assert "from its components" not in text
+
+
+def test_a_least_value_is_reached_where_the_plain_square_is_zero() -> None:
+    text = in_a_row(
+        "wall W: along j, through (0, 0)\nsphere A: mass m, at (d, 0), velocity -u i\n"
+        "sphere B: mass m, at (4d, d), velocity -u i\nA hits W: e = 1/2\n"
+        "find minimum of distance(A, B, at time(1) + T) over T\n"
+    )
+    assert "= √((3d − Tu − Tu/2)² + d²) = √((3d − 3Tu/2)² + d²)" in text
+    assert "when 3d − 3Tu/2 = 0, so T = 2d/u" in text

@@ -127,7 +127,7 @@ def _square_above(derivation: Derivation, line: Line, place: Link) -> Expression
     try:
         left, right = (in_letters(side, positive=True) for side in (place.left, place.right))
         for above in _above(derivation, line):
-            for tree in trees_of(above):
+            for tree in reversed([*trees_of(above)]):  # the last form of a chain is the plainest
                 for node in walk(tree):
                     match node:
                         case Binary("^", Binary("+" | "-") as base, Number(power)) if power == 2:
