@@ -393,6 +393,8 @@ MISTAKES = {
     "find speed(AC)": (12, "unknown name 'AC'"),
     "find speed(N)": (12, "'N' is the name of a point: 'speed' takes a sphere"),
     "find speed(W)": (12, "'W' is the name of a wall"),
+    "find distance(A, W)": (18, "'position(A)' tells how far it is from W"),
+    "find distance(W, N)": (15, "'distance' takes a point or a sphere"),
     "find mA": (7, "'A' is the name of a sphere and cannot be a letter too"),
     "find m A": (8, "'A' is the name of a sphere"),
     "find A": (6, "such as velocity(A)"),

@@ -17,7 +17,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
-from restitution.workings import to_text
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 STATEMENTS = {
@@ -288,6 +288,36 @@ def test_an_expression_that_has_one_value_by_all_alternatives(
 ) -> None:
     lines = refused((Move("roots"), ("given 4",), above), (Move("put"), (1,), below))
     assert (2 not in lines) == right
+
+
+@pytest.mark.parametrize(
+    ("above", "known", "below", "right"),
+    [
+        ("p = -3", (), "abs(p) = 3", True),
+        ("p = -3", (), "abs(p) = -3", False),
+        ("p = -3", (), "abs(p) = 2", False),
+        ("p = -4e", ("e >= 0",), "abs(p) = 4e", True),
+        ("p = -4e", (), "abs(p) = 4e", False),
+        ("p = -4e", ("e >= 0",), "abs(p) = -4e", False),
+        ("p = 2e - 1", ("e <= 1",), "abs(p) = 2e - 1", False),
+        ("2p = -6", (), "abs(p) = 3", False),
+    ],
+)
+def test_the_size_of_what_a_line_tells(
+    above: str, known: tuple[str, ...], below: str, right: bool
+) -> None:
+    lines = refused((Move("fact"), ("given 4",), above), (Move("rearrange"), (1, *known), below))
+    assert (2 not in lines) == right
+
+
+@pytest.mark.parametrize("asked", ["velocity(P), i", "velocity(P), j", "position(P), j"])
+def test_the_size_of_a_component_is_read_off(asked: str) -> None:
+    text = (
+        "wall W: along i, through (0, 0)\nwall V: along j, through (15, 0)\n"
+        "sphere P: velocity 3i - 4j, at (0, 8)\nP hits W: e = 1/2\nP hits V: e = f\n"
+        f"find abs(along({asked}))\n"
+    )
+    assert explain(solve(parse(text)), check=True).followed
 
 
 @pytest.mark.parametrize(

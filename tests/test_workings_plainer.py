@@ -309,6 +309,7 @@ def test_a_least_value_is_reached_where_the_plain_square_is_zero() -> None:
     text = in_a_row(
         "wall W: along j, through (0, 0)\nsphere A: mass m, at (d, 0), velocity -u i\n"
         "sphere B: mass m, at (4d, d), velocity -u i\nA hits W: e = 1/2\n"
+        "find distance(A, B, at time(1) + T)\n"
         "find minimum of distance(A, B, at time(1) + T) over T\n"
     )
     assert "= √((3d − Tu − Tu/2)² + d²) = √((3d − 3Tu/2)² + d²)" in text

@@ -433,6 +433,9 @@ def _name(
         elif isinstance(parent, Quantity):
             wanted = " or a ".join(sorted(allowed)) or "vector"
             message = f"'{node.name}' is the name of a {kind}: '{parent.kind}' takes a {wanted}"
+            body = next((other.name for other in _bodies_in(bodies, parent)), None)
+            if parent.kind == "distance" and kind == "wall" and body is not None:
+                message += f"; 'position({body})' tells how far it is from {node.name}"
         elif parent is None and kind == "sphere":
             message = (
                 f"'{node.name}' is the name of a sphere: write which quantity, "
@@ -448,6 +451,13 @@ def _name(
             edit = Edit(line, column, line, column + len(node.name), f"velocity({node.name})")
             mistake.fixes = (Fix(f"Write velocity({node.name})", (edit,)),)
         yield mistake
+
+
+def _bodies_in(bodies: _Bodies, quantity: Quantity) -> Iterator[Name]:
+    """The spheres that are arguments of a quantity."""
+    for argument in quantity.arguments:
+        if isinstance(argument, Name) and bodies.kinds.get(argument.name) == "sphere":
+            yield argument
 
 
 def _quantity(bodies: _Bodies, node: Quantity) -> Iterator[StatementError]:

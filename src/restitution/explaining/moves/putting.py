@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
+from restitution.oracle import Relation as Claim
 
 
 def is_put(step: Step, line: Link) -> bool:
@@ -166,6 +167,7 @@ def is_rearrangement(step: Step, line: Link) -> bool:
         or _is_multiplied(step, line, link)
         or _is_squared(step, line, link)
         or is_root_of(step, line, link)
+        or _is_size_of(step, line, link)
         or matches(step, line, expected_residual(step, link, Rules(step.world)), link.sign)
         for link in flat(base.only)
         if link.sign != "≈"
@@ -216,6 +218,20 @@ def is_root_of(step: Step, line: Link, base: Link) -> bool:
         return False
     root, below = step.world.scalar(line.right), step.world.scalar(square)
     return step.world.reduced(root**2 - below).vanishes and _never_negative(step, line.right)
+
+
+def _is_size_of(step: Step, line: Link, base: Link) -> bool:
+    """Whether a line gives the size of a number of which its base says what it is."""
+    if line.left != Apply("abs", base.left) or (line.sign, base.sign) != ("=", "="):
+        return False
+    size, number = (step.world.value(link.right) for link in (line, base))
+    if not isinstance(size, Quotient) or not isinstance(number, Quotient):
+        return False
+    if not step.world.reduced(size**2 - number**2).vanishes:
+        return False
+    if size.vanishes or step.signs.of(size) == 1:
+        return True
+    return step.oracle.proves(Claim(step.world.expression(size, step.oracle.roles), ">="))
 
 
 def _is_size_or_root(tree: Expression) -> bool:

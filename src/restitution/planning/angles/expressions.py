@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES
@@ -111,6 +112,8 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     final = in_shorter_form(scene, right, final)
     if len(set(refs)) == 1:
         # Of one line there is nothing to put in.
+        if isinstance(asked, Apply) and asked.function == "abs":
+            return _size_of_a_number(scene, asked, refs[0], final), final
         line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
         return line, final
     # What stands first is where the line starts from: of a quotient what is above.
@@ -215,6 +218,16 @@ def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...]
         refs = (write_expression(scene, asked.argument)[0],)
     put, _ = scene.put(inside)
     return refs, [tidy(expanded(value)) for value in put]
+
+
+def _size_of_a_number(scene: Scene, asked: Apply, ref: Ref, final: Expression) -> int:
+    """The size of a component or a coordinate, which is a line: its sign is certain."""
+    known = scene.judge.known(symbol_names(scene.scalar(final)))
+    relation = chain(asked, (final, None))
+    line = scene.judge.write((Move("rearrange"),), [ref, *known], relation)
+    if line is None:
+        raise NotPlannedError("the size of what may have either sign")
+    return line
 
 
 def _write_size(scene: Scene, asked: Apply, inside: Vector) -> tuple[int, Any]:
