@@ -466,3 +466,16 @@ def test_a_root_of_a_sum_of_roots_stands_below_where_that_is_shorter() -> None:
         assert str(tidy(given)) == text
         assert tidy(tidy(given)) == tidy(given)
         assert abs(complex((tidy(given) - given).evalf())) < 1e-12
+
+
+def test_a_sum_of_roots_of_roots_is_the_root_of_its_square_where_that_is_plain() -> None:
+    one = sqrt(3 * sqrt(3) - 5)
+    for given, text in (
+        (sqrt(sqrt(3) - 1) * (sqrt(6) - sqrt(2)) / 2, "sqrt(-5 + 3*sqrt(3))"),
+        (sqrt(sqrt(3) - 1) * (sqrt(2) - sqrt(6)) / 6, "-sqrt(-5 + 3*sqrt(3))/3"),
+        (sqrt(2 - sqrt(2)) + sqrt(2 + sqrt(2)), "sqrt(2 - sqrt(2)) + sqrt(sqrt(2) + 2)"),
+        (sqrt(5 + sqrt(3)) + sqrt(7), "sqrt(sqrt(3) + 5) + sqrt(7)"),
+    ):
+        assert str(tidy(given)) == text
+        assert abs(complex((tidy(given) - given).evalf())) < 1e-12
+    assert tidy(one) == one

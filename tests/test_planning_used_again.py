@@ -270,3 +270,43 @@ def test_squares_of_long_components_are_products_where_the_loss_is_shown_or_grea
     assert "= ½(1 − e)M(x + v cos β)(u cos α + v cos β)" in shown
     assert "(m + M)²" not in shown
     assert explanation.followed
+
+
+DEFLECTED = """
+sphere A: mass 2m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+"""
+
+
+def test_the_greatest_tangent_of_an_angle_that_let_names_has_its_printed_form() -> None:
+    form = "k(1 + e)/(2 sqrt((1 - k e)(1 + k)))"
+    text = DEFLECTED.replace("mass m,", "mass k m,").replace("mass 2m,", "mass m,")
+    let = "given k e < 1\nlet delta = deflection(A)\n"
+    shown = worked(f"{text}{let}show maximum of tan(delta) over alpha = {form}\n")
+    assert "greatest value of tan δ = k(1 + e)/(2√((1 − ke)(1 + k)))\n" in shown
+    assert "not written out" not in shown
+    asked = worked(f"{text}{let}find maximum of tan(delta) over alpha\n")
+    assert "greatest value of tan δ = (1 + e)k/(2√(1 − ek)√(1 + k))" in asked
+
+
+def test_a_greatest_tangent_that_stands_bounds_the_angle() -> None:
+    form = "(1 + e)/(2 sqrt(3(2 - e)))"
+    for first in (
+        f"show maximum of tan(deflection(A)) over alpha = {form}",
+        f"show tan(deflection(A)) <= {form}",
+    ):
+        told = worked(f"{DEFLECTED}part a\n{first}\npart b\nshow deflection(A) <= 30°\n")
+        (_, after) = told.split("(b)\n")
+        assert after.count("tan δ ≤") == 1
+        assert "tan δ ≤ √3/3, as (1 + e)/(2√(3(2 − e))) increases with e and e ≤ 1" in after
+        assert "tan δ > 0, as α is acute and 0 ≤ e ≤ 1, so δ is acute" in after
+
+
+def test_an_equation_that_a_part_shows_ties_the_letters_in_the_next() -> None:
+    text = DEFLECTED.replace("2m", "m") + "given speed(A) = speed(B)\n"
+    for second in ("find range of alpha", "show alpha <= 45°"):
+        told = worked(f"{text}part a\nshow tan^2(alpha) = e\npart b\n{second}\n")
+        (_, after) = told.split("(b)\n")
+        assert "speed" not in after
+        assert "tan²α ≤ 1, as e ≤ 1" in after

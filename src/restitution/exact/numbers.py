@@ -25,7 +25,9 @@ def tidy_number(value: Expr) -> Expr:
     if not all(isinstance(x, Rational | Add | Mul | Pow) for x in sympy.preorder_traversal(value)):
         return tidy_parts(value)
     value = _denest(value)
-    return _over_its_root(_content_out(rational_below(value)))
+    whole = _content_out(rational_below(value))
+    below = _over_its_root(whole)
+    return _one_root(whole) if below is whole else below
 
 
 def rational_below(value: Expr) -> Expr:
@@ -91,6 +93,21 @@ def _content_out(value: Expr) -> Expr:
     ):
         content, rest = -content, -rest
     return in_front(content, rest)
+
+
+def _one_root(value: Expr) -> Expr:
+    """A sum of roots of roots as the root of its square, where that is plain and shorter."""
+    inside = value.as_coeff_Mul()[1]
+    if not isinstance(inside, Add) or not is_nested(inside):
+        return value
+    squared = _content_out(rational_below(_denest(sympy.expand(value**2))))
+    if is_nested(squared) or squared.is_positive is not True:
+        return value
+    root = _denest(sympy.sqrt(squared))
+    if not isinstance(root.as_coeff_Mul()[1], Pow):
+        return value
+    one = -root if value.is_negative else root
+    return one if cost(one) < cost(value) else value
 
 
 def _over_its_root(value: Expr) -> Expr:

@@ -10,13 +10,14 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Apply, Expression, Quantity, has_quantity
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
 from restitution.planning.angles.turn_lines import meeting
 from restitution.planning.inequalities.claim_lines import ClaimLines
 from restitution.planning.inequalities.completed_squares import write_completed
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities.quotients import write_quotient
 from restitution.planning.inequalities.turned_at_walls import tangent_of
+from restitution.planning.inequalities.worths import NAMED
 from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.inequalities import turned
 from restitution.planning.writing.polynomials import factored
@@ -91,7 +92,7 @@ class InStages(ClaimLines):
         own = Relation(((link,),))
         if ZERO in (link.left, link.right):
             return self.compared([line], own) or self.monotone(line, own)
-        written = self.monotone(line, own)
+        written = self._by_bounds_above(link) or self.monotone(line, own)
         if written is None and not is_plain(self.scene, line, own):
             written = self._quotient_at_an_end(line, own) or self._by_quotient(line, own)
         return written or self.compared([line], own)
@@ -116,6 +117,9 @@ class InStages(ClaimLines):
         positive = self.compared([tangent, *meeting(self.scene)], bounded)
         if positive is None and support:
             positive = self.compared(support, bounded)
+        if positive is None:
+            with self.judge.ranges_as_one():
+                positive = self.compared([tangent], bounded)
         if positive is None:
             least = next(self._at_ends(tangent, ">="), None)
             positive = None if least is None else self.compared([least], bounded)
@@ -320,6 +324,32 @@ class InStages(ClaimLines):
                     return line
             self.worths.back(mark)
         return None
+
+    def _by_bounds_above(self, link: Link) -> int | None:
+        """A bound by one that stands, as it is or with the end of a letter put in."""
+        own = Relation(((link,),))
+        for standing in self._bounds_of_tangent(link.left):
+            if self.scene.desk.relation(standing).only[0].sign[0] == link.sign[0]:
+                line = self.compared([standing], own) or self._at_an_end(standing, own)
+                if line is not None:
+                    return line
+        return None
+
+    def _bounds_of_tangent(self, subject: Expression) -> Iterator[int]:
+        """The lines above that bound an expression, or the tangent of what a letter stands for."""
+        yield from self._bounds_above(subject)
+        match subject:
+            case Apply("tan", Letter() as letter) if isinstance(
+                angle := self.scene.desk.meant(letter), Quantity
+            ):
+                _, let = self.worths.letter_for(angle)
+                for standing in self._bounds_above(Apply("tan", angle)):
+                    own = replace(self.scene.desk.relation(standing).only[0], left=subject)
+                    lettered = self.judge.write(
+                        NAMED, [standing, let], Relation(((own,),)), shown="silent"
+                    )
+                    if lettered is not None:
+                        yield lettered
 
     def _at_an_end(self, standing: int, relation: Relation) -> int | None:
         """A bound by one that stands, with the end of one letter put in that first."""

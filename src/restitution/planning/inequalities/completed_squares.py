@@ -1,4 +1,4 @@
-"""Between what a speed is, over a coefficient: its square is completed, which has both ends."""
+"""Bounds by a square that is completed: of a speed over a coefficient, of a quadratic."""
 
 from __future__ import annotations
 
@@ -14,9 +14,22 @@ from restitution.planning.formulas.definitions import Formula
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.inequalities.letter_ties import is_square
 from restitution.planning.writing.desk import chain
-from restitution.planning.writing.forms import ZERO, difference, product, square, swept, tree_of
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.inequalities import completed_parts
-from restitution.planning.writing.polynomials import factored
+from restitution.planning.writing.polynomials import (
+    cancelled,
+    expanded,
+    factored,
+    one_fraction,
+)
 from restitution.solving.story.letters import roles
 
 
@@ -37,6 +50,46 @@ def write_completed(claims: Comparing, line: int, relation: Relation) -> int | N
     if written is None:
         claims.worths.back(mark)
     return written
+
+
+def write_square(
+    claims: Comparing, line: int, symbol: sp.Symbol, relation: Relation, least: bool
+) -> int | None:
+    """The bound of a quadratic in a letter, or of the root of one, by its square completed."""
+    scene, judge = claims.scene, claims.judge
+    last = scene.desk.last_link(line)
+    x = claims.worths.value(last.right)
+    for value in (x, x**2):
+        above, below = sp.fraction(factored(one_fraction(value)))
+        if symbol in below.free_symbols:
+            continue
+        try:
+            poly = sp.Poly(expanded(above), symbol)
+        except sp.PolynomialError:
+            continue
+        if poly.degree() != 2 or poly.nth(1) == 0:
+            continue
+        outside = sp.cancel(value / poly.as_expr())
+        if scene.model.sign(poly.LC() * outside) != (1 if least else -1):
+            continue
+        primitive = poly.primitive()[1]
+        a, b, c = (primitive.nth(n) for n in (2, 1, 0))
+        common, inner = sp.Poly(2 * a * symbol + b, symbol).primitive()
+        factor = tidy(sp.sympify(common, strict=True) ** 2 / (4 * a))
+        squared = product(tree_of(factor), square(tree_of(tidy(inner.as_expr()))))
+        own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
+        outer = tidy(cancelled(value / primitive.as_expr()))
+        if value != x:
+            own, outer = Apply("sqrt", own), tidy(sp.sqrt(outer))
+        known = claims.worths.known_in(x)
+        link = Link(last.left, "=", product(tree_of(outer), own))
+        completed = judge.write((Move("rearrange"),), [line, *known], Relation(((link,),)))
+        if completed is None:
+            continue
+        bound = judge.write((Move("sign"),), [completed, *known], relation)
+        if bound is not None:
+            return bound
+    return None
 
 
 def _written(claims: Comparing, speed: Quantity, line: int, relation: Relation) -> int | None:

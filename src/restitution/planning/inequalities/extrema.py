@@ -32,7 +32,7 @@ from restitution.planning.inequalities.angle_pairs import (
 )
 from restitution.planning.inequalities.angles_at_ends import AngleAtEnds, is_angle_of_motion
 from restitution.planning.inequalities.claims import Claims
-from restitution.planning.inequalities.completed_squares import write_completed
+from restitution.planning.inequalities.completed_squares import write_completed, write_square
 from restitution.planning.inequalities.extrema_above import write_bound_again
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities.letter_ranges import ranges_of
@@ -46,11 +46,9 @@ from restitution.planning.writing.forms import (
     ZERO,
     outer_terms,
     product,
-    square,
-    total,
     tree_of,
 )
-from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
+from restitution.planning.writing.polynomials import expanded, one_fraction
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer, ItemResult
 from restitution.solving.story.letters import roles
@@ -78,9 +76,12 @@ def write_extremum(
     answer: Answer | None,
     value: Any,
     name: str,
-    shown: bool = False,
+    printed: Expression | None = None,
 ) -> None:
-    """Writes the lines of a greatest or least value, of which the last says it as a bound."""
+    """Writes the lines of a greatest or least value, of which the last says it as a bound.
+
+    What is to be shown ends in its ``printed`` form.
+    """
     reached = answer is None or answer.reached
     if not isinstance(over, Letter):
         raise NotPlannedError("an extremum over what is no letter")
@@ -88,16 +89,16 @@ def write_extremum(
     with Claims(scene, solver) as claims:
         mark = claims.worths.mark()
         try:
-            own = _Extremum(claims, kind, asked, over.name, bound, reached)
+            own = _Extremum(claims, kind, asked, over.name, bound, reached, printed)
             line = own.write()
         except NotPlannedError:
             if answer is not None:
                 raise
             # What is to be shown does not say whether it is reached.
             claims.worths.back(mark)
-            own = _Extremum(claims, kind, asked, over.name, bound, reached=False)
+            own = _Extremum(claims, kind, asked, over.name, bound, False, printed)
             line = own.write()
-    scene.desk.end(name, line, Relation(((own.end,),)), shown=shown)
+    scene.desk.end(name, line, Relation(((own.end,),)), shown=printed is not None)
 
 
 class _Extremum:
@@ -110,7 +111,8 @@ class _Extremum:
         asked: Expression,
         over: str,
         value: sp.Expr,
-        reached: bool = True,
+        reached: bool,
+        printed: Expression | None,
     ) -> None:
         self.claims = claims
         self.scene = claims.scene
@@ -134,7 +136,9 @@ class _Extremum:
         angle = _is_angle(self.asked)
         known = roles(self.scene.problem)
         degrees = angle or (isinstance(asked, Letter) and known[asked.name].kind == "angle")
-        self.end = Link(self.asked, sign, tree_of(value, angle=degrees, as_it_is=angle))
+        self.printed = printed if not angle else None
+        form = self.printed or tree_of(value, angle=degrees, as_it_is=angle)
+        self.end = Link(self.asked, sign, form)
 
     def write(self) -> int:
         """Writes the lines, and returns the number of the last."""
@@ -161,6 +165,7 @@ class _Extremum:
             line = self._line()
             # A tangent is written by the letter that another part has introduced.
             line = self._lettered() or line
+            self._say_as_stated(line)
         end = self.end
         defined = self._as_defined(start, line)
         methods = [self._monotone, self._quotient, self._square, self._double]
@@ -362,6 +367,8 @@ class _Extremum:
                     if line is not None:
                         return line
                 raise NotPlannedError(f"{letter} by other letters")
+            case Apply("tan", Quantity() as angle):
+                return self.claims.worths.angle(angle)
         line = self.claims.worths.worth(self.asked)
         if line is None:
             raise NotPlannedError("an expression of several quantities")
@@ -384,6 +391,12 @@ class _Extremum:
                         self.end, self.lets = replace(self.end, left=subject), [let]
                         return self._put(line)
         return None
+
+    def _say_as_stated(self, line: int) -> None:
+        """The answer is of the letter that the statement has for a quantity, where a line is."""
+        left = self.scene.desk.last_link(line).left
+        if left != self.asked and self.claims.worths.opened(left) == self.asked:
+            self.asked, self.end = left, replace(self.end, left=left)
 
     def _put(self, line: int) -> int:
         """A line with the values of this part put in."""
@@ -563,7 +576,7 @@ class _Extremum:
 
     def _quotient(self, line: int) -> int | None:
         """``c t/(a + d t + b t²)``: divided by t, and a/t + b t as a square and what is left."""
-        own = write_quotient(self.claims, line, self.symbol, self.end)
+        own = write_quotient(self.claims, line, self.symbol, self.end, self.printed is not None)
         if own is None:
             return None
         self.support, self.place = own.support, own.place
@@ -572,41 +585,9 @@ class _Extremum:
 
     def _square(self, line: int) -> int | None:
         """A quadratic in the letter: its square completed."""
-        x = self._value(line)
         if self.angle:
             return None
-        for value in (x, x**2):
-            above, below = sp.fraction(factored(one_fraction(value)))
-            if self.symbol in below.free_symbols:
-                continue
-            try:
-                poly = sp.Poly(expanded(above), self.symbol)
-            except sp.PolynomialError:
-                continue
-            if poly.degree() != 2 or poly.nth(1) == 0:
-                continue
-            outside = sp.cancel(value / poly.as_expr())
-            if self.scene.model.sign(poly.LC() * outside) != (1 if self.least else -1):
-                continue
-            primitive = poly.primitive()[1]
-            a, b, c = (primitive.nth(n) for n in (2, 1, 0))
-            common, inner = sp.Poly(2 * a * self.symbol + b, self.symbol).primitive()
-            factor = tidy(sp.sympify(common, strict=True) ** 2 / (4 * a))
-            squared = product(tree_of(factor), square(tree_of(tidy(inner.as_expr()))))
-            own = total((squared, tree_of(tidy(c - b**2 / (4 * a)))))
-            outer = tidy(cancelled(value / primitive.as_expr()))
-            if value != x:
-                own, outer = Apply("sqrt", own), tidy(sp.sqrt(outer))
-            known = self._known(*self._names(x))
-            link = Link(self.scene.desk.last_link(line).left, "=", product(tree_of(outer), own))
-            moves = (Move("rearrange"),)
-            completed = self.judge.write(moves, [line, *known], Relation(((link,),)))
-            if completed is None:
-                continue
-            bound = self.judge.write((Move("sign"),), [completed, *known], self._relation)
-            if bound is not None:
-                return bound
-        return None
+        return write_square(self.claims, line, self.symbol, self._relation, self.least)
 
     def _square_between(self, line: int) -> int | None:
         """A speed by a square in a coefficient that is greatest at an end of the range of that."""

@@ -139,7 +139,9 @@ class Ties:
         open_ = [scene.put(x)[0] for x in equation.residuals]
         if all(x == 0 for x in open_):
             return self._of_fact(equation.fact.id)
-        given = self._as_found(write_given(scene, _as_right_angle(equation)))
+        given = self._shown_by(equation.fact.id) or self._of_fact(equation.fact.id)
+        if given is None:
+            given = self._as_found(write_given(scene, _as_right_angle(equation)))
         line = self._without_roots(self._neat(given))
         scene.ties[equation.fact.id] = scene.desk.relation(line)
         return line
@@ -167,6 +169,22 @@ class Ties:
         put = tree_of(tidy(right.xreplace(numbers)))
         relation = Relation(((Link(link.left, "=", put),),))
         return self.judge.write((Move("put"),), [line, *refs], relation) or line
+
+    def _shown_by(self, ref: Ref) -> int | None:
+        """The equation between letters of the statement that an earlier item shows by a fact."""
+        desk = self.scene.desk
+        known = set(roles(self.scene.problem))
+        free = {value.name for value in self.scene.free}
+        for number in desk.shown:
+            own = desk.relation(number)
+            if not desk.holds(number) or ref not in desk.under(number) or len(own.options) > 1:
+                continue
+            link = own.only[-1]
+            names = letters(link.left) | letters(link.right)
+            plain = names <= known and not has_quantity_in(own)
+            if len(own.only) == 1 and link.sign == "=" and plain and names & free:
+                return number
+        return None
 
     def _as_found(self, line: int) -> int:
         """An equation as a line below it has it that an item ends with; else as it is."""

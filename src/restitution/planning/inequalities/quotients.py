@@ -27,11 +27,13 @@ class Bound:
     right: Expression
 
 
-def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -> Bound | None:
+def write_quotient(
+    claims: Comparing, line: int, symbol: sp.Symbol, end: Link, printed: bool = False
+) -> Bound | None:
     """The greatest value of a quotient over a letter, or over the tangent of an angle.
 
     ``line`` says what the left side of ``end`` is, or what it is at most; None where that is no
-    such quotient.
+    such quotient. A bound that is ``printed`` keeps its form.
     """
     scene, judge = claims.scene, claims.judge
     stated = scene.desk.last_link(line).sign
@@ -104,7 +106,7 @@ def write_quotient(claims: Comparing, line: int, symbol: sp.Symbol, end: Link) -
     bound = judge.write((Move("sign"),), [complete, *known], least)
     if bound is None:
         return None
-    if a.free_symbols and b.free_symbols:
+    if a.free_symbols and b.free_symbols and not printed:
         end = Link(end.left, end.sign, Binary("/", tree_of(c), shared(rest)))
     most = tidy(c / (share * (2 * sp.sqrt(a) * sp.sqrt(b) + d)))
     base = [quotient, bound]

@@ -43,7 +43,7 @@ from restitution.planning.routes.order import Solver, Standing
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between
 from restitution.planning.writing.desk import NotPlannedError, Source, together
-from restitution.planning.writing.forms import square, swept, tree_of
+from restitution.planning.writing.forms import outer_terms, square, swept, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
@@ -116,9 +116,8 @@ class Worths:
         name, let = self.letter_for(angle)
         tangent = Apply("tan", Letter(name))
         relation = Relation(((Link(tangent, "=", desk.last_link(line).right),),))
-        # Where the letter stands already, the line above is printed with it.
-        shown: Any = "silent" if let < line else "line"
-        number = self.judge.write(NAMED, [line, let], relation, shown=shown)
+        # The line above is printed with the letter, too.
+        number = self.judge.write(NAMED, [line, let], relation, shown="silent")
         if number is None:
             raise NotPlannedError("a letter for an angle")
         return number, Letter(name), (self._extent(name, angle), let)
@@ -214,8 +213,17 @@ class Worths:
             return self.quantity(angle)
 
     def _tangent(self, tangent: Expression) -> int | None:
-        """The line in force that says what a tangent is: the last, if there are several."""
+        """The line in force that says what a tangent is: the last, if there are several.
+
+        One with a letter for an expression, S for a/t + b t, says less than the line above it, and
+        so does that line, in which top and bottom of the one before are divided by a tangent.
+        """
         desk = self.scene.desk
+        aside = {
+            line.relation.letter
+            for line in desk.lines
+            if isinstance(line.relation, Meaning) and not has_quantity(line.relation.quantity)
+        }
         return next(
             (
                 line.number
@@ -224,6 +232,8 @@ class Worths:
                 and len(line.relation.options) == 1
                 and line.relation.only[0].sign == "="
                 and line.relation.only[0].left == tangent
+                and not letters(line.relation.only[-1].right) & aside
+                and not _is_divided(line.relation.only[-1].right)
                 and desk.holds(line.number)
             ),
             None,
@@ -485,3 +495,18 @@ class Worths:
     def value(self, tree: Expression) -> sp.Expr:
         """What a tree of a line is worth, in letters."""
         return scene_value(self.scene, tree)
+
+
+def _is_divided(tree: Expression) -> bool:
+    """Whether it is a quotient whose bottom is a sum with a term over a tangent."""
+    match tree:
+        case Binary("/", _, below):
+            return any(
+                isinstance(term, Binary) and term.op == "/" and _is_tangent(term.right)
+                for term in outer_terms(below)
+            )
+    return False
+
+
+def _is_tangent(tree: Expression) -> bool:
+    return isinstance(tree, Apply) and tree.function == "tan"

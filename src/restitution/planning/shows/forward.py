@@ -225,7 +225,7 @@ def _of_subject(scene: Scene, solver: Solver, item: Show, now: int, name: str) -
             value = sp.sympify(scene.scalar(link.right), strict=True)
             over = item.subject.over
             write_extremum(
-                scene, solver, item.subject.kind, asked, over, None, value, name, shown=True
+                scene, solver, item.subject.kind, asked, over, None, value, name, link.right
             )
 
 
