@@ -692,6 +692,27 @@ def test_a_sum_loads_no_tensors():
     assert done.stdout.split() == ["False", "2*A(a)"], done.stderr
 
 
+def test_what_solves_is_loaded_before_the_statement_is_there():
+    """Else the process is ready at once, finds no statement, and rehearses in the way of it."""
+    code = (
+        "import sys\n"
+        "from restitution.export.job import Job, prepare, serve\n"
+        "prepare()\n"
+        "loaded = set(sys.modules)\n"
+        "from restitution import examples, parse\n"
+        "problem = parse(examples.text('corner'))\n"
+        "serve(Job('corner', problem))\n"
+        "late = {name for name in sys.modules if name.startswith('restitution')} - loaded\n"
+        "print(*sorted(name for name in late if '.language' not in name))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=100
+    )
+    assert not done.returncode, done.stderr
+    late = set(done.stdout.split())
+    assert late <= {"restitution.examples", "restitution.examples.topics", "restitution.mending"}
+
+
 def test_the_asking_process_loads_no_algebra(folder):
     code = (
         "import sys; sys.argv = ['restitution', 'solve', 'good.impact', '-f', 'json']\n"

@@ -163,10 +163,12 @@ class Reply:
 
 
 def prepare() -> None:
-    """Load what the work needs."""
+    """Load what the work needs: before it is asked whether there is time to rehearse."""
     # Loading makes many objects and no garbage.
     gc.disable()
     _without_tensors()
+    for module in ("export.answers", "export.contract", "solving.showing", "workings"):
+        import_module(f"restitution.{module}")
 
     # What was loaded stays: no need to look through it again for garbage.
     gc.freeze()
