@@ -549,7 +549,7 @@ SLIPS = {
     "given velocity(A) perp to i": (19, "did you mean 'perpendicular to'?"),
     "given velocity(A) is perpendicular to i": (19, "leave out 'is'"),
     "given A and B don't collide again": (15, "did you mean 'do not collide again'?"),
-    "given energy_lost = 1/4 of energy(0)": (25, "leave out 'of'"),
+    "given energy_lost = 2 of energy(0)": (23, "leave out 'of'"),
     "find max deflection(A)": (6, "did you mean 'maximum of'?"),
     "find energy loss": (6, "did you mean 'energy_lost'?"),
     "point M: 0, 0": (10, "did you mean '(0, 0)'?"),
@@ -746,3 +746,13 @@ def test_a_word_outside_counts_in_lines_that_cannot_be_read_alone() -> None:
 def test_what_is_given_for_something_else(call, said) -> None:
     with pytest.raises(TypeError, match=said):
         call()
+
+
+@pytest.mark.parametrize("share", ["3/32 of energy(0)", "½ of energy(0)", "30% of energy(0)"])
+def test_a_share_of_a_quantity_is_their_product(share: str) -> None:
+    text = "sphere A: mass 1, velocity 3i\nsphere B: mass 2, at rest\nA hits B: along i\n"
+    (read, written) = (
+        parse(f"{text}given energy_lost = {own}\nfind e\n")
+        for own in (share, share.replace("of", "*"))
+    )
+    assert read.parts == written.parts

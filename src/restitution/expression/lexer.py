@@ -341,11 +341,23 @@ def _letters(
         return [_quantity(source, run, at, end)]
     if run in KEYWORDS:
         return [token_at(source, KEYWORDS[run], run, at, end)]
-    if run == "of" and before and before[-1].type == "NUMBER" and before[-1].endswith("%"):
+    if run == "of" and _is_a_share(before):
         return [token_at(source, "STAR", "*", at, end)]  # ``60% of energy(0)``
     if run in FRAGMENTS:
         return [token_at(source, "WORD", run, at, end)]
     return letter_run(source, names, run, at, runs)
+
+
+def _is_a_share(before: list[Token]) -> bool:
+    """Whether a percentage or a fraction of numbers stands before *of*."""
+    if not before or before[-1].type not in ("NUMBER", "FRACTION"):
+        return False
+    types = [token.type for token in before[-3:]]
+    return (
+        types[-1] == "FRACTION"
+        or before[-1].endswith("%")
+        or types == ["NUMBER", "SLASH", "NUMBER"]
+    )
 
 
 def _property_stands_here(before: list[Token]) -> bool:

@@ -9,10 +9,11 @@ from __future__ import annotations
 from restitution.language.slip_tables.asked import ASKED
 from restitution.language.slip_tables.bodies import BODIES
 from restitution.language.slip_tables.directions import DIRECTIONS
+from restitution.language.slip_tables.motions import MOTIONS
 from restitution.language.slip_tables.patterns import NAME, Cure, Slip
 from restitution.language.slip_tables.properties import PROPERTIES
 from restitution.language.slip_tables.relations import RELATIONS
 
 __all__ = ["NAME", "SLIPS", "Cure"]
 
-SLIPS: tuple[Slip, ...] = (*BODIES, *PROPERTIES, *DIRECTIONS, *ASKED, *RELATIONS)
+SLIPS: tuple[Slip, ...] = (*MOTIONS, *BODIES, *PROPERTIES, *DIRECTIONS, *ASKED, *RELATIONS)

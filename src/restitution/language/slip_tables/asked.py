@@ -67,7 +67,7 @@ ASKED: tuple[Slip, ...] = (
     (
         "other given show",
         (
-            r"(?P<x>(?P<n>\d[\d.]*\s*(?:%|per\s?cent))\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)*"
+            r"(?P<x>(?P<n>\d[\d.]*\s*(?:%|per\s?cent)|\d+/\d+)\s+of\s+(?:the\s+)?(?:(?:initial|original|total)\s+)*"
             rf"{KINETIC}\s+is\s+lost)"
         ),
         meant("energy_lost = {n} of energy(0)"),
