@@ -310,3 +310,42 @@ def test_an_equation_that_a_part_shows_ties_the_letters_in_the_next() -> None:
         (_, after) = told.split("(b)\n")
         assert "speed" not in after
         assert "tan²α ≤ 1, as e ≤ 1" in after
+
+
+def test_a_given_loss_of_long_components_goes_by_products() -> None:
+    text = (
+        "sphere A: mass 3m, velocity 2u at 60°\nsphere B: mass 2m, velocity u at 30° from -i\n"
+        "A hits B: along i\ngiven energy_lost = 1/3 m u^2\nfind e\n"
+    )
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation).split())
+    assert "= ½(1 − e) × 2m(w + √3 u/2)((2 + √3)u/2)" in shown
+    assert "is ⅓mu²: ⅓mu² = 3(7 + 4√3)mu²(1 − e²)/20" in shown
+    assert explanation.followed
+
+
+AT_THE_SECOND_WALL = """
+wall V: along i
+wall W: along j
+sphere P: mass m, velocity u at alpha to V
+P hits V: e = 1/2
+P hits W: e = 1/3
+"""
+
+
+def test_a_share_of_the_energy_between_impacts_goes_by_squares_of_speeds() -> None:
+    for asked, line in (
+        (
+            "find energy_lost(2)/energy(1)",
+            "= ((u cos α)² − (⅓u cos α)²)/((½u sin α)² + (u cos α)²) = 32/(9(4 + tan²α))",
+        ),
+        (
+            "given energy_lost(2) = 1/2 energy(1)\nfind alpha",
+            "(u cos α)² − (⅓u cos α)² = ½((½u sin α)² + (u cos α)²) M1 A1",
+        ),
+    ):
+        explanation = explain(solve(parse(AT_THE_SECOND_WALL + asked)), check=True)
+        shown = " ".join(to_text(explanation).split())
+        assert line in shown
+        assert "½m" not in shown
+        assert explanation.followed

@@ -15,8 +15,10 @@ from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 
 
-def fraction_lost(scene: Scene, asked: Expression) -> Formula | None:
+def fraction_lost(scene: Scene, asked: Expression, is_given: bool = False) -> Formula | None:
     """The fraction of the kinetic energy that is lost, as the change of v² over that before.
+
+    Where it ``is_given``, the square of the speed before may hold what is sought.
 
     The change is that of the speed, where the last one is a line, or of the component at one
     impact. None of another quotient, of several spheres, and where one of the energies is asked
@@ -55,14 +57,18 @@ def fraction_lost(scene: Scene, asked: Expression) -> Formula | None:
         value, used = ends[0].value ** 2 - ends[1].value ** 2, _refs_of(scene, ends, event)
     else:
         return None
-    if angles_with_both_ratios((whole,)):
-        return None  # sin² + cos² = 1 takes a line of its own
     move = Move("define", "energy-ratio", event, (body,))
     right = Binary("/", swept(change), whole)
+    fraction = tidy(expanded(value / size))
+    if angles_with_both_ratios((whole,)) and not is_given:
+        # By sin² + cos² = 1 it takes a line of its own; a quotient in the tangent does not.
+        in_one = chain(asked, (right, None), (tree_of(fraction), "rearrange"))
+        if not scene.judge.follows(move, together(refs, used), in_one):
+            return None
     needed = scene.judge.needed(move, together(refs, used), chain(asked, (right, None)))
-    if needed is None or scene.unknown(size):
+    if needed is None or (scene.unknown(size) and not is_given):
         return None
-    return Formula(move, itself, asked, right, tidy(expanded(value / size)), needed)
+    return Formula(move, itself, asked, right, fraction, needed)
 
 
 def _by_component(scene: Scene, body: str, event: int) -> tuple[Source, Source]:

@@ -45,6 +45,7 @@ from restitution.planning.angles.wall_turns import related_at_a_wall
 from restitution.planning.axes.given_momenta import write_impulse
 from restitution.planning.axes.offsets import is_sine_of_an_offset, write_sine
 from restitution.planning.closing.excluded_roots import senses
+from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.square_roots import is_not_negative, without_equal_squares
 from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.impacts import scene_value
@@ -140,6 +141,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     if ratio is not None:
         return ratio
     if isinstance(own.left, Quantity):
+        write_loss_by_products(scene, own.left)
         standing = quoted(scene, each, own.left)
         if standing is not None:
             return standing
