@@ -20,6 +20,35 @@ from restitution.workings.reasons.seen import shown
 
 # A statement, what its working says, and what it does not say: lines, or parts of them.
 CASES = {
+    "squares of two speeds, added": (
+        """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: at rest
+A hits B: along i, e = 1
+show speed(A)^2 + speed(B)^2 = u^2
+show energy(A) + energy(B) = m u^2/2
+""",
+        (
+            "V_A² + V_B² = (u sin α)² + (u cos α)²",
+            "= u², as sin²α + cos²α = 1 (as required)",
+            "= ½mu² sin²α + ½mu² cos²α",
+        ),
+        ("V_A² + V_B² = u²",),
+    ),
+    "two speeds multiplied, and one with a root squared": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+show speed(A)^2 + 2 speed(B)^2 = u^2 (1 - 2(1-e^2) cos(alpha)^2/3)
+""",
+        (
+            "= u²((1 − 2e)² cos²α + 9 sin²α)/9 + 2(⅓(1 + e)u cos α)²",
+            "as sin²α + cos²α = 1 (as required)",
+        ),
+        ("V_A² + 2V_B² = u²(1",),
+    ),
     "roots below a line, as they were typed": (
         """
 sphere A: mass m, velocity u at alpha

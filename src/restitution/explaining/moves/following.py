@@ -168,6 +168,11 @@ def _chain(step: Step, links: tuple[Link, ...]) -> bool:
             if link.by == "identity":
                 # What the component is known to be by others says nothing of how it is rewritten.
                 after = after.under(opaque=after.opaque | {subject})
+                # Nor do the values that were put into the link before it.
+                alone = after.under(cited=after.cited[:1])
+                if _is_link(alone, Link(subject, link.sign, link.right)):
+                    before = link
+                    continue
             own = Link(subject, link.sign, link.right)
         else:
             after, own, subject = step, link, link.left

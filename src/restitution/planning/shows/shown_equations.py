@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 import sympy as sp
@@ -39,6 +40,7 @@ from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.journeys import journeys
 from restitution.planning.shows.shown_ratios import ratio_by_a_tangent, shown_by_squares
 from restitution.planning.shows.shown_speeds import multiple_of_data, speed_by_a_tie
+from restitution.planning.shows.values_put_in import with_values
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
@@ -651,15 +653,16 @@ class ShownEquation:
             line = self._by_pair(Move("divide"), lines, known)
             if line is not None:
                 return line
+        values = partial(with_values, claims.worths, self.link, quantities, lines)
         for first in lines:
             rest = [number for number in lines if number != first]
             line = self._last([first, *rest, *facts, *known])
             if line is not None:
-                return line
+                return line if facts else values(line)
         if len(lines) == 2:
             squares = Move("square-add")
             if self.judge.follows(squares, lines, self.relation):
-                return scene.desk.write(squares, lines, self.relation)
+                return values(scene.desk.write(squares, lines, self.relation))
             for move in (Move("divide"), Move("combine")):
                 for pair in (lines, lines[::-1]):
                     line = self._by_pair(move, pair, known)

@@ -73,6 +73,7 @@ _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inver
 _BY_TANGENT = "derived.acute-by-tangent"
 _BEHIND = {"derived.fact-equal": 1, "derived.it-is": 2}
 _OF_SQUARES = frozenset({"speed", "size", "energy", "total", "tan-deflection"})
+_OF_VALUES = frozenset({"put", "rearrange", "square-add"})
 
 
 class Reasons:
@@ -127,6 +128,8 @@ class Reasons:
             if identity is not None:
                 return (say("derived.as", reasons=(self._laid(identity),)),)
             return (say("derived.pythagoras"),)
+        if self._by_the_double_angle(line):
+            return (say("derived.double-angle"),)
         vertical = self._right_angles.of(line)
         if vertical:
             known = self._known(line) if self._of_sizes(line) else ()
@@ -273,7 +276,16 @@ class Reasons:
         """Whether a sum of squares is worked out by sin² + cos² = 1."""
         assert isinstance(line.relation, Relation)
         steps = {link.by for links in line.relation.options for link in links}
-        return line.move.record in _OF_SQUARES and "identity" in steps
+        values = line.move.record in (None, "pythagoras") and line.move.id in _OF_VALUES
+        return (values or line.move.record in _OF_SQUARES) and "identity" in steps
+
+    @staticmethod
+    def _by_the_double_angle(line: Line) -> bool:
+        """Whether values that are put in are worked out by the formulae for the double angle."""
+        assert isinstance(line.relation, Relation)
+        steps = {link.by for links in line.relation.options for link in links}
+        own = line.move.record == "double-angle" and line.move.id in _OF_VALUES
+        return own and "identity" in steps
 
     def _ground(self, relation: Relation) -> Sentence | lay.Layout:
         """A ground as a relation; of a component without a letter in words."""

@@ -1,0 +1,79 @@
+"""The values of several quantities, put into the equation between them that is to be shown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Link, Move, MoveId, Relation
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
+from restitution.planning.inequalities.worths import Worths
+from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import square, swept, tree_of
+
+_BY: tuple[MoveId, ...] = ("rearrange", "identity")
+
+
+def with_values(
+    worths: Worths, link: Link, quantities: Sequence[Quantity], lines: Sequence[int], last: int
+) -> int:
+    """The line of a printed result, in which the values are seen before it: *v² sin²φ + v² cos²φ*.
+
+    ``lines`` are those of the quantities, ``last`` the one that goes from them to the result at
+    once; it is written anew. What is no such line stays, and the number of it is returned.
+    """
+    desk, judge = worths.scene.desk, worths.judge
+    own = desk.line(last)
+    if last != len(desk.lines) or own.relation != Relation(((link,),)):
+        return last
+    if link.sign != "=" or has_quantity(worths.opened(link.right)):
+        return last
+    values = _values(worths, quantities, lines)
+    put = swept(exchanged(worths.opened(link.left), values))
+    if len(values) < 2 or has_quantity(put) or isinstance(put, Letter | Number):
+        return last
+    moves = (own.move,) if own.move.id == "square-add" else (Move("rearrange"), Move("put"))
+    pool = (*own.premises, *worths.judge.known(letters(put) | letters(link.right)))
+    for move in moves:
+        for by in _BY if own.move.id in ("rearrange", "put") else _BY[::-1]:
+            made = replace(move, record=own.move.record) if by == "identity" else move
+            relation = chain(link.left, (put, None), (link.right, by))
+            if len(relation.only) == 1:
+                return last
+            refs = judge.needed(made, pool, relation, lines)
+            if refs is not None:
+                desk.lines.pop()
+                return desk.write(made, refs, relation)
+    return last
+
+
+def _values(
+    worths: Worths, quantities: Sequence[Quantity], lines: Sequence[int]
+) -> Mapping[Expression, Expression]:
+    """What each quantity is by its line, its square without a root, or the ratio of an angle."""
+    values: dict[Expression, Expression] = {}
+    for quantity, line in zip(quantities, lines, strict=False):
+        own = worths.scene.desk.last_link(line)
+        if isinstance(own.left, Apply):
+            values[Apply(own.left.function, quantity)] = own.right
+            continue
+        values[quantity] = own.right
+        values[square(quantity)] = _squared(worths, own.right)
+    return values
+
+
+def _squared(worths: Worths, tree: Expression) -> Expression:
+    if any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree)):
+        return tree_of(tidy(worths.value(tree) ** 2))
+    return square(tree)
