@@ -303,9 +303,10 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("find-the-blow", ["Comparing components: J sin θ = 1.5", "Dividing (1) by (2):"]),
         ("right-angle", ["0 < tan α ≤ 1/√3, as α is acute (as required)"]),
         ("velocities-before", ["Let 𝐮_A and 𝐮_B be the velocities of A and B before the impact."]),
+        ("unknown-mass", ["given that 𝐯_A = (3𝐢 + 2𝐣) m s⁻¹ and 𝐯_B = (2𝐢 − 𝐣) m s⁻¹. Cons"]),
         (
             "two-coefficients",
-            ["Let 𝐯_P be the velocity of P after the first impact."],
+            ["Let 𝐯₁ be the velocity of P after the first impact."],
         ),
         ("corner-of-120", ["𝐯₂ · 𝐧 = −(√3/16)u"]),
         ("energy-inequality", ["≤ ½ × total kinetic energy before the impact"]),

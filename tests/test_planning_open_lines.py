@@ -16,6 +16,65 @@ from restitution.workings.derived import explanation_of
 
 # A statement, and what its working says: lines, or parts of them.
 CASES = {
+    "a velocity by its speed and direction": (
+        """
+sphere A: mass 2, velocity 4i
+sphere B: mass 2, at rest
+A hits B
+given speed(A) = 2, direction(A) = -60°
+find e, line_of_centres
+""",
+        (
+            "𝐯_A = 2 cos 60° 𝐢 − 2 sin 60° 𝐣 = (𝐢 − √3 𝐣) m s⁻¹",
+            "the line of centres is parallel to (𝐢 − √3 𝐣) − 4𝐢",
+            "e = 1",
+        ),
+    ),
+    "a change whose length has roots below a root": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass m, at rest
+A hits B
+given speed(A) = u/2, direction(A) = 30°
+find e
+""",
+        (
+            "the line of centres is parallel to (4 − √3)𝐢 − 𝐣",
+            "((4 − √3)u/4 − √3 u/4)(4 − √3) − (−u/4 − u/4) = eu(4 − √3)",
+            "= 3(5 − 2√3)/13",
+        ),
+    ),
+    "the angle of a line of centres by a change of velocity": (
+        """
+sphere A: mass m, velocity 2u i + u j
+sphere B: mass 2m, velocity -u i
+A hits B: along theta
+given velocity(A) = -u j
+find theta, e, velocity(B), impulse
+""",
+        (
+            "the line of centres is parallel to 2u𝐢 + u𝐣 + u𝐣",
+            "The line of centres is at θ to 𝐢:",
+            "tan θ = 1",
+            "u + u = e(2u + u + u)",
+            "magnitude of the impulse = 2m(√2 u/2 + √2 u/2)",
+        ),
+    ),
+    "a velocity that is turned away from who is struck": (
+        """
+sphere A: mass m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along theta
+given deflection(A) = 45°, speed(A) = u/2
+find theta, e
+""",
+        (
+            "away from B, so A is turned clockwise:",
+            "𝐯_A = (u/2) cos 45° 𝐢 − (u/2) sin 45° 𝐣 = (√2 u/4)𝐢 − (√2 u/4)𝐣",
+            "tan θ = (1 + 2√2)/7",
+            "= (20 − 9√2)/28",
+        ),
+    ),
     "turned through a right angle, with its speed": (
         """
 sphere C: mass 3, velocity 4i - 2j

@@ -563,6 +563,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",
     "given.and": "It is given that {fact}.",
+    "given.velocities": "It is given that {facts:and}.",
     "given.by-what-changes": "By the component that changes:",
     "given.by-those-that-change": "By the components that change:",
     "given.agrees": "It is also given that {fact}, which agrees with this.",
@@ -1294,6 +1295,15 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.apart": ("{one} moves perpendicular to the line of centres, and {other} along it. So"),
     "derived.along-line": "{body} moves parallel to {line}:",
     "derived.across-line": "{body} moves perpendicular to {line}:",
+    "derived.line-at": "The line of centres is at {angle} to 𝐢:",
+    "derived.turned-clockwise": (
+        "The impulse on {body} acts along the line of centres, away from {other}, so {body} is "
+        "turned clockwise:"
+    ),
+    "derived.turned-anticlockwise": (
+        "The impulse on {body} acts along the line of centres, away from {other}, so {body} is "
+        "turned anticlockwise:"
+    ),
     "derived.along-axis": "{body} moves in the direction of {axis}:",
     "derived-parallel.title": "In one direction, the components are in the same ratio",
     "derived-parallel.why": (

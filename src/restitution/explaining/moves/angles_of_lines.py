@@ -8,12 +8,13 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Link
-from restitution.explaining.lines.quotients import Plane
+from restitution.explaining.lines.quotients import Plane, Quotient
 from restitution.explaining.moves.angles import in_radians
 from restitution.explaining.moves.laws import stands
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     STRAIGHT_ANGLE,
+    Apply,
     Binary,
     Degrees,
     Expression,
@@ -51,6 +52,27 @@ def is_angle_of_lines(step: Step, line: Link) -> bool:
             for sign in ("+", "-"):
                 if stands(step, Link(direction, "=", Binary(sign, turn, right)), event):
                     return True
+    return False
+
+
+def is_tangent_of_a_line(step: Step, line: Link) -> bool:
+    """Whether a tangent is the slope of a vector to which a line at that angle from **i** is."""
+    match line:
+        case Link(Apply("tan", Letter() as angle), "=", right):
+            pass
+        case _:
+            return False
+    ties = [link for link in step.links if link.sign == "parallel to"]
+    for one in ties:
+        for other in ties:
+            if one.right != angle or other.left != one.left or other.right == angle:
+                continue
+            along = step.world.value(other.right)
+            if not isinstance(along, Plane) or along.x.vanishes:
+                continue
+            value = step.world.value(right)
+            if isinstance(value, Quotient):
+                return step.world.reduced(value * along.x - along.y).vanishes
     return False
 
 
@@ -111,4 +133,4 @@ def _is_within(step: Step, angle: Expression, *, both_ways: bool) -> bool:
     return oracle.proves(Claim(value, ">=")) and oracle.proves(Claim(most - value, ">="))
 
 
-__all__ = ["is_angle_of_lines"]
+__all__ = ["is_angle_of_lines", "is_tangent_of_a_line"]

@@ -11,7 +11,7 @@ from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Event, Link, Meaning
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
-from restitution.explaining.moves.angles_of_lines import is_angle_of_lines
+from restitution.explaining.moves.angles_of_lines import is_angle_of_lines, is_tangent_of_a_line
 from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.laws import is_law, is_tie
 from restitution.explaining.steps.step import Step, alike
@@ -46,6 +46,8 @@ def is_definition(step: Step, line: Link) -> bool:
         return _is_resolved(step, line)
     if step.move.record in ("perpendicular", "parallel") and is_angle_of_lines(step, line):
         return True
+    if step.move.record == "parallel" and is_tangent_of_a_line(step, line):
+        return True
     if step.move.record in ("perpendicular", "parallel") and tie_of(line) is not None:
         return is_tie(step, line)
     if step.move.record == "speed" and (_is_read_off(step, line) or _is_component(step, line)):
@@ -54,7 +56,7 @@ def is_definition(step: Step, line: Link) -> bool:
 
 
 def _is_turned(step: Step, line: Link) -> bool:
-    """A velocity by its size and the angle through which one along **i** has been turned.
+    """A velocity by its size and direction, or the angle through which one along **i** is turned.
 
     To which side, a cited inequality tells. Where a line may be on either side of **i**, it is on
     that of **j**: there the first sphere is turned away from it, and so is not who hits a wall.
@@ -67,7 +69,13 @@ def _is_turned(step: Step, line: Link) -> bool:
     early = values.get(step.setting.quantity(Quantity("velocity", (body,), event.number - 1)))
     size = values.get(Quantity("speed", (body,), event.number))
     angle = values.get(Quantity("deflection", (body,), event.number))
-    if line.left != Quantity("velocity", (body,), event.number) or early is None:
+    if line.left != Quantity("velocity", (body,), event.number):
+        return False
+    if angle is None and size is not None:
+        pointed = Quantity("direction", (body,), event.number) in values
+        resolved = step.under(move=replace(step.move, record="assemble"))
+        return pointed and _is_resolved(resolved, line)
+    if early is None:
         return False
     if size is None or angle is None:
         return False
@@ -103,6 +111,12 @@ def _side_of(step: Step, event: Event, body: Name) -> int | None:
                 push = step.world.value(other)
                 if isinstance(push, Plane) and (own := step.signs.of(push.y, sure=True)):
                     return own
+    if not event.wall:
+        # The impulse on the second sphere is along the line of centres, on the first it is back.
+        along = step.world.direction(Quantity("line_of_centres", (), event.number))
+        own = None if along is None else step.signs.of(along.y, sure=True)
+        if own:
+            return -own if body.name == event.bodies[0] else own
     if event.number in step.setting.either:
         return 1 if event.wall or body.name != event.bodies[0] else -1
     return None

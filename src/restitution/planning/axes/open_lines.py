@@ -17,7 +17,7 @@ from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, Showing
-from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, Unit
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, Unit
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.impacts import residual
@@ -38,7 +38,8 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
-from restitution.planning.writing.unit_vectors import plain_direction
+from restitution.planning.writing.unit_vectors import has_nested_roots, plain_direction
+from restitution.planning.writing.vectors import velocity_given
 from restitution.solving.algebra.numbers import number_of
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -65,9 +66,13 @@ def write_open_lines(scene: Scene) -> None:
     """Finds the lines of centres for which there is no other way, with the velocities after."""
     for number, own in scene.model.frames.items():
         known = f"axis {number}" in scene.facts or not own.by_values or own.angle is not None
+        if (angle := _open_angle(scene, number)) is not None:
+            tried(scene, partial(_by_a_velocity, scene, number, angle))
         if known or number in scene.frames:
             continue
         standing = scene.desk.mark()
+        if has_nested_roots(*own.n) and tried(scene, partial(_by_a_velocity, scene, number)):
+            continue
         try:
             scene.frame(number)
         except NotPlannedError:
@@ -130,6 +135,68 @@ def _by_a_ray(scene: Scene, number: int) -> bool:
     return True
 
 
+def _open_angle(scene: Scene, number: int) -> sp.Symbol | None:
+    """The unknown letter by which the data give the angle of a line of centres from **i**."""
+    fact = scene.facts.get(f"axis {number}")
+    match None if fact is None else fact.relation.only:
+        case (Link(_, "parallel to", Letter(name)),):
+            names = scene.unknown(scene.model.frames[number].n.x)
+            return next((symbol for symbol in names if symbol.name == name), None)
+    return None
+
+
+def _by_a_velocity(scene: Scene, number: int, angle: sp.Symbol | None = None) -> bool:
+    """Whether a velocity that is given leads to the line, and e to scalar products along it.
+
+    So the ``angle`` of the line has a tangent, and its sine and cosine are not needed; nor is the
+    length of a change of velocity with roots below roots.
+    """
+    spheres = scene.spheres(number)
+    if len(spheres) < 2 or any(scene.last_event(sphere, number - 1) for sphere in spheres):
+        return False
+    masses = [scene.mass(sphere).value for sphere in spheres]
+    early = [value for sphere in spheres for value in scene.initial(sphere).value]
+    names = scene.unknown(scene.coefficient(number).value)
+    if any(map(scene.unknown, (*early, *masses))) or len(names) != 1:
+        return False
+    for body in spheres:
+        own = velocity_given(scene, body, number)
+        if own is None or len(own[2]) != 1 or any(map(scene.unknown, own[1])):
+            continue
+        if not any(own[1]) or not any(a != b for a, b in zip(own[1], scene.initial(body).value)):
+            continue
+        late, lines = {body: own[1]}, {body: own[2][0]}
+        change, axis = _axis(scene, number, late, lines)
+        if angle is not None and not _tangent(scene, number, angle, change, axis):
+            return False
+        (other,) = (sphere for sphere in spheres if sphere != body)
+        late[other], lines[other] = _by_momentum(scene, number, body, late, lines, other)
+        law, _ = _restitution(scene, number, late, lines, plain_direction(change), axis)
+        (symbol,) = names
+        close(scene, law, symbol)
+        _settle(scene, number, late, lines, change, axis)
+        return True
+    return False
+
+
+def _tangent(scene: Scene, number: int, angle: sp.Symbol, change: Vector, axis: int) -> bool:
+    """Whether the angle of a line of centres comes of the vector to which it is parallel."""
+    x, y = plain_direction(change)
+    if x == 0 or y == 0:
+        return False
+    tangent = Apply("tan", Letter(angle.name))
+    value = tidy(sp.radsimp(y / x))
+    move = Move("define", "parallel", number)
+    line = scene.judge.write(
+        (move,), (axis, f"axis {number}"), chain(tangent, (tree_of(value), None))
+    )
+    if line is None:
+        return False
+    scene.desk.know(tangent, value, (line,))
+    close(scene, line, angle)
+    return True
+
+
 def _in_either_sense(scene: Scene, number: int, ray: Ray) -> bool:
     """Whether a velocity comes of its speed, and what follows of it: its lines are written."""
     symbol, late, lines = _ray_line(scene, number, ray)
@@ -155,14 +222,14 @@ def without_root(ray: Ray) -> Ray:
 
 def _ray_line(
     scene: Scene, number: int, ray: Ray
-) -> tuple[sp.Symbol, dict[str, Vector], dict[str, int]]:
+) -> tuple[sp.Symbol, dict[str, Vector], dict[str, Ref]]:
     """The letter of a velocity, that velocity, and its line."""
     symbol, line = write_ray(scene, number, ray)
     return symbol, {ray.body: ray.direction * symbol}, {ray.body: line}
 
 
 def _others(
-    scene: Scene, number: int, ray: Ray, late: dict[str, Vector], lines: dict[str, int]
+    scene: Scene, number: int, ray: Ray, late: dict[str, Vector], lines: dict[str, Ref]
 ) -> None:
     """Adds the velocity of the other sphere, by the momentum of both."""
     for other in scene.spheres(number):
@@ -262,9 +329,9 @@ def _by_speed(
     number: int,
     ray: Ray,
     symbol: sp.Symbol,
-    lines: dict[str, int],
+    lines: dict[str, Ref],
     law: int | None = None,
-) -> tuple[Vector, int]:
+) -> tuple[Vector, Ref]:
     """The velocity along a line by the speed that is given: in either sense.
 
     With a ``law`` one of the senses contradicts that.
@@ -371,7 +438,7 @@ def _tree(value: Vector) -> Expression:
 
 
 def _by_momentum(
-    scene: Scene, number: int, body: str, late: dict[str, Vector], lines: dict[str, int], other: str
+    scene: Scene, number: int, body: str, late: dict[str, Vector], lines: dict[str, Ref], other: str
 ) -> tuple[Vector, int]:
     """The velocity of the other sphere by the momentum of both."""
     early = {each: scene.initial(each) for each in (body, other)}
@@ -399,7 +466,7 @@ def _by_momentum(
 
 
 def _axis(
-    scene: Scene, number: int, late: dict[str, Vector], lines: dict[str, int]
+    scene: Scene, number: int, late: dict[str, Vector], lines: dict[str, Ref]
 ) -> tuple[Vector, int]:
     """The line of centres along the change of a velocity: of who was at rest, if any."""
     body = next((each for each in late if not any(scene.initial(each).value)), next(iter(late)))
@@ -435,7 +502,7 @@ def _restitution(
     scene: Scene,
     number: int,
     late: dict[str, Vector],
-    lines: dict[str, int],
+    lines: dict[str, Ref],
     change: Vector,
     axis: int,
 ) -> tuple[int, Relation]:
@@ -504,7 +571,7 @@ def _settle(
     scene: Scene,
     number: int,
     late: dict[str, Vector],
-    lines: dict[str, int],
+    lines: dict[str, Ref],
     change: Vector,
     axis: int,
 ) -> None:
@@ -525,6 +592,9 @@ def _settle(
     own = scene.model.frames[number]
     plain = plain_direction(put)
     n = own.n if scene.model.sign(plain.dot(own.n)) > 0 else -own.n
+    if any(x.free_symbols for x in n):
+        size = scene.model.story.size(plain)
+        n = Vector(*(tidy(x / size) for x in plain))  # the angle is that of the line
     line = axis
     if refs:
         line = scene.desk.write(

@@ -96,6 +96,8 @@ def by_the_angle_of_the_line(scene: Scene, kind: str, body: str, frame: Frame) -
     fact = scene.facts.get(f"axis {frame.number}")
     if fact is None or not frame.is_slanted or frame.direction(kind).x.free_symbols:
         return None
+    if fact.id not in frame.refs:
+        return None  # the line stands as that of a vector
     match fact.relation.only:
         case (Link(_, "=" | "parallel to", Letter() as angle),):
             turn = in_letters(angle)

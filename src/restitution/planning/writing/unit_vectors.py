@@ -34,6 +34,10 @@ def plain_direction(direction: Vector) -> Vector:
         part, root = surd.as_coeff_Mul()
         if root.is_Pow and root.exp == sp.Rational(1, 2) and root.base.is_Integer:
             return _with_a_root(part, root, 1 if y > 0 else -1)
+    if x != 0 and y != 0 and (x.free_symbols | y.free_symbols or has_nested_roots(x, y)):
+        by_one_root = _by_one_root(x, y)
+        if by_one_root is not None:
+            return by_one_root
     common = _content((x, y))
     return Vector(tidy(x / common), tidy(y / common))
 
@@ -53,6 +57,63 @@ def short_direction(vector: Vector, sign: Callable[[sp.Expr], int]) -> Vector | 
         return None
     short = plain_direction(Vector(sp.Integer(1), ratio))
     return short if sign(x) == sign(short.x) else -short
+
+
+def has_nested_roots(*parts: sp.Expr) -> bool:
+    """Whether there are roots below a root."""
+    return any(
+        inner.exp.q == 2
+        for part in parts
+        for power in part.atoms(sp.Pow)
+        if power.exp.is_Rational and power.exp.q == 2
+        for inner in power.base.atoms(sp.Pow)
+        if inner.exp.is_Rational
+    )
+
+
+def _by_one_root(x: sp.Expr, y: sp.Expr) -> Vector | None:
+    """A vector of whole numbers and one root: (2√2 − 1)i + j; None where that takes more."""
+    nested = {
+        power.base: sp.Dummy("root", positive=True)
+        for part in (x, y)
+        for power in part.atoms(sp.Pow)
+        if power.base.is_Add and power.base.is_number and abs(power.exp) == sp.S.Half
+    }
+    if len(nested) > 1 or not all(part.is_extended_real for part in (x, y)):
+        return None
+    for base, root in nested.items():
+        x, y = (
+            part.replace(
+                lambda own, base=base: own.is_Pow and own.base == base,
+                lambda own, root=root: root ** (2 * own.exp),
+            )
+            for part in (x, y)
+        )
+    ratio = sp.cancel(x / y)
+    for base, root in nested.items():
+        ratio = ratio.subs(root, sp.sqrt(base))
+    side = y.subs(dict.fromkeys(nested.values(), 1))
+    if not (side.is_positive or side.is_negative):
+        return None
+    sign = 1 if side.is_positive else -1
+    forms = []
+    for turned in (False, True):
+        surd = sp.radsimp(1 / ratio if turned else ratio)
+        terms = sp.Add.make_args(sp.expand(surd))
+        roots = {term.as_coeff_Mul()[1] for term in terms} - {sp.S.One}
+        if len(terms) != 2 or len(roots) != 1 or not all(_is_plain_root(e) for e in roots):
+            return None
+        below = sp.ilcm(*(term.as_coeff_Mul()[0].q for term in terms))
+        above = sp.expand(surd * below)
+        size = below + sum(abs(term.as_coeff_Mul()[0]) for term in sp.Add.make_args(above))
+        forms.append((size, turned, above, below))
+    _, turned, above, below = min(forms, key=lambda form: form[0])
+    whole = Vector(sp.Integer(below), above) if turned else Vector(above, sp.Integer(below))
+    return whole if (float(whole.y) > 0) == (sign > 0) else -whole
+
+
+def _is_plain_root(x: sp.Expr) -> bool:
+    return bool(x.is_Pow and x.exp == sp.S.Half and x.base.is_Integer)
 
 
 def _with_a_root(part: sp.Rational, root: sp.Expr, sign: int) -> Vector:

@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Apply,
     Degrees,
     Expression,
+    Letter,
     Name,
     Polar,
     Quantity,
@@ -55,7 +56,30 @@ def velocity_given(
     size = scene.scalar(parts["speed"].link.right)
     refs = tuple(equation.fact.id for equation in parts.values())
     value = direction * size
+    if any(scene.initial(body).value) and not scene.last_event(body, number - 1):
+        line = _by_its_size(scene, velocity, size, angle, refs)
+        if line is not None:
+            return tree_of(value), value, (line,)
     return vector(*map(tree_of, direction)), value, together(refs)
+
+
+def _by_its_size(
+    scene: Scene, velocity: Quantity, size: sp.Expr, angle: sp.Expr, facts: tuple[Ref, ...]
+) -> int | None:
+    """The line of a velocity by its size and direction, where these are known."""
+    value = Vector(tidy(size * sp.cos(angle)), tidy(size * sp.sin(angle)))
+    if angle.free_symbols or scene.unknown(size) or not isinstance(velocity.stage, int):
+        return None
+    sign = scene.model.sign(value.y)
+    tree = tree_of(value)
+    by_degrees = _by_degrees(size, abs(angle), sign)
+    relation = chain(velocity, (by_degrees or tree, None), (tree, "rearrange"))
+    (body,) = (argument.name for argument in velocity.arguments if isinstance(argument, Name))
+    move = Move("define", "turned", velocity.stage, (body,))
+    line = scene.judge.write((move,), facts, relation)
+    if line is not None:
+        scene.desk.know(velocity, value, (line,))
+    return line
 
 
 def _by_its_change(
@@ -149,6 +173,11 @@ def _side(scene: Scene, body: str, number: int) -> tuple[Ref, ...] | None:
         names = letters(blow.relation.only[0].right)
         ranges = [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
         return together((blow.id,), ranges, background(scene, names))
+    axis = scene.facts.get(f"axis {number}")
+    if axis is not None and not scene.events > 1:
+        match axis.relation.only:
+            case (Link(_, "parallel to", Letter(name)),):
+                return (axis.id, *background(scene, {name}))
     return () if scene.sided else None
 
 

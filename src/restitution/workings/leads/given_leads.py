@@ -39,7 +39,7 @@ from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.lines_around import is_rest
 from restitution.workings.leads.titles import Leads
 from restitution.workings.naming.bold_letters import unit_vector
-from restitution.workings.naming.facts import fact_in_words
+from restitution.workings.naming.facts import fact_in_words, velocity_given
 
 # The sign of a component along **i**, of a direction beyond 90°.
 _BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
@@ -316,7 +316,12 @@ class GivenLeads(Leads):
         return None
 
     def given_before(self, line: Line) -> tuple[Sentence, ...]:
-        """The given fact that says a velocity by another one, before a law that takes it."""
+        """The given fact that says a velocity, before a law or components that take it."""
+        velocities = self._velocities_read(line)
+        if velocities:
+            self._given |= {fact.id for fact in velocities}
+            facts = tuple(velocity_given(self._naming, fact) for fact in velocities)
+            return (say("given.velocities", facts=facts),)
         for ref in line.premises if line.move.id == "law" else ():
             fact = self._derivation.fact(ref) if isinstance(ref, str) else None
             if fact is None or fact.kind != "given" or fact.id in self._given:
@@ -346,6 +351,47 @@ class GivenLeads(Leads):
                     self._given.add(fact.id)
                     return (say("given.rest", body=body),)
         return ()
+
+    def _velocities_read(self, line: Line) -> list[Fact]:
+        """The velocities that are given as vectors, of which lines of an impact read components.
+
+        Where the vector stands in a line itself nothing is said of it.
+        """
+        own = self._velocities_in(line)
+        if _has_vectors(line):
+            self._given |= {fact.id for fact in own}
+            return []
+        stages = _stages(line)
+        if not own and not stages:
+            return []
+        part = self._derivation.asked.get(line.item or "")
+        together = [
+            fact
+            for other in self._derivation.lines
+            if other.move.event == line.move.event
+            and self._derivation.asked.get(other.item or "") == part
+            and not _has_vectors(other)
+            for fact in self._velocities_in(other)
+            if own or _stage(fact) in stages
+        ]
+        read = {fact.id: fact for fact in (*own, *together)}
+        return [read[name] for name in sorted(read)]
+
+    def _velocities_in(self, line: Line) -> list[Fact]:
+        """The velocities given as vectors from which a law takes components, not yet said."""
+        if line.move.id != "law" and line.move.record != "component":
+            return []
+        read: list[Fact] = []
+        for ref in line.premises:
+            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            if fact is None or fact.kind != "given" or fact.id in self._given or is_rest(fact):
+                continue
+            match fact.relation.options:
+                case ((Link(Quantity("velocity"), "=", right),),) if not (
+                    has_quantity(right) or any(isinstance(node, Polar) for node in walk(right))
+                ):
+                    read.append(fact)
+        return read
 
     def _component_of_multiple(self, fact: Fact) -> tuple[Expression, Expression] | None:
         """A component along the line of centres and its value, of a multiple of a velocity."""
@@ -382,3 +428,24 @@ def _across(axis: Expression) -> Unit | None:
 
 def _has_vector(tree: Expression) -> bool:
     return any(isinstance(node, Unit | Pair | Polar) for node in walk(tree))
+
+
+def _has_vectors(line: Line) -> bool:
+    """Whether vectors stand in a line."""
+    return isinstance(line.relation, Relation) and any(map(_has_vector, trees_of(line.relation)))
+
+
+def _stage(fact: Fact) -> object:
+    velocity = fact.relation.only[0].left
+    return velocity.stage if isinstance(velocity, Quantity) else None
+
+
+def _stages(line: Line) -> set[object]:
+    """When the velocity is taken of which a line is a component; nothing of any other line."""
+    if line.move.record != "component" or not isinstance(line.relation, Relation):
+        return set()
+    return {
+        node.stage
+        for node in walk(line.relation.options[0][0].left)
+        if isinstance(node, Quantity) and node.kind == "velocity"
+    }

@@ -15,14 +15,38 @@ from restitution.explaining.lines.derivation import (
     equation,
 )
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity
 from restitution.planning.angles.lines_between import cosine_of
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.unit_vectors import short_direction
 from restitution.vector import Vector
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.grounds import meant_by
+
+
+def slope_title(naming: Naming, line: Line) -> Sentence | None:
+    """What is said before the tangent of the angle of a line of centres, by a vector along it.
+
+    And before the velocity that is turned to a side, which the line of centres tells.
+    """
+    match line.relation:
+        case Relation(((Link(Apply("tan", Letter() as angle), "="), *_),)) if (
+            line.move.record == "parallel"
+            and any(str(e).startswith("axis ") for e in line.premises)
+        ):
+            return say("derived.line-at", angle=naming.layout(angle))
+        case Relation(((Link(_, "=", Binary(op)), *_),)) if line.move.record == "turned" and any(
+            str(e).startswith("axis ") for e in line.premises
+        ):
+            (body,) = line.move.bodies
+            (other,) = (e for e in naming.events[line.move.event or 0].bodies if e != body)
+            turned: SentenceId = (
+                "derived.turned-clockwise" if op == "-" else "derived.turned-anticlockwise"
+            )
+            return say(turned, body=body, other=other)
+    return None
 
 
 def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:

@@ -47,7 +47,7 @@ from restitution.workings.leads.offsets import (
     offset_sentence,
 )
 from restitution.workings.leads.one_component import went_from_rest
-from restitution.workings.leads.scalar_products import product_title
+from restitution.workings.leads.scalar_products import product_title, slope_title
 from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_normal
 from restitution.workings.leads.shapes_of_lines import (
     body_read_off,
@@ -127,7 +127,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """How an angle is made, between what it is, or along which line a body moves."""
         if line.move.record == "scalar-angle":
             return product_title(self._derivation, self._naming, line)
-        return self._turned(line) or self._along_the_line(line)
+        slope = slope_title(self._naming, line)
+        return slope or self._turned(line) or self._along_the_line(line)
 
     def _by_speeds(self, line: Line) -> bool:
         """Whether a line rests on speeds or kinetic energies that are given or stand above."""
@@ -485,7 +486,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             yield say("derived.along-axis", body=body, axis=along)
             return
         if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
-            apart = self._apart(line) if line.move.record == "perpendicular" else None
+            right = line.move.record == "perpendicular"
+            apart = self._apart(line) if right else slope_title(self._naming, line)
             yield (
                 apart
                 or self._along_axes(line)

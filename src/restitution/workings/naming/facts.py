@@ -111,6 +111,14 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
     return naming.relation(fact.relation)
 
 
+def velocity_given(naming: Naming, fact: Fact) -> lay.Layout:
+    """A velocity that is given as a vector: *𝐯 = (2𝐢 + 3𝐣) m s⁻¹*."""
+    (link,) = fact.relation.only
+    value = naming.layout(link.right)
+    value = with_unit(value, naming.unit(link.left)) if is_plain(value) else value
+    return lay.Relation((naming.layout(link.left), value), ("=",))
+
+
 def _measured(
     naming: Naming, link: Link, right: Sentence | lay.Layout | str
 ) -> Sentence | lay.Layout | str:
