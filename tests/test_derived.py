@@ -302,8 +302,13 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
         ("turned-by-a-wall", ["the angle of deflection of P is 90°", "From (1): tan²α ≥ 1"]),
         ("find-the-blow", ["Comparing components: J sin θ = 1.5", "Dividing (1) by (2):"]),
         ("right-angle", ["0 < tan α ≤ 1/√3, as α is acute (as required)"]),
-        ("velocities-before", ["Let 𝐮_A and 𝐮_B be the velocities of A and B before the impact."]),
-        ("unknown-mass", ["given that 𝐯_A = (3𝐢 + 2𝐣) m s⁻¹ and 𝐯_B = (2𝐢 − 𝐣) m s⁻¹. Cons"]),
+        (
+            "velocities-before",
+            [
+                "Let 𝐮_A and 𝐮_B be the velocities of A and B before the impact.",
+                "It is given that 𝐯_A = (−𝐢 + 2𝐣) m s⁻¹ and 𝐯_B = (2𝐢 − 𝐣) m s⁻¹.",
+            ],
+        ),
         (
             "two-coefficients",
             ["Let 𝐯₁ be the velocity of P after the first impact."],
