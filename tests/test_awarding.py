@@ -830,6 +830,38 @@ show speed(P) = e u
     assert all(note.marks == () for note in awarded(derivation, "none").notes)
 
 
+def test_a_conclusion_that_there_is_no_answer_has_the_mark_of_the_end() -> None:
+    """e = 5/4 is no answer: what is concluded from it is."""
+    text = """
+sphere A: mass 1, velocity 4i + j
+sphere B: mass 2, at rest
+A hits B: along i
+given velocity(B) = 3i
+find e, velocity(A)
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    (note,) = derivation.notes
+    assert (line_of(derivation, max(note.lines)), written(note.marks)) == ("", "A1")
+
+
+def test_what_is_missing_is_concluded_once() -> None:
+    """Each of two reasons has a mark, and two items with one reason have one."""
+    text = """
+wall W
+sphere P: mass 1, velocity 3i - 4j
+P hits W
+given speed(P) = 4
+find e, direction(W)
+"""
+    derivation = awarded(plan(solve(parse(text))))
+    assert [written(note.marks) for note in derivation.notes] == ["B1", "B1"]
+    text = "sphere A, B: mass 2\nA hits B: along i, e = 1\nfind speed(A), speed(B)"
+    derivation = awarded(plan(solve(parse(text))))
+    assert sum(len(note.marks) for note in derivation.notes) == len(
+        {(note.reason, note.premises) for note in derivation.notes}
+    )
+
+
 def test_every_impact_earns_its_laws() -> None:
     text = """
 sphere A, B: mass m

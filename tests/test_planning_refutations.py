@@ -294,13 +294,13 @@ B hits W: e = 1/2
         (
             BACK + "given A and B do not collide again\nfind range of e",
             (
-                "does not close: (2 − 3e)u/5 ≤ −(1 + e)u/5 DM1 e ≥ 3/2 A1 But e ≤ 1. "
+                "does not close: (2 − 3e)u/5 ≤ −(1 + e)u/5 DM1 e ≥ 3/2 But e ≤ 1. "
                 "So what is described cannot happen."
             ),
         ),
         (
             BACK + "given velocity(A, 1) opposite to i, e < 1/2\nfind range of e",
-            "2 − 3e < 0 DM1 e > ⅔ A1 But e < ½. So what is described cannot happen.",
+            "2 − 3e < 0 DM1 e > ⅔ But e < ½. So what is described cannot happen.",
         ),
         (
             (
@@ -308,7 +308,7 @@ B hits W: e = 1/2
                 "A hits B: along i, e = 1/2\n"
                 "given velocity(A) opposite to i, k < 1\nfind range of k"
             ),
-            "k > 2 A1 But k < 1. So what is described cannot happen.",
+            "k > 2 But k < 1. So what is described cannot happen.",
         ),
         (
             BACK.replace("B hits W: e = 1/2\n", "")

@@ -189,6 +189,17 @@ def test_a_scheme_names_what_each_point_is_for():
     assert dependent.depends == (scheme.points[1].id, scheme.points[3].id)
 
 
+def test_a_value_that_cannot_be_earns_what_is_concluded_from_it():
+    statement = """sphere A: mass 1, velocity 4i + j
+sphere B: mass 2, at rest
+A hits B: along i
+given velocity(B) = 3i
+find e, velocity(A)"""
+    points = marked(statement, "4 = v + 2*3; v = -2; 3 - v = 4e; e = 5/4; vel A").marks.points
+    assert [each.point.kind for each in points] == ["B1", "M1", "A1", "M1", "A1", "A1", "A1ft"]
+    assert points[5].state == "earned"
+
+
 def test_what_cannot_be_read_leaves_marks_open():
     marks = marked(PAIR, "6 - 4 = 2v + 4w; w - v = )(").marks
     assert marks.earned == 2

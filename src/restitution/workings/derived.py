@@ -391,6 +391,9 @@ class _Writer:
             # What the note names is introduced before it.
             yield from self._introduced()
             yield step
+            onward = tuple(self.notes.onward(note))
+            if onward:
+                yield Step("note", sentences=onward, item=item)
 
     def _introduced(self) -> Iterator[Step]:
         """What letters stand for that have come into use."""

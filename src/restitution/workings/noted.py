@@ -187,13 +187,8 @@ class Notes:
             links.append(Link(right, ">" if over else "<", Number(Fraction(int(over)))))
         equation = self._naming.relation(Relation((tuple(links),)))
         if self._ends_in(note):
-            after = self._naming.layout(left)
-            more: Sentence | str = ""
-            if self._goes_on(note):
-                rests = self._rests(note)
-                more = say("note.rests-on") if rests else say("note.goes-on", letter=after)
             name = "note.above-one" if over else "note.below-zero"
-            return say(name, value=equation, letter=after, more=more)
+            return say(name, value=equation, letter=self._naming.layout(left))
         if any(other.premises == note.premises and self._ends_in(other) for other in self._all):
             return say("note.none-either", items=items)
         if isinstance(value, int):
@@ -201,6 +196,19 @@ class Notes:
             return say(name, items=items, value=equation)
         name = "note.none-data-above-one" if over else "note.none-data-below-zero"
         return say(name, items=items, value=self._naming.layout(right))
+
+    def onward(self, note: Note) -> Iterator[Sentence]:
+        """What is said of the lines below a note of a value that a coefficient cannot have."""
+        if note.kind != "impossible" or not note.premises or note.claim is not None:
+            return
+        if self._is_out_of_range(note) or not (self._ends_in(note) and self._goes_on(note)):
+            return
+        value, bound = note.premises
+        left, _ = _bounded(self._relation(value), self._bounds_of(bound))
+        if self._rests(note):
+            yield say("note.rests-on")
+        else:
+            yield say("note.goes-on", letter=self._naming.layout(left))
 
     def _ahead(self, claim: Relation) -> Mapping[str, str | lay.Layout] | None:
         """Which of two spheres that do not approach is ahead, as the other moves towards it.

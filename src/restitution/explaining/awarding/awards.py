@@ -18,6 +18,8 @@ that fits a line says what it earns, in each style. Then, part by part:
   its definition, nor a principle.
 - An A whose line puts in a value that an earlier part or item found follows through.
 - What an item's last line only says once more has its A1 there.
+- Where an item has no answer, the conclusion has the mark of its end, and one of its own where no
+  line has that.
 - What rests on a coefficient that cannot be, in the same part, earns nothing.
 - A principle that an earlier part has used at the same impact earns nothing again.
 - Of several solutions, methods count once, and each further one adds its answers.
@@ -43,7 +45,13 @@ from restitution.explaining.awarding.mark_conditions import (
     says_again,
     works_out,
 )
-from restitution.explaining.awarding.mark_rules import PAIR, RULES_OF, Rule, marks_of_note
+from restitution.explaining.awarding.mark_rules import (
+    CONCLUDING,
+    PAIR,
+    RULES_OF,
+    Rule,
+    marks_of_note,
+)
 from restitution.explaining.awarding.work import length, single_sides, subject_of
 from restitution.explaining.data.unused import lines_under
 from restitution.explaining.lines.derivation import (
@@ -52,6 +60,7 @@ from restitution.explaining.lines.derivation import (
     ItemEnd,
     Line,
     Meaning,
+    Note,
     Relation,
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
@@ -76,11 +85,13 @@ def awarded(
             lines=tuple(replace(line, marks=()) for line in derivation.lines),
             notes=tuple(replace(note, marks=()) for note in derivation.notes),
         )
-    proposed = _Awarding(derivation, style, frozenset(justify)).proposed()
+    awarding = _Awarding(derivation, style, frozenset(justify))
+    proposed = awarding.proposed()
+    notes = tuple(awarding.noted(proposed))
     return replace(
         derivation,
         lines=tuple(replace(line, marks=proposed[line.number]) for line in derivation.lines),
-        notes=tuple(replace(note, marks=marks_of_note(note)) for note in derivation.notes),
+        notes=notes,
     )
 
 
@@ -201,6 +212,37 @@ class _Awarding:
                 earned.add(self.part(line))
         self._with_a_method(points)
         return self._settled(points)
+
+    def noted(self, marks: dict[int, Marks]) -> Iterator[Note]:
+        """The notes with their marks; those of lines are taken from there.
+
+        That an item has no answer is concluded once: the value above it has no answer's mark then.
+        """
+        concluded = set[object]()
+        for note in self.derivation.notes:
+            if note.kind not in CONCLUDING:
+                yield replace(note, marks=marks_of_note(note))
+                continue
+            conclusion = note.kind, note.reason, note.premises
+            last = max(note.lines, default=0)
+            of_the_end: Marks = ()
+            if marks.get(last) and self._ends_in(note):
+                (*own, final) = marks[last]
+                marks[last], of_the_end = tuple(own), (final,)
+            earned = () if conclusion in concluded else marks_of_note(note, of_the_end)
+            concluded.add(conclusion)
+            yield replace(note, marks=earned)
+
+    def _ends_in(self, note: Note) -> bool:
+        """Whether the last line of a note has a mark only as the item ends there.
+
+        A velocity by which two bodies do not approach is a value for itself.
+        """
+        last = self.lines.get(max(note.lines, default=0))
+        if last is None or note.claim is not None or last.item != note.item or self.ends.get(last.number) is not None:
+            return False
+        rule = self.rule(last)
+        return rule is None or not {"A", "B", "V"} & set(rule.earned(self.style).split())
 
     def _with_a_method(self, points: dict[int, list[str]]) -> None:
         """A method for the first line of a part of which nothing but its one answer has earned.

@@ -9,6 +9,7 @@ from restitution.explaining.lines.derivation import (
     MOVES,
     MoveId,
     Note,
+    NoteKind,
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
 
@@ -214,16 +215,24 @@ RULES_OF: Mapping[MoveId, tuple[Rule, ...]] = {
 """The rules of the table for each move, in its order."""
 
 
-def marks_of_note(note: Note) -> Marks:
+CONCLUDING: frozenset[NoteKind] = frozenset({"impossible", "contradiction", "missing"})
+"""Notes that end an item: it has no answer, and that is what there is to conclude."""
+
+
+def marks_of_note(note: Note, of_the_end: Marks = ()) -> Marks:
     """What a note earns: a counter-example a method, and that the claim is not true the answer.
 
-    Of an equation it is enough that a line above says another value. Steps that are not written out
-    have no line at which marks could stand.
+    Of an equation it is enough that a line above says another value. Where there is no answer, the
+    conclusion has the mark ``of_the_end``, which a value would have, or else one of its own. Steps
+    that are not written out have no line at which marks could stand.
     """
     equation = note.claim is not None and {e.sign for e in note.claim.options[0]} == {"="}
     if note.kind == "refuted" and note.instance and not equation:
         return (reasoned(Mark("M")), reasoned(Mark("A")))
-    return (reasoned(Mark("B")),) if note.kind in ("standing", "refuted") else ()
+    if note.kind in CONCLUDING and of_the_end:
+        return of_the_end
+    concluding = note.kind in CONCLUDING or note.kind in ("standing", "refuted")
+    return (reasoned(Mark("B")),) if concluding else ()
 
 
 UNWRITTEN: Marks = (reasoned(Mark("M")), reasoned(Mark("A")))

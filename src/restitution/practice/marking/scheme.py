@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from restitution.explaining.awarding.awards import awarded
-from restitution.explaining.awarding.mark_rules import UNWRITTEN
+from restitution.explaining.awarding.mark_rules import CONCLUDING, UNWRITTEN
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Derivation,
@@ -20,7 +20,7 @@ from restitution.explaining.lines.derivation import (
     Link,
     Relation,
 )
-from restitution.explaining.lines.marks import Mark, Style
+from restitution.explaining.lines.marks import Mark, Marks, Style
 from restitution.explaining.lines.saying import say
 from restitution.explaining.lines.titles import title_of
 from restitution.explaining.lines.trees import rebuilt
@@ -206,6 +206,7 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
     items = {name: place for place, name in enumerate(_items(derivation, label))}
     ends = {end.line: end for end in derivation.items}
     lines = {line.number: line for line in derivation.lines}
+    concluded = _concluded(derivation)
     by_line: dict[int, list[MarkPoint]] = {}
     count = 0
 
@@ -224,7 +225,7 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
         if derivation.asked.get(line.item or "") != label:
             continue
         under = above(line)
-        for mark in line.marks:
+        for mark in (*line.marks, *concluded.get(line.number, ())):
             count += 1
             method = [point.id for point in by_line.get(line.number, ()) if point.letter == "M"]
             rests = [p.id for n in mark.on for p in by_line.get(n, ()) if p.letter == "M"]
@@ -243,8 +244,8 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
             by_line.setdefault(line.number, []).append(point)
             yield point
     for note in derivation.notes:
-        # That a claim is not true is told in words, which are not marked.
-        if note.part != label or note.kind == "refuted":
+        # That a claim is not true, or has no answer, is told in words, which are not marked.
+        if note.part != label or note.kind == "refuted" or note.kind in CONCLUDING:
             continue
         place = items.get(note.item)
         answer, shown = _asked(solved, place)
@@ -265,6 +266,20 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
                 shown=shown and not of_method,
             )
             needed = (name,) if of_method else needed
+
+
+def _concluded(derivation: Derivation) -> Mapping[int, Marks]:
+    """The marks of conclusions in words, by the last lines above them, which have none.
+
+    What is typed is marked by the value from which it is concluded that there is no answer.
+    """
+    lines = {line.number: line for line in derivation.lines}
+    return {
+        last: note.marks
+        for note in derivation.notes
+        if note.kind in CONCLUDING and (last := max(note.lines, default=0)) in lines
+        if lines[last].item == note.item and all(mark.kind == "M" for mark in lines[last].marks)
+    }
 
 
 def _asked(solved: PartSolution, place: int | None) -> tuple[Link | None, bool]:
