@@ -200,3 +200,30 @@ def test_of_two_directions_of_a_normal_it_is_the_one_against_the_unit_vector(
         """
     text = to_text(explain(solve(parse(statement)), check=True))
     assert says in " ".join(text.split())
+
+
+@pytest.mark.parametrize(
+    ("statement", "senses"),
+    [
+        (
+            "wall W: along i\nwall X: along j\nsphere P: velocity u at alpha to W\n",
+            "Take 𝐢 in the direction in which P first moves along W, and 𝐣 away from W.",
+        ),
+        (
+            "wall W: along j\nwall X: along i\nsphere P: velocity u at alpha to W\n",
+            "Take 𝐣 in the direction in which P first moves along W, and 𝐢 towards W.",
+        ),
+        (
+            "wall W: along i\nwall X: along j\nsphere P: velocity u at alpha from -i\n",
+            "Take 𝐢 opposite to the direction in which P first moves along W, and 𝐣 away from W.",
+        ),
+    ],
+)
+def test_senses_that_the_question_leaves_open_are_taken(statement: str, senses: str) -> None:
+    """The question says only that P comes to W at an acute angle."""
+    shown = working(f"{statement}P hits W\nP hits X\nfind speed(P)")
+    assert shown.count("Take ") == 1
+    assert senses in shown
+    assert shown.index(senses) < shown.index("in the direction of")
+    # Where a vector is asked for, the question says how P comes.
+    assert "Take " not in working(f"{statement}P hits W\nP hits X\nfind velocity(P)")

@@ -44,6 +44,7 @@ from restitution.problem import Problem, Show, Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.conditions import is_same
+from restitution.workings.leads.axes import has_axes, senses_of_axes, with_axes
 from restitution.workings.leads.carried import Carried
 from restitution.workings.leads.given_leads import GivenLeads
 from restitution.workings.leads.introductions import Introductions
@@ -174,6 +175,7 @@ class _Writer:
         self.said_again: set[str] = set()
         # The conditions of answers that are printed; an earlier part has said the same for all.
         self.limited: list[Sentence] = []
+        self.axes = senses_of_axes(self.problem)
 
     def part(self, label: str | None) -> tuple[Step, ...]:
         """The steps of a part."""
@@ -181,7 +183,10 @@ class _Writer:
         lines = list(self.angles.in_order(lines))
         self.naming.bold.part = label
         self.before = ()
-        return tuple(_labelled_once(joined(self.steps(lines, label))))
+        steps = tuple(_labelled_once(joined(self.steps(lines, label))))
+        if self.axes is not None and has_axes(steps):
+            steps, self.axes = tuple(with_axes(steps, self.axes)), None
+        return steps
 
     def afresh(self) -> None:
         """What comes next goes on from nothing above it."""

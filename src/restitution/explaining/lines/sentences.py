@@ -594,6 +594,16 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.product-by-wall": (
         "It is given that {fact}. {wall} is parallel to {vector}, so the scalar product is zero:"
     ),
+    "axes.away": (
+        "Take {along} {sense} in which {body} first moves along {wall}, and {across} away from "
+        "{wall}."
+    ),
+    "axes.towards": (
+        "Take {along} {sense} in which {body} first moves along {wall}, and {across} towards "
+        "{wall}."
+    ),
+    "axes.with": "in the direction",
+    "axes.against": "opposite to the direction",
     "sense.approach": "{one} and {other} approach each other along {vector}:",
     "sense.approach-as": "As {reason}, {one} and {other} approach each other along {vector}:",
     "sense.opposite": (
