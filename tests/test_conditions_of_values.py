@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from statements import FILES
+
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.workings import explain, to_text
@@ -66,3 +68,27 @@ find beta
     given = value.subs(letters)
     v = (1 - 2.5) * 0.5 / 6 - 1.5 * 5 * given / 6
     assert abs(sp.N(v**2 + 0.75 - 2)) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        # e = 0: an open range of which both ends come to 0, which d is not.
+        ("267-post-range", "This holds for e > 0 only, as there is no such d otherwise."),
+        # e = 0: no k is more than 1/e.
+        ("direction-reversed", "This holds for e > 0 only, as there is no such k otherwise."),
+        # e = 1: both ends come to u, which v is then.
+        ("626-range-of-v-with-letters", "This holds for e < 1 only: if e = 1, v = u."),
+        (
+            "715-two-cushions-to-a-point-in-letters",
+            "This holds for e > 0 only: if e = 0, P is at rest and reaches nothing.",
+        ),
+        (
+            "710-pocket-along-the-cushion",
+            "As A has to move towards B to hit it, this holds for b > 2(√37 − 4)/3 only.",
+        ),
+    ],
+)
+def test_a_condition_has_its_reason(name: str, sentence: str) -> None:
+    text = next(path.read_text() for path in FILES if path.stem == name)
+    assert sentence in " ".join(to_text(explain(solve(parse(text)))).split())

@@ -190,9 +190,7 @@ def test_a_square_that_would_be_negative() -> None:
         "A hits B: along i\ngiven speed(A) = 2u\nfind e"
     )
     shown = working(text)
-    assert (
-        "(2u)² = v² + (3u)² M1 v² = −5u² This cannot be, as a square is not negative." in shown
-    )
+    assert "(2u)² = v² + (3u)² M1 v² = −5u² This cannot be, as a square is not negative." in shown
 
 
 @pytest.mark.parametrize(

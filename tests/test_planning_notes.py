@@ -268,7 +268,9 @@ def test_what_cannot_happen_is_not_said_of_what_is_asked() -> None:
     text = SPHERES.format(u=1, v=4, e=", e = 1/2") + "find velocity(A), impulse"
     words = printed(planned(text)[0])
     told = "So A and B are separating along the line of centres: what is described cannot happen."
-    assert words.endswith(f"A moves in the direction of 𝐢 and hits B, so B is ahead of it. {told} B1")
+    assert words.endswith(
+        f"A moves in the direction of 𝐢 and hits B, so B is ahead of it. {told} B1"
+    )
     assert words.count("cannot happen") == 1
 
 

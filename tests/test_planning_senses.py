@@ -154,7 +154,7 @@ sphere B: mass m, velocity u at 60° from -i
 A hits B: along i, e = 1/2
 find direction(B), deflection(B)
 """,
-        ("Along the line of centres B is sent back",),
+        ("As w > 0, B is sent back along the line of centres",),
         ("angle between 𝐯_B and the line",),
     ),
     "along j before a line at an angle": (
@@ -250,7 +250,7 @@ A hits B: along i, e = 1/2
 given deflection(A) = arctan(3/5)
 find tan(alpha)
 """,
-        ("is arctan(3/5). Along the line of\ncentres A keeps its sense",),
+        ("is arctan(3/5). As v > 0, A keeps\nits sense along the line of centres",),
         (),
     ),
     "a body that keeps its sense may have no velocity along the line": (
@@ -262,8 +262,19 @@ A hits B: along i, e = e
 given tan(alpha) = 2
 find tan(deflection(A))
 """,
-        ("keeps its sense, or has no velocity if e = 1,",),
+        ("As v ≥ 0 (since e ≤ 1), A keeps its sense", "or has no\nvelocity along it if e = 1,"),
         (),
+    ),
+    "a sense that a given bound of e makes": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+given e < 1/3
+find maximum of deflection(A) over alpha
+""",
+        ("As v > 0 (since e < ⅓), A keeps its sense along the line of centres",),
+        ("e ≤ 1",),
     ),
     "a loss that is given, by what changes": (
         """

@@ -33,12 +33,13 @@ from restitution.oracle.roles import ACUTE
 from restitution.planning.inequalities.forms_of_ranges import relation_of_condition
 from restitution.planning.inequalities.ranges import general_answer
 from restitution.planning.writing.forms import tree_of
-from restitution.problem import Extremum, Find, Given, Range, Value
+from restitution.problem import Extremum, Find, Given, Impact, Range, Value
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
 from restitution.solving.ranges.validity import always_exist
 from restitution.solving.story.letters import roles
+from restitution.workings.excluded_ends import excluded_end
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
@@ -81,7 +82,7 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
 
 def is_same(one: Sentence, other: Sentence) -> bool:
     """Whether two sentences say one condition, perhaps with more or less of its reasons."""
-    kinds = ("answer.only", "answer.only-as")
+    kinds = ("answer.only", "answer.only-as", "answer.only-at", "answer.only-possible")
     conditions = [dict(sentence.slots).get("condition") for sentence in (one, other)]
     return one == other or (
         one.id in kinds and other.id in kinds and conditions[0] == conditions[1] is not None
@@ -246,22 +247,38 @@ def _bound_alike(
     bounds: Sequence[tuple[Layout, tuple[Formula, ...]]],
 ) -> tuple[Layout, ...]:
     """``tan²α > 0``, where that is just what a condition says; nothing of another condition."""
-    oracle, letter = Oracle(roles(solution.problem)), sp.Symbol
+    oracle = Oracle(roles(solution.problem))
+    for layout, claims in bounds:
+        if _is_alike(oracle, answer, claims):
+            return (layout,)
+    return ()
+
+
+def _approach_alike(model: Model, answer: Answer) -> tuple[Sentence, ...]:
+    """That a body has to move towards what it hits, where a condition says just that."""
+    for happening in model.branch.story.happenings:
+        if isinstance(happening.step, Impact) and happening.closing is not None:
+            claim = Claim(tidy(model.in_data(happening.closing)), ">")
+            if _is_alike(model.ground, answer, (claim,)):
+                one, two = happening.step.first, happening.step.second
+                return (say("answer.approaching", one=one, two=two),)
+    return ()
+
+
+def _is_alike(oracle: Oracle, answer: Answer, claims: Sequence[Formula]) -> bool:
+    """Whether claims of letters are just what the condition of an answer says."""
     try:
         conditions = [
-            compared(evaluate(link.left, letter), link.sign, evaluate(link.right, letter))
+            compared(evaluate(link.left, sp.Symbol), link.sign, evaluate(link.right, sp.Symbol))
             for text in answer.condition
             for link in relation_of_condition(text).only
         ]
     except (RestitutionError, ValueError):
-        return ()
-    both = oracle.with_facts(conditions)
-    for layout, claims in bounds:
-        if not conditions or not all(_follows(both, claim) for claim in claims):
-            continue
-        if all(_follows(oracle.with_facts(claims), condition) for condition in conditions):
-            return (layout,)
-    return ()
+        return False
+    both, other = oracle.with_facts(conditions), oracle.with_facts(claims)
+    return bool(conditions) and all(
+        (*(_follows(both, e) for e in claims), *(_follows(other, e) for e in conditions))
+    )
 
 
 def _ends_meet(solution: Solution, values: sp.Set) -> bool:
@@ -294,7 +311,7 @@ def _sentence(
             answer.value, Oracle(roles(solution.problem))
         )
         if not isinstance(asked, Letter) or not exist or _ends_meet(solution, answer.value):
-            return say("answer.only", condition=condition)
+            return _at_the_end(solution, part, item, answer)
         letter = lay.from_sympy(sp.Symbol(asked.name))
         return say("answer.only-range", condition=condition, letter=letter)
     place = _place_missing(item, answer)
@@ -318,9 +335,33 @@ def _sentence(
         acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
         reasons = tuple(square if reason == acute else reason for reason in reasons)
     reasons = reasons or _bound_alike(solution, answer, known.bounds)
+    reasons = reasons or _approach_alike(own, answer)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
-    return say("answer.only", condition=condition)
+    return _at_the_end(solution, part, item, answer)
+
+
+def _at_the_end(
+    solution: Solution, part: PartSolution, item: ItemResult, answer: Answer
+) -> Sentence:
+    """A condition with what is so where it does not hold, as far as that is one end."""
+    condition = answer.condition_layout or ""
+    end = excluded_end(solution, part, item, answer)
+    asked = item.item.expression if isinstance(item.item, Range | Value) else None
+    if end is None:
+        return say("answer.only", condition=condition)
+    if end.answer is not None:
+        return say("answer.only-at", condition=condition, end=end.end, there=end.answer)
+    if isinstance(item.item, Range) and isinstance(asked, Letter):
+        letter = lay.from_sympy(sp.Symbol(asked.name))
+        return say("answer.only-range", condition=condition, letter=letter)
+    if _AT_REST in end.reason:
+        return say("answer.only-at", condition=condition, end=end.end, there=end.reason)
+    return say("answer.only-possible", condition=condition)
+
+
+# The one reason of the solver that needs no number of an event to be understood.
+_AT_REST = "is at rest"
 
 
 def _place_missing(item: ItemResult, answer: Answer) -> sp.Symbol | None:
@@ -352,7 +393,7 @@ def _each(
     for answer in answers:
         own = _sentence(solution, part, item, answer, known)
         if own is not None:
-            slots = dict(own.slots)
+            slots = {n: slot for n, slot in own.slots if n in ("condition", "reasons")}
             name = "answer.value-only-as" if "reasons" in slots else "answer.value-only"
             sentences.append(say(name, **slots, value=_as_equation(item, answer)))
     return reduce(lambda first, second: say("answer.both", first=first, second=second), sentences)

@@ -239,7 +239,9 @@ class _Awarding:
         A velocity by which two bodies do not approach is a value for itself.
         """
         last = self.lines.get(max(note.lines, default=0))
-        if last is None or note.claim is not None or last.item != note.item or self.ends.get(last.number) is not None:
+        if last is None or note.claim is not None or last.item != note.item:
+            return False
+        if self.ends.get(last.number) is not None:
             return False
         rule = self.rule(last)
         return rule is None or not {"A", "B", "V"} & set(rule.earned(self.style).split())

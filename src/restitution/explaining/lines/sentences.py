@@ -364,6 +364,23 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Along the line of centres {body} is sent back, or has no velocity if {at}, so it turns "
         "through 180° less both its angles to that line:"
     ),
+    "turned.on-as": (
+        "As {reason}, {body} keeps its sense along the line of centres, so it turns through "
+        "the difference of its angles to that line:"
+    ),
+    "turned.back-by": (
+        "As {reason}, {body} is sent back along the line of centres, so it turns through 180° "
+        "less both its angles to that line:"
+    ),
+    "turned.on-or-across-as": (
+        "As {reason}, {body} keeps its sense along the line of centres, or has no velocity "
+        "along it if {at}, so it turns through the difference of its angles to that line:"
+    ),
+    "turned.back-or-across-by": (
+        "As {reason}, {body} is sent back along the line of centres, or has no velocity along "
+        "it if {at}, so it turns through 180° less both its angles to that line:"
+    ),
+    "turned.sign": "{sign} (since {bound})",
     "turned.back-as": (
         "If {body} kept its sense along the line of centres, it would turn through less than "
         "{turn}. So it is sent back, and turns through 180° less both its angles to that line:"
@@ -911,6 +928,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "answer.by-case": "This holds for {condition}. In all, the range is {forms:semicolon}.",
     "answer.only": "This holds for {condition} only.",
+    "answer.only-at": "This holds for {condition} only: if {end}, {there}.",
+    "answer.only-possible": (
+        "This holds for {condition} only, as what is described cannot happen otherwise."
+    ),
     "answer.both": "{first} {second}",
     "answer.value-only": "{value} holds for {condition} only.",
     "answer.value-only-as": "As {reasons:and}, {value} holds for {condition} only.",
@@ -919,6 +940,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "answer.only-range": (
         "This holds for {condition} only, as there is no such {letter} otherwise."
     ),
+    "answer.approaching": "{one} has to move towards {two} to hit it",
     "answer.moving": "{body} is still moving at the end",
     "answer.no-value": "{place} gives no value of {letter}",
     "answer.divisor": "the divisor {divisor} is not zero",

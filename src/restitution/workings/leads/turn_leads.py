@@ -51,6 +51,12 @@ _TURNED = {
     "straight": "turned.straight",
 }
 _OR_ACROSS = {"difference": "turned.on-or-across", "rest-of-sum": "turned.back-or-across"}
+# The same by the sign of the component after the impact.
+_TURNED_AS = {"difference": "turned.on-as", "rest-of-sum": "turned.back-by"}
+_OR_ACROSS_AS = {
+    "difference": "turned.on-or-across-as",
+    "rest-of-sum": "turned.back-or-across-by",
+}
 _BESIDE = {
     "square": "between.beside-same",
     "square-and-more": "between.beside-opposite",
@@ -308,15 +314,53 @@ class TurnLeads(LinesAround):
                     (other,) = (body for body in line.move.bodies if body != one)
                     return say("between.line-back", one=one, other=other)
             return say(_BETWEEN[form], bodies=line.move.bodies)
+        sign = self._sign_after(line, body)
         if form in _OR_ACROSS and (at := self._reasons.right_angle_among(line)) is not None:
-            return say(_OR_ACROSS[form], body=body, at=self._naming.relation(at))
+            where = self._naming.relation(at)
+            if sign is not None:
+                return say(_OR_ACROSS_AS[form], body=body, at=where, reason=sign)
+            return say(_OR_ACROSS[form], body=body, at=where)
         if form == "square":
             name = "turned.square" if self._ends_square(line) else "turned.from-square"
             return say(name, body=body)
         turn = self._turn_too_wide(line, first) if form == "rest-of-sum" else None
         if turn is not None:
             return say("turned.back-as", body=body, turn=self._naming.layout(turn))
+        if sign is not None and form in _TURNED_AS:
+            return say(_TURNED_AS[form], body=body, reason=sign)
         return say(_TURNED[form], body=body) if form in _TURNED else None
+
+    def _sign_after(self, line: Line, body: str) -> Sentence | lay.Layout | None:
+        """The sign of the component of a body along the line of centres, by the line that has it.
+
+        It is said by which bound it is so. None where no line above has it.
+        """
+        event = line.move.event or 0
+        for own in reversed(self._derivation.lines):
+            if own.number >= line.number or not isinstance(own.relation, Relation):
+                continue
+            first, value = own.relation.options[0][0], own.relation.options[0][-1].right
+            if len(own.relation.options) > 1 or not self._is_along(first.left, body, event):
+                continue
+            known = self._reasons.sign_of(value, line)
+            if known is None:
+                continue
+            zero = Number(Fraction(0))
+            sign = self._naming.relation(Relation(((Link(first.left, known[0], zero),),)))
+            if known[1] is None:
+                return sign
+            return say("turned.sign", sign=sign, bound=self._naming.relation(known[1]))
+        return None
+
+    def _is_along(self, tree: Expression, body: str, event: int) -> bool:
+        """Whether a quantity, or its letter, is a component along the line of centres after it."""
+        if isinstance(tree, Letter) and tree.name in self._naming.meanings:
+            tree = self._naming.meanings[tree.name].quantity
+        match tree:
+            case Quantity("along", (Quantity("velocity", (Name(name),), int(stage)), axis)):
+                own = self._naming.event_of_axis(axis)
+                return (name, stage) == (body, event) and own is not None and own.number == event
+        return False
 
     def _to_a_wall(self, line: Line, angle: Expression, event: Event) -> Sentence | None:
         """How the angle of a path to a wall after an impact is known, by another such angle.

@@ -111,6 +111,10 @@ class Reasons:
         """That a component is positive, or not negative, by a bound of a coefficient."""
         return self._right_angles.sign_by_a_bound(value)
 
+    def sign_of(self, value: Expression, line: Line) -> tuple[Sign, Relation | None] | None:
+        """The sign of a component at a line, and the bound by which it has it."""
+        return self._right_angles.sign_of(value, line)
+
     def right_angle_among(self, line: Line) -> Relation | None:
         """For which letters one of the angles of which a line makes another is a right one."""
         return self._right_angles.among(line)

@@ -11,7 +11,9 @@ import sympy as sp
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import (
+    FLIPPED,
     Derivation,
+    Fact,
     Line,
     Link,
     Ref,
@@ -29,12 +31,14 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Negate,
     Number,
     Quantity,
+    has_quantity,
     letters,
     walk,
 )
-from restitution.oracle import Formula, Oracle, Role
+from restitution.oracle import Formula, Oracle, Role, compared
 from restitution.oracle import Relation as Claim
 from restitution.planning.writing.forms import factors_above, tree_of
 from restitution.workings.naming.in_force import inequalities
@@ -96,9 +100,54 @@ class RightAngles:
         if slope.has(symbol) or not oracle.proves(Claim(worth, ">=")):
             return None
         sign: Sign = ">" if oracle.proves(Claim(worth, ">")) else ">="
-        zero, one = (Number(Fraction(n)) for n in (0, 1))
-        falls = oracle.proves(Claim(-slope, ">"))
-        return sign, Link(Letter(name), "<=", one) if falls else Link(Letter(name), ">=", zero)
+        role = known[name]
+        end = 1 if oracle.proves(Claim(-slope, ">")) else 0
+        bound = (role.low, role.high)[end]
+        if bound is None:
+            return None
+        of_the_bound: Sign = (">", "<")[end] if not role.closed[end] else (">=", "<=")[end]
+        return sign, Link(Letter(name), of_the_bound, tree_of(bound))
+
+    def sign_of(self, value: Expression, line: Line) -> tuple[Sign, Relation | None] | None:
+        """The sign of a component at a line, and the bound by which it has it, if it is not seen.
+
+        None where it is open.
+        """
+        for tree, signs in ((value, {}), (Negate(value), FLIPPED)):
+            known = self.sign_by_a_bound(tree)
+            if known is not None:
+                weak = signs.get(known[0], known[0]), Relation(((known[1],),))
+                strict = self._strict(value, line) if weak[0] in _WEAK else None
+                return strict or weak
+        return self._strict(value, line)
+
+    def _strict(self, value: Expression, line: Line) -> tuple[Sign, Relation | None] | None:
+        """That a value is positive, or negative, and the given bound by which it is."""
+        worth = in_letters_alone(value)
+        if worth is None:
+            return None
+        known_letters = {name: self._roles[name] for name in letters(value) if name in self._roles}
+        given = (None, *(fact.relation for fact in self._bounds_given(line, letters(value))))
+        for relation in given:
+            facts = () if relation is None else tuple(_formulas(relation))
+            oracle = Oracle({**self._roles, **known_letters}, facts)
+            for sign, side in _SIDES:
+                if oracle.proves(Claim(side * worth, ">")):
+                    return sign, relation
+        return None
+
+    def _bounds_given(self, line: Line, names: frozenset[str]) -> Iterator[Fact]:
+        """The inequalities of some letters that are given in the part of a line."""
+        part = self._derivation.asked.get(line.item or "")
+        for fact in self._derivation.facts:
+            if fact.kind not in ("given", "range") or fact.part not in (None, part):
+                continue
+            links = fact.relation.options[0]
+            sides = (side for link in links for side in (link.left, link.right))
+            if len(fact.relation.options) > 1 or any(map(has_quantity, sides)):
+                continue
+            if names & fact.relation.letters and links[0].sign in FLIPPED:
+                yield fact
 
     def among(self, line: Line) -> Relation | None:
         """For which letters one of the angles of which a line makes another is a right one."""
@@ -407,6 +456,16 @@ def _quotient(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
         return None if over is None or under is None else (over, under)
     worth = in_letters_alone(tree)
     return None if worth is None else sp.fraction(sp.together(worth))
+
+
+_WEAK = frozenset({"<=", ">="})
+_SIDES: tuple[tuple[Sign, int], ...] = ((">", 1), ("<", -1))
+
+
+def _formulas(relation: Relation) -> Iterator[Formula]:
+    """The inequalities of a fact as the oracle knows them."""
+    for link in relation.only:
+        yield compared(in_letters(link.left), link.sign, in_letters(link.right))
 
 
 def in_letters_alone(tree: Expression) -> sp.Expr | None:

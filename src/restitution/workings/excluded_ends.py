@@ -1,0 +1,65 @@
+"""What is so where a coefficient is 0 or 1, if the condition of an answer excludes that."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import sympy as sp
+
+from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
+from restitution.expression.tree import Letter, Number
+from restitution.problem import Compare, Given
+from restitution.render import layout as lay
+from restitution.render.layout import Layout
+from restitution.solving import solve
+from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution
+from restitution.solving.story.letters import roles
+
+
+@dataclass(frozen=True)
+class ExcludedEnd:
+    """The end of a coefficient, and what is asked there; None where nothing is possible."""
+
+    end: Layout
+    answer: Layout | None
+    reason: str = ""
+
+
+def excluded_end(
+    solution: Solution, part: PartSolution, item: ItemResult, answer: Answer
+) -> ExcludedEnd | None:
+    """What the statement comes to at the one end that a condition such as ``0 < e`` excludes.
+
+    None of any other condition, and where that cannot be said.
+    """
+    known = roles(solution.problem)
+    ends = {
+        text: (name, value)
+        for name, role in known.items()
+        if role.kind == "restitution" and (role.low, role.high) == (0, 1)
+        for text, value, closed in ((f"0 < {name}", 0, 0), (f"{name} < 1", 1, 1))
+        if role.closed[closed]
+    }
+    if len(answer.condition) != 1 or answer.condition[0] not in ends:
+        return None
+    name, value = ends[answer.condition[0]]
+    end = lay.Relation((lay.from_sympy(sp.Symbol(name)), lay.Number(str(value))), ("=",))
+    given = Given((Compare((Letter(name), Number(Fraction(value))), ("=",)),))
+    parts = list(solution.problem.parts)
+    place = parts.index(part.part)
+    own = replace(part.part, steps=(given, *part.part.steps))
+    try:
+        there = solve(replace(solution.problem, parts=(*parts[:place], own, *parts[place + 1 :])))
+    except RestitutionError:
+        return None
+    result = there.parts[part.part.label].items[part.items.index(item)]
+    if isinstance(result.error, ContradictionError | ImpossibleError):
+        return ExcludedEnd(end, None, result.error.because or result.error.message)
+    (only, *others) = result.distinct or (None,)
+    if only is None or others or only.layout is None or only.condition:
+        return None
+    return ExcludedEnd(end, only.layout)
+
+
+__all__ = ["ExcludedEnd", "excluded_end"]
