@@ -1077,3 +1077,32 @@ given alpha - beta = arctan(1/2)
 find tan(alpha)
 """
     assert printed_marks(sums) == ["B1", "B1", "M1", "M1", "DM1 A1 A1"]
+
+
+def test_places_and_times_on_the_way_have_their_values() -> None:
+    """A place has M1 A1 where more is done with it; of times put together the sum has the A1."""
+
+    def marks(text: str, record: str) -> list[str]:
+        derivation = awarded(plan(solve(parse(text))))
+        own = (line for line in derivation.lines if record in (line.move.id, line.move.record))
+        return [written(line.marks) for line in own if line.marks]
+
+    corner = """
+wall OX: along i, through (0, 0)
+wall OY: along j, through (0, 0)
+sphere P: at (3, 1), velocity u at theta from -i
+P hits OX: e = 1/2
+P hits OY: e = 1/2
+find position(P)
+"""
+    pass_ = """
+point T: (8, 6)
+wall W: along i, through (0, 0)
+sphere P: at (0, 3), velocity u at alpha to W
+P hits W: e = 3/4
+P reaches T
+given time(2) = 2
+find tan(alpha)
+"""
+    assert marks(corner, "straight-line") == ["M1 A1", "M1"]
+    assert marks(pass_, "put") == ["A1", "DM1"]

@@ -86,8 +86,8 @@ def test_what_rests_on_an_impossible_coefficient_names_it() -> None:
     assert [each.item for each in derivation.notes] == ["1", "2"]
     assert (
         "e = 3√6/2 is impossible, as a coefficient of restitution is at most 1. So no value of e "
-        "is possible. A1 The speed of P immediately after the impact with V cannot be found either, "
-        "as there is no such impact."
+        "is possible. A1 The speed of P immediately after the impact with V cannot be found "
+        "either, as there is no such impact."
     ) in printed(solution)
 
 

@@ -10,7 +10,9 @@ from restitution.explaining.awarding.place_conditions import (
     another_chord,
     at_another_time,
     displaced,
+    goes_on,
     open_place,
+    put_together,
 )
 from restitution.explaining.awarding.work import Work, is_settled, length, single_sides, subject_of
 from restitution.explaining.data.resting import is_of_a_body_at_rest
@@ -636,6 +638,8 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
     "of-an-impulse": _of_an_impulse,
     "of-a-contact": lambda work, line: any(e.id.startswith("contact ") for e in work.facts(line)),
     "open-place": open_place,
+    "times-together": put_together,
+    "goes-on": goes_on,
     "at-rest": lambda work, line: is_of_a_body_at_rest(work.derivation, line),
 }
 """What a rule may ask of a line, and of the lines about it."""

@@ -6,7 +6,14 @@ from dataclasses import replace
 
 from restitution.explaining.awarding.work import Work, subject_of
 from restitution.explaining.lines.derivation import Line, Link, Relation
-from restitution.expression.tree import AtTime, Binary, Quantity, walk
+from restitution.expression.tree import (
+    AtTime,
+    Binary,
+    Quantity,
+    has_quantity,
+    letters,
+    walk,
+)
 
 
 def another_chord(work: Work, line: Line) -> bool:
@@ -74,6 +81,46 @@ def _by_an_open_time(line: Line) -> bool:
     return False
 
 
+def put_together(work: Work, line: Line) -> bool:
+    """A time since the start that lines of flights make, of which one has its method above."""
+    if getattr(subject_of(line), "kind", None) != "time" or _ends_below(work, line):
+        return False
+    cited = list(work.cited(line))
+    return any(_has_a_method(work, each) for each in cited) and all(
+        getattr(node, "kind", "time") == "time"
+        for each in cited
+        if isinstance(each.relation, Relation)
+        for node in walk(each.relation.options[0][0].left)
+        if isinstance(node, Quantity)
+    )
+
+
+def goes_on(work: Work, line: Line) -> bool:
+    """A coordinate in letters of the statement, in which more is done before an item ends."""
+    match subject_of(line):
+        case Quantity("along", (Quantity("position"), _)):
+            pass
+        case _:
+            return False
+    assert isinstance(line.relation, Relation)
+    value = line.relation.options[0][-1].right
+    if has_quantity(value) or letters(value) & work.new or line.number in work.ends:
+        return False
+    return not _ends_below(work, line)
+
+
+def _ends_below(work: Work, line: Line) -> bool:
+    """Whether the last line of an item takes a line as it stands."""
+    below = (e for e in work.derivation.lines if line.number in e.premises)
+    return any(each.number in work.ends for each in below)
+
+
+def _has_a_method(work: Work, line: Line) -> bool:
+    """Whether a line is a flight that has its method."""
+    rule = work.rule(line)
+    return line.move.record == "straight-line" and rule is not None and rule.points == "M"
+
+
 def displaced(work: Work, line: Line) -> bool:
     """A distance that is a displacement of a line above, in one direction."""
     match line.relation:
@@ -89,4 +136,11 @@ def displaced(work: Work, line: Line) -> bool:
     return False
 
 
-__all__ = ["another_chord", "at_another_time", "displaced", "open_place"]
+__all__ = [
+    "another_chord",
+    "at_another_time",
+    "displaced",
+    "goes_on",
+    "open_place",
+    "put_together",
+]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
@@ -127,7 +127,7 @@ class SourceLeads(LinesAround):
             case "put" if not source.facts and is_multiple(line.relation):
                 yield say("derived.multiple")
             case "put":
-                facts = tuple(self._fact(fact) for fact in source.facts)
+                facts = tuple(self._fact(fact) for fact in self._as_stated(source.facts))
                 self._given |= {*source.facts}
                 spoken = self._spoken_of(source)
                 # What a line says anew of its own letter is not put into it.
@@ -186,6 +186,11 @@ class SourceLeads(LinesAround):
                     yield say("given.fact-from", fact=words, equations=equations)
                 elif equations:
                     yield say("derived.add", equations=equations)
+
+    def _as_stated(self, facts: Iterable[str]) -> list[str]:
+        """Facts in the order in which the statement gives them."""
+        place = {fact.id: n for n, fact in enumerate(self._derivation.facts)}
+        return sorted(facts, key=lambda name: place.get(name, len(place)))
 
     def _of_its_case(self, line: Line) -> lay.Layout:
         """Which of several solutions holds where a line stands."""
