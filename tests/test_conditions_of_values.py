@@ -80,7 +80,7 @@ find beta
         ("626-range-of-v-with-letters", "This holds for e < 1 only: if e = 1, v = u."),
         (
             "715-two-cushions-to-a-point-in-letters",
-            "This holds for e > 0 only: if e = 0, P is at rest and reaches nothing.",
+            "As P is still moving at the end, this holds for e > 0 only.",
         ),
         (
             "710-pocket-along-the-cushion",

@@ -113,7 +113,7 @@ sphere B: mass m, at rest
 A hits B: along i, e = 1/3
 find deflection(A)
 """,
-        ("difference\nof its angles", "δ = β − 60° = arctan(3√3/2) − 60°"),
+        ("As v > 0, A keeps its sense", "δ = β − 60° = arctan(3√3/2) − 60°"),
     ),
     "a given turn in numbers, before the laws": (
         """

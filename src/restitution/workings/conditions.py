@@ -254,14 +254,17 @@ def _bound_alike(
     return ()
 
 
-def _approach_alike(model: Model, answer: Answer) -> tuple[Sentence, ...]:
-    """That a body has to move towards what it hits, where a condition says just that."""
+def _motion_alike(model: Model, answer: Answer) -> tuple[Sentence, ...]:
+    """That a body has to move towards what it hits, or at the end, if a condition is just that."""
     for happening in model.branch.story.happenings:
         if isinstance(happening.step, Impact) and happening.closing is not None:
             claim = Claim(tidy(model.in_data(happening.closing)), ">")
             if _is_alike(model.ground, answer, (claim,)):
                 one, two = happening.step.first, happening.step.second
                 return (say("answer.approaching", one=one, two=two),)
+    for claim, (body, _) in _motions(model):
+        if _is_alike(model.ground, answer, (claim,)):
+            return (say("answer.moving", body=body.name),)
     return ()
 
 
@@ -335,7 +338,7 @@ def _sentence(
         acute = say("derived.acute", angle=lay.from_sympy(sp.Symbol(name)))
         reasons = tuple(square if reason == acute else reason for reason in reasons)
     reasons = reasons or _bound_alike(solution, answer, known.bounds)
-    reasons = reasons or _approach_alike(own, answer)
+    reasons = reasons or _motion_alike(own, answer)
     if reasons and condition not in reasons:
         return say("answer.only-as", reasons=reasons, condition=condition)
     return _at_the_end(solution, part, item, answer)
@@ -355,13 +358,7 @@ def _at_the_end(
     if isinstance(item.item, Range) and isinstance(asked, Letter):
         letter = lay.from_sympy(sp.Symbol(asked.name))
         return say("answer.only-range", condition=condition, letter=letter)
-    if _AT_REST in end.reason:
-        return say("answer.only-at", condition=condition, end=end.end, there=end.reason)
     return say("answer.only-possible", condition=condition)
-
-
-# The one reason of the solver that needs no number of an event to be understood.
-_AT_REST = "is at rest"
 
 
 def _place_missing(item: ItemResult, answer: Answer) -> sp.Symbol | None:

@@ -23,7 +23,6 @@ class ExcludedEnd:
 
     end: Layout
     answer: Layout | None
-    reason: str = ""
 
 
 def excluded_end(
@@ -55,7 +54,7 @@ def excluded_end(
         return None
     result = there.parts[part.part.label].items[part.items.index(item)]
     if isinstance(result.error, ContradictionError | ImpossibleError):
-        return ExcludedEnd(end, None, result.error.because or result.error.message)
+        return ExcludedEnd(end, None)
     (only, *others) = result.distinct or (None,)
     if only is None or others or only.layout is None or only.condition:
         return None
