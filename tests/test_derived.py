@@ -306,7 +306,7 @@ def test_units_stand_with_numbers_and_not_with_letters(name: str, lines: list[st
             "velocities-before",
             [
                 "Let 𝐮_A and 𝐮_B be the velocities of A and B before the impact.",
-                "It is given that 𝐯_A = (−𝐢 + 2𝐣) m s⁻¹ and 𝐯_B = (2𝐢 − 𝐣) m s⁻¹.",
+                "It is given that 𝐯_A = (−𝐢 + 2𝐣) m s⁻¹ and 𝐯_B = (2𝐢 − 3𝐣) m s⁻¹.",
             ],
         ),
         (
