@@ -258,8 +258,8 @@ def _motion_alike(model: Model, answer: Answer) -> tuple[Sentence, ...]:
     """That a body has to move towards what it hits, or at the end, if a condition is just that."""
     for happening in model.branch.story.happenings:
         if isinstance(happening.step, Impact) and happening.closing is not None:
-            claim = Claim(tidy(model.in_data(happening.closing)), ">")
-            if _is_alike(model.ground, answer, (claim,)):
+            closing = Claim(tidy(model.in_data(happening.closing)), ">")
+            if _is_alike(model.ground, answer, (closing,)):
                 one, two = happening.step.first, happening.step.second
                 return (say("answer.approaching", one=one, two=two),)
     for claim, (body, _) in _motions(model):
