@@ -38,7 +38,11 @@ from restitution.planning.formulas.velocity_formulas import body_and_stage, fram
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.journeys import journeys
-from restitution.planning.shows.shown_ratios import ratio_by_a_tangent, shown_by_squares
+from restitution.planning.shows.shown_ratios import (
+    in_one_ratio,
+    ratio_by_a_tangent,
+    shown_by_squares,
+)
 from restitution.planning.shows.shown_speeds import multiple_of_data, speed_by_a_tie
 from restitution.planning.shows.values_put_in import with_values
 from restitution.planning.writing import place_trees
@@ -338,6 +342,9 @@ class ShownEquation:
         lines = self.claims.ties.lines()
         known = self.judge.known(letters(self.link.left) | letters(self.link.right))
         standing = self._standing() or self._on_the_way(above)
+        if standing is None:
+            written = [number for number in self._equations() if number > above]
+            standing = in_one_ratio(self.scene, written, self.link)
         if standing is not None:
             return standing
         for number in lines:

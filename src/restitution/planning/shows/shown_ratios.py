@@ -2,18 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
 
 import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
+from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.planning.angles.expressions import formula_of_squares
 from restitution.planning.closing.squared_ratios import KINDS, write_by_squares
+from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.writing.forms import product, square, total, tree_of
+from restitution.planning.writing.forms import ONE, factors, product, square, total, tree_of
 from restitution.planning.writing.polynomials import cancelled, expanded
+from restitution.planning.writing.scene import Scene
+
+_OTHER = {"sin": "cos", "cos": "sin"}
+_OF = {"sin": "sin", "cosec": "sin", "cos": "cos", "sec": "cos"}
+_PYTHAGORAS = Move("identity", "pythagoras")
+_TO_CLEAR = (Move("rearrange"), Move("cancel"))
 
 
 def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int | None:
@@ -68,9 +86,6 @@ def _is_tangent(tree: Expression) -> bool:
     return isinstance(tree, Apply) and tree.function == "tan" and isinstance(tree.argument, Letter)
 
 
-__all__ = ["ratio_by_a_tangent"]
-
-
 def shown_by_squares(worths: Worths, link: Link, quantities: Sequence[Quantity]) -> int | None:
     """An energy, or a speed, by the squares of the ratios of an angle; None of another equation."""
     unknowns = worths.scene.model.unknowns.roles
@@ -86,3 +101,59 @@ def shown_by_squares(worths: Worths, link: Link, quantities: Sequence[Quantity])
     if line is None:
         worths.back(mark)
     return line
+
+
+def in_one_ratio(scene: Scene, numbers: Iterable[int], link: Link) -> int | None:
+    """An equation that is to be shown with one ratio of an angle, by squares of two of them.
+
+    The square of the other is 1 less that of this: no tangent is taken of what has none. None
+    where no line has both squares, or it is not shown by that at once.
+    """
+    ratios = {
+        (node.function, node.argument)
+        for side in (link.left, link.right)
+        for node in walk(side)
+        if isinstance(node, Apply) and node.function in (*_OF, "tan", "cot")
+    }
+    kept = {(_OF.get(function), angle) for function, angle in ratios}
+    if len(kept) != 1:
+        return None
+    ((name, angle),) = kept
+    if name is None:
+        return None
+    one, other = Apply(name, angle), Apply(_OTHER[name], angle)
+    for number in numbers:
+        own = scene.desk.relation(number)
+        if len(own.options) > 1 or own.only[0].sign != "=" or has_quantity_in(own):
+            continue
+        inside = {node for side in (own.only[0].left, own.only[-1].right) for node in walk(side)}
+        if not {one, other} <= inside:
+            continue
+        sides = (_by_the_other(side, other, one) for side in (own.only[0].left, own.only[-1].right))
+        whole = Link(next(sides), "=", next(sides))
+        if other in {node for side in (whole.left, whole.right) for node in walk(side)}:
+            continue
+        mark = scene.desk.mark()
+        known = scene.judge.known(letters(whole.left) | letters(whole.right))
+        middle = scene.judge.write((_PYTHAGORAS,), [number, *known], Relation(((whole,),)))
+        if middle is not None:
+            line = scene.judge.write(_TO_CLEAR, [middle, *known], Relation(((link,),)))
+            if line is not None:
+                return line
+        scene.desk.back(mark)
+    return None
+
+
+def _by_the_other(tree: Expression, other: Apply, one: Apply) -> Expression:
+    """A tree with the squares of one ratio of an angle by those of the other."""
+
+    def change(node: Expression) -> Expression:
+        match node:
+            case Binary("^", base, Number(Fraction(numerator=2, denominator=1))):
+                inside = factors(base)
+                if inside.count(other) == 1:
+                    rest = [square(factor) for factor in inside if factor != other]
+                    return product(*rest, Binary("-", ONE, square(one)))
+        return node
+
+    return rebuilt(tree, change)
