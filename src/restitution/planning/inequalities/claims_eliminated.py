@@ -44,6 +44,21 @@ class Eliminated(InStages):
                     return line
             return self.compared([*base, *self.conditions.lines(wanted)], relation, base)
 
+        def by_what_is_shown(base: list[Ref], relation: Relation) -> int | None:
+            shown = (self.ties.shown_by(equation.fact.id) for equation in self.scene.given)
+            for line in dict.fromkeys(line for line in shown if line is not None):
+                if isinstance(self.scene.desk.last_link(line).left, Letter):
+                    continue
+                mark = self.worths.mark()
+                first = self._without_quotients(relation)
+                above = None if first is None else self.compared([line], first)
+                if above is not None:
+                    written = self.judge.write((Move("rearrange"),), [above], relation)
+                    if written is not None:
+                        return written
+                self.worths.back(mark)
+            return None
+
         def by_ties(base: list[Ref], relation: Relation) -> int | None:
             for line in self.ties.lines():
                 written = self.monotone(line, relation)
@@ -87,6 +102,7 @@ class Eliminated(InStages):
 
         yield by_conditions
         yield by_ratios
+        yield by_what_is_shown
         yield by_ties
         yield by_all
         yield by_story
@@ -95,6 +111,19 @@ class Eliminated(InStages):
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
         raise NotImplementedError
+
+    def _without_quotients(self, relation: Relation) -> Relation | None:
+        """``2e - 1 > 0`` of e > 1/2; None of a relation that is no bound by a number."""
+        match relation.options:
+            case ((Link(Letter() as letter, sign, right),),) if not letters(right):
+                pass
+            case _:
+                return None
+        bound = self.worths.value(right)
+        if sign not in FLIPPED or not bound.is_Rational:
+            return None
+        difference = self.worths.value(letter) * bound.q - bound.p
+        return Relation(((Link(tree_of(difference), sign, ZERO),),))
 
     def _eliminated(
         self, line: int, base: Sequence[Ref], relation: Relation, target: set[str]

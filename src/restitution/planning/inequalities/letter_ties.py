@@ -139,7 +139,7 @@ class Ties:
         open_ = [scene.put(x)[0] for x in equation.residuals]
         if all(x == 0 for x in open_):
             return self._of_fact(equation.fact.id)
-        given = self._shown_by(equation.fact.id) or self._of_fact(equation.fact.id)
+        given = self.shown_by(equation.fact.id) or self._of_fact(equation.fact.id)
         if given is None:
             given = self._as_found(write_given(scene, _as_right_angle(equation)))
         line = self._without_roots(self._neat(given))
@@ -170,7 +170,7 @@ class Ties:
         relation = Relation(((Link(link.left, "=", put),),))
         return self.judge.write((Move("put"),), [line, *refs], relation) or line
 
-    def _shown_by(self, ref: Ref) -> int | None:
+    def shown_by(self, ref: Ref) -> int | None:
         """The equation between letters of the statement that an earlier item shows by a fact."""
         desk = self.scene.desk
         known = set(roles(self.scene.problem))
