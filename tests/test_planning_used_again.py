@@ -349,3 +349,38 @@ def test_a_share_of_the_energy_between_impacts_goes_by_squares_of_speeds() -> No
         assert line in shown
         assert "½m" not in shown
         assert explanation.followed
+
+
+def test_what_an_earlier_part_shows_takes_a_value_before_the_laws_do() -> None:
+    text = (
+        "sphere A: mass m, velocity u at 30°\nsphere B: mass k m, at rest\nA hits B: along i\n"
+        "given velocity(A) perpendicular to velocity(A, 0)\n"
+        "part a\nshow e = (k + 4)/(3k)\npart b\nshow k >= 2\n"
+        "part c\ngiven k = 4\nfind energy_lost/energy(0)\n"
+    )
+    own, after = worked(text).split("(b)\n")
+    assert "k = 4/(3e − 1)" not in own
+    second, third = after.split("(c)\n")
+    assert "(k + 4)/(3k) ≤ 1, as e ≤ 1" in second
+    assert third.index("e = (4 + 4)/(3 × 4)") < third.index("v = −√3 u/6")
+    assert "mu cos 30°" not in third
+
+
+def test_a_bound_comes_of_the_equation_of_squares_that_is_shown() -> None:
+    text = (
+        "sphere A: mass m, velocity p i + q j\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+        "given p > 0, q > 0, deflection(A) = 90°\n"
+        "part a\nshow 3q^2 = (2e - 1)p^2\npart b\nshow e > 1/2\n"
+    )
+    (_, after) = worked(text).split("(b)\n")
+    assert "2e − 1 > 0, as q > 0" in after
+    assert "increases" not in after
+
+
+def test_an_equation_in_one_ratio_has_the_other_square_as_1_less_that() -> None:
+    told = worked(
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: velocity u at 180° - alpha\n"
+        "A hits B: along i\ngiven speed(A) = u/2\nshow e^2 = 1 - 3/4 sec^2(alpha)\n"
+    )
+    assert "(u/2)² = (eu cos α)² + u²(1 − cos²α)" in told
+    assert "tan" not in told

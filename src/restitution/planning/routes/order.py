@@ -1,8 +1,9 @@
 """In which order the equations of a route are written: laws express, known facts express, the rest
 closes.
 
-A law expresses the components after an impact. A fact expresses one only where that is its only
-unknown and it holds no letter that is asked; else it is the last equation of its block.
+What an earlier part shows of letters takes the value of one first. A law expresses the components
+after an impact. A fact expresses one only where that is its only unknown and it holds no letter
+that is asked; else it is the last equation of its block.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from itertools import chain as chained
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Route
+from restitution.expression.tree import Letter, letters
 from restitution.planning.formulas.blows import write_blows
 from restitution.planning.routes.by_closing import Closing
 from restitution.planning.routes.course import LAWS, Standing
@@ -52,6 +54,7 @@ class Solver(Closing):
         self.goals = goals
         self._express_waiting(goals)
         write_blows(self.scene)
+        self._take_shown(goals)
         if not any(self.scene.unknown(self._by_separation(goal)) for goal in goals):
             return
         scene = self.scene
@@ -78,6 +81,32 @@ class Solver(Closing):
                 return
         assert first is not None
         raise first
+
+    def _take_shown(self, goals: Sequence[sp.Expr]) -> None:
+        """Takes the equations of letters that earlier parts show, in which one is unknown now.
+
+        That has its value before laws are used: nothing needs to be worked out with it.
+        """
+        desk = self.scene.desk
+        rests = [desk.under(number) for number in desk.shown if desk.holds(number)]
+        if not rests or all(goal.is_Symbol for goal in goals):
+            return
+        numbers = {
+            self.scene.model.unknowns.letter(own.link.left.name)
+            for own in self.scene.given
+            if isinstance(own.link.left, Letter) and not letters(own.link.right)
+        }
+        for own in map(candidate, self.scene.given):
+            if own.id in self.equations.used or not any(own.id in under for under in rests):
+                continue
+            open_ = self._essential(own) - numbers
+            if len(open_) == 1 and not open_ & self._letters.keys():
+                standing = self.mark()
+                try:
+                    self._determine(list(open_))
+                except NotPlannedError:
+                    self.back(standing)
+                self.goals = goals
 
     def _take(self, route: Sequence[Candidate], goals: Sequence[sp.Expr]) -> None:
         """Writes the equations of a route, in an order in which each tells something new."""
