@@ -216,6 +216,24 @@ P hits W: e = 1/2
 find velocity(P)
 """
 
+LOST = """
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i
+find energy_lost
+"""
+LOST_AT_AN_END = """
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | m u = m v + k m w
+4 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = e u
+5 a | combine w | 3, 4 | v = (1 - e k) u/(1 + k)
+6 a | put | 4, 5 | w = (1 - e k) u/(1 + k) + e u = (1 + e) u/(1 + k) [rearrange]
+7 a | define energy-lost 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2, 5, 6 \
+| energy_lost(1) = 1/2 m (u^2 - ((1 - e k) u/(1 + k))^2) - 1/2 (k m) ((1 + e) u/(1 + k))^2 \
+= k m u^2 (1 - e^2)/(2(1 + k)) [rearrange]
+8 a | put | 7 | {}
+"""
 
 SPEED_SQUARED = """
 wall W: along j
@@ -291,6 +309,13 @@ DECIMAL = f"""
             ),
             "premise-of-another-part",
         ),
+        # a value beyond all places is not that at another end of a range
+        (
+            LOST,
+            LOST_AT_AN_END.format("k != 0 or energy_lost(1) = 1/2 m u^2 (1 - e^2)"),
+            "does-not-follow",
+        ),
+        (LOST, LOST_AT_AN_END.format("1/k != 0 or energy_lost(1) = 0"), "does-not-follow"),
         # directions are not proved by having nothing to prove
         (SPHERES, "1 a | sign | | velocity(A, 1) parallel to i", "does-not-follow"),
         (SPHERES, "1 a | complete | | speed(A, 1) ≈ 55", "does-not-follow"),
@@ -436,6 +461,8 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
                 + "\na: 5 tan(phi) = 1/2 u sin(alpha)/(1/3 u cos(alpha))"
             ),
         ),
+        (LOST, LOST_AT_AN_END.format("k != 0 or energy_lost(1) = 0")),
+        (LOST, LOST_AT_AN_END.format("1/k != 0 or energy_lost(1) = 1/2 m u^2 (1 - e^2)")),
         *(
             (
                 TO_THE_SECOND,

@@ -258,6 +258,11 @@ def without_common(a: PolyElement, b: PolyElement) -> tuple[PolyElement, PolyEle
     return large(used, rest_a), large(used, rest_b)
 
 
+def is_without(rest: PolyElement, whole: PolyElement) -> bool:
+    """Whether what is left of a polynomial is less than all of it, a number as factor aside."""
+    return bool(rest.leading_expv() != whole.leading_expv())
+
+
 # The lines of a working are tried one after another, of the same quantities.
 @lru_cache(4096)
 def _factor_list(polynomial: PolyElement) -> tuple[Fraction, list[tuple[PolyElement, int]]]:

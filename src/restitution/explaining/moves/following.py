@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from restitution.explaining.data.setting import Cited
+from restitution.explaining.definitions.common import ZERO
 from restitution.explaining.lines.derivation import FLIPPED, Link, MoveId, Relation, whole_of
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.moves.angles import in_radians, is_inverse, is_triangle
@@ -109,7 +110,7 @@ def _is_along(step: Step, line: Link, angle: Expression) -> bool:
 
 
 def _under_condition(step: Step, place: Link, then: Link) -> bool:
-    if not (isinstance(place.left, Letter) and place.left.name in step.setting.angles):
+    if not _is_beyond_all(step, place):
         chosen = step.under(cited=(*step.cited, Cited("", Relation(((place,),)))))
         try:
             if any(
@@ -120,6 +121,24 @@ def _under_condition(step: Step, place: Link, then: Link) -> bool:
         except NotComparableError:
             pass  # it may still be compared at the place itself
     return at_place(step, place, then)
+
+
+def _is_beyond_all(step: Step, place: Link) -> bool:
+    """Whether a place is none that a letter may have, so that anything would follow there.
+
+    It is an end of its range that does not belong to it, or an angle's, of which ratios are cited.
+    """
+    match place.left:
+        case Letter(name):
+            role = step.setting.role(name)
+            if name in step.setting.angles:
+                return True
+            ends = zip((role.low, role.high), role.closed, strict=True)
+            there = in_radians(step, place.right)
+            return any(end is not None and not closed and end == there for end, closed in ends)
+        case Binary("/", Number(), Letter()):
+            return place.right == ZERO
+    return False
 
 
 def _with_squares(step: Step, then: Link) -> Iterator[Link]:

@@ -28,6 +28,7 @@ from restitution.explaining.lines.quotients import (
     NotComparableError,
     Plane,
     Quotient,
+    is_without,
     without_common,
 )
 from restitution.explaining.steps.rules import Rules
@@ -258,7 +259,7 @@ class Numbers:
         rest, _ = without_common(own.above, other.above)
         # Common factors are not seen beside roots.
         roots = any(key[0] == "root" for key in step.world.keys(own.above).values())
-        return bool(rest != own.above) or roots
+        return is_without(rest, own.above) or roots
 
     def _pivots(
         self, world: World, own: Quotient, sources: Sequence[_Source], known: dict[int, Quotient]

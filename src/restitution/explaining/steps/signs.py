@@ -12,7 +12,7 @@ from sympy.polys.rings import PolyElement
 
 from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.generators import AngleKey, Key
-from restitution.explaining.lines.quotients import Quotient, factors_of, without_common
+from restitution.explaining.lines.quotients import Quotient, factors_of, is_without, without_common
 from restitution.oracle import Oracle, Relation, joined, letters_of
 from restitution.oracle.roles import REAL
 
@@ -182,7 +182,7 @@ def ratio(world: World, line: Quotient, expected: Quotient) -> Quotient | None:
     if world.squares and lowest != [line, expected]:
         return ratio(world, *lowest)
     above, below = without_common(line.above, expected.above)
-    if below == expected.above:  # they have no factor in common that could vanish
+    if not is_without(below, expected.above):  # they have no factor in common that could vanish
         return _ratio_with_a_root(world, line, expected) or _squared(world, line, expected)
     under, over = without_common(line.below, expected.below)
     return Quotient(*without_common(above * over, below * under))
@@ -198,8 +198,9 @@ def _squared(world: World, line: Quotient, expected: Quotient) -> Quotient | Non
             {m: -v if m[root] % 2 else v for m, v in expected.above.items()}
         )
         whole = world.reduced(Quotient(expected.above * other, one))
-        above, below = without_common(line.above * whole.below, whole.above * line.below)
-        if below != whole.above * line.below:
+        product = whole.above * line.below
+        above, below = without_common(line.above * whole.below, product)
+        if is_without(below, product):
             return Quotient(above * other * expected.below, below)
     return None
 
