@@ -57,6 +57,23 @@ show tan^2(theta) = e
 
 # Statement, and what its working says, in this order.
 SAYS = {
+    # mMu²(1 − e²)/(2(m + M)) is between 0 (m → 0) and ½Mu²(1 − e²) (m → ∞).
+    "where a value is only approached, and what varies on the way to it": (
+        """
+sphere A: mass M, velocity u i
+sphere B: mass m, at rest
+A hits B: along i
+find maximum of energy_lost over m, minimum of energy_lost over m, maximum of energy(B) over M
+""",
+        [
+            "kinetic energy lost → ½Mu²(1 − e²)",
+            "as m → ∞, so there is no greatest value",
+            "increases with m and 0 ≤ e ≤ 1",
+            "kinetic energy lost → 0, as m → 0, so there is no least value",
+            "kinetic energy of B → ½(1 + e)²mu²",
+            "as M → ∞, so there is no greatest value",
+        ],
+    ),
     # e₂ = 4e₁/(4 − 3e₁), where 4 − 3e₁ ≥ 1; P is at (a, 3e₁a/4), and e₁ ≤ 1.
     "by what an inequality is multiplied, and ends of walls that are out of reach": (
         TABLE + "find e2 in terms of e1\nfind range of e1",

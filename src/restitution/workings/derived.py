@@ -496,9 +496,8 @@ class _Writer:
             named = self.titles_of_cases.get(self.begins.line) == title
             self.titles_of_cases.setdefault(self.begins.line, title)
         self.begins = None
-        sentences = given or (
-            *self.leads.anyway(head),
-            *self.leads.of(head, self.title),
+        sentences = given or _in_turn(
+            tuple(self.leads.anyway(head)), tuple(self.leads.of(head, self.title))
         )
         if not given and len(sentences) == 1 and _spoken(sentences[0]) in spoken:
             sentences, title, named = (), self.title, True
@@ -536,6 +535,15 @@ class _Writer:
             item = self.group if not sentences else item
             self.group = item
         return Step(kind, tuple(rows), title, sentences, item=item, source=source)
+
+
+def _in_turn(first: tuple[Sentence, ...], then: tuple[Sentence, ...]) -> tuple[Sentence, ...]:
+    """Sentences before a row: of two that both lead up to it, the first does not."""
+    if then:
+        first = tuple(
+            replace(e, id="extremum.value-there") if e.id == "extremum.value" else e for e in first
+        )
+    return (*first, *then)
 
 
 def _labelled_once(steps: Iterable[Step]) -> Iterator[Step]:

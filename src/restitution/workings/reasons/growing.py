@@ -21,23 +21,29 @@ _PAIRS = ((sp.Integer(1), sp.Integer(2)), (sp.Rational(1, 4), sp.Rational(1, 2))
 
 
 def growth(
-    tree: Expression, bound: Relation, ends: Sequence[Link], positive: Collection[str]
+    tree: Expression,
+    bound: Relation,
+    ends: Sequence[Link],
+    positive: Collection[str],
+    varied: Collection[str] = (),
 ) -> tuple[str, int] | None:
     """The letter with which a tree grows (1) or falls (-1), so that a bound is that at its ends.
 
-    ``ends`` are what is cited of letters; a ``positive`` one goes from 0 without limit.
+    ``ends`` are what is cited of letters; a ``positive`` one goes from 0 without limit. One that
+    is ``varied`` is taken before others.
     """
     cited = {n for end in ends for side in (end.left, end.right) for n in letters(side)}
     names = [*sorted(cited), *sorted((set(positive) & letters(tree)) - cited)]
     # A letter that goes without limit is named where no other tells the bound.
-    for far in (False, True):
-        for name in names:
-            own = [end for end in ends if name in letters(end.left) | letters(end.right)]
-            if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive, far):
-                continue
-            sense = way_of(tree, name, own, bound)
-            if sense:
-                return name, sense
+    tried = [(name, True) for name in names if name in varied]
+    tried += [(name, far) for far in (False, True) for name in names]
+    for name, far in tried:
+        own = [end for end in ends if name in letters(end.left) | letters(end.right)]
+        if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive, far):
+            continue
+        sense = way_of(tree, name, own, bound)
+        if sense:
+            return name, sense
     return None
 
 

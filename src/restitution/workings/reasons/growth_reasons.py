@@ -92,7 +92,8 @@ class GrowthReasons:
             return
         assert isinstance(line.relation, Relation)
         positive = {name for name, role in self._roles.items() if role.kind == "positive"}
-        grown = growth(above[0].right, line.relation, ends, positive)
+        varied = self._varied(line)
+        grown = growth(above[0].right, line.relation, ends, positive, varied)
         if grown is not None:
             name, sense = grown
             whole = above[0].right
@@ -172,6 +173,19 @@ class GrowthReasons:
             sense = way_of(worth, name, ends, Relation(((Link(worth, sign_, bound),),)))
             if names.count(name) > 1 and shown(worth, name, sense, ends, self._roles) is not None:
                 yield growth_said(worth, name, sense, ends, self._roles, self._layout)[0]
+
+    def _varied(self, line: Line) -> set[str]:
+        """The letters of the places at which answers that rest on a bound are reached."""
+        return {
+            name
+            for answer in self._derivation.lines
+            if answer.move.id == "answer" and line.number in answer.premises[:1]
+            for ref in answer.premises[1:]
+            if isinstance(ref, int)
+            and (there := self._derivation.line(ref)) is not None
+            and isinstance(there.relation, Relation)
+            for name in letters(there.relation.options[0][0].left)
+        }
 
     def _is_no_range(self, line: Line) -> bool:
         """Whether a line leads to what is shown, or to a value that is only approached.
