@@ -261,3 +261,10 @@ def test_what_hangs_on_a_letter_that_is_not_found_is_not_answered() -> None:
     items = solve(parse(text)).parts[None].items
     # the speed before it hangs on no letter, but is not 5
     assert [each.error is None for each in items] == [True, False, False, False, False, False]
+
+
+def test_nothing_asked_of_an_impact_that_cannot_happen() -> None:
+    """The two separate after the first impact, of which alone something is asked."""
+    text = SPHERES.format(u="5i + 2j", k="k", v="at rest", e=", e = 1/2")
+    text += "find velocity(B)\nA hits B: along i"
+    assert "cannot happen" not in working(text)

@@ -244,6 +244,12 @@ def middle_after(d: dict[str, float]) -> float:
             lambda d: math.sin(turned_by(d)),
             3,
         ),
+        (
+            OBLIQUE.replace("k m", "2m") + "find maximum of deflection(A) over alpha",
+            "alpha",
+            lambda d: turned_by({**d, "k": 2}),
+            3,
+        ),
         (THREE + "find minimum of speed(B) over e", "e", middle_after, 3),
         (THREE + "find maximum of speed(B) over k", "k", middle_after, 2),
     ],
@@ -279,6 +285,17 @@ def holds(condition: str, put: dict[sp.Symbol, float]) -> bool:
     sides = [float(sp.sympify(each).subs(put)) for each in (first, *rest[1::2])]
     signs = {"<": operator.lt, "<=": operator.le, "=": operator.eq}
     return all(signs[s](a, b) for s, a, b in zip(rest[::2], sides, sides[1:], strict=False))
+
+
+def test_a_greatest_angle_is_one_inverse_tangent() -> None:
+    text = OBLIQUE + "find maximum of deflection(A) over alpha"
+    ((_, item),) = solved(text).items()
+    assert item.answers[0].display.startswith("arctan((1 + e)k/(2√((1 − ek)(1 + k)))) when")
+
+
+def test_cases_of_which_one_is_not_written_leave_nothing_in_force() -> None:
+    solution = solved(OBLIQUE + "find maximum of deflection(A) over alpha")
+    assert explain(solution, check=True).followed
 
 
 def test_an_extremum_in_cases_is_printed_with_them() -> None:

@@ -8,6 +8,7 @@ import pytest
 import sympy as sp
 from answers import disagreements, expected
 
+from restitution.errors import UnboundedError
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.notation import read_relation
 from restitution.export.answers import answers
@@ -474,6 +475,48 @@ find maximum of deflection(A) over alpha
     assert item.answers[0].display.endswith("when α = arctan(√((k − 1)/(1 + k)))")
     ((_, item),) = solve(parse(text.format(given="given k < 1"))).items()
     assert item.answers[0].display == "180° approached as α → 0°"
+
+
+@pytest.mark.parametrize(
+    ("text", "because"),
+    [
+        (
+            (
+                "wall W: along i\nsphere P: mass m, velocity u i - v j\nP hits W\n"
+                "find maximum of energy_lost over v"
+            ),
+            "for e < 1 it grows without bound as v → ∞",
+        ),
+        (
+            (
+                "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+                "find maximum of impulse over m"
+            ),
+            "it grows without bound as m → ∞",
+        ),
+        (
+            REST.format("m", "m").replace("at rest", "velocity -v i")
+            + "find minimum of along(velocity(A), i) over v",
+            "it falls without bound as v → ∞",
+        ),
+    ],
+)
+def test_what_grows_without_bound_has_no_extremum(text: str, because: str) -> None:
+    ((_, item),) = solve(parse(text)).items()
+    assert isinstance(item.error, UnboundedError)
+    assert item.error.because == because
+    working = explain(solve(parse(text)), check=True)
+    assert working.followed
+    printed = " ".join(str(working).split())
+    assert "There is no " in printed and because in printed
+    assert "cannot happen" not in printed
+
+
+def test_a_small_limit_of_the_other_sign_is_no_extremum() -> None:
+    """Near 90° the deflection of A is small, and so is its opposite, that of another form."""
+    text = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+    ((_, item),) = solve(parse(text + "find minimum of deflection(A) over e")).items()
+    assert item.answers[0].display == "arctan(tan α/(1 + 2 tan²α)) when e = 0"
 
 
 def test_angles_of_0_and_180_degrees_are_compared() -> None:

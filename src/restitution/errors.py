@@ -5,6 +5,7 @@
     ├── MissingError        too little is known                          (kind "missing")
     ├── ContradictionError  the facts clash                              (kind "contradiction")
     ├── ImpossibleError     it cannot happen, for a physical reason      (kind "impossible")
+    │   └── UnboundedError  it has no greatest, or no least, value       (kind "impossible")
     ├── UnsupportedError    well stated, but beyond what is solved here  (kind "unsupported")
     ├── CollapseError       impacts without end in a finite time         (kind "collapse")
     └── TimeLimitError      the solving was stopped                      (kind "time limit")
@@ -84,6 +85,10 @@ class ImpossibleError(RestitutionError):
     """What was told cannot happen."""
 
     kind = "impossible"
+
+
+class UnboundedError(ImpossibleError):
+    """What is asked for its greatest, or its least, value grows, or falls, without bound."""
 
 
 class UnsupportedError(RestitutionError):

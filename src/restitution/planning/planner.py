@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
-from restitution.errors import MissingError
+from restitution.errors import MissingError, UnboundedError
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of, staged
 from restitution.explaining.data.unused import spare_facts
@@ -299,6 +299,8 @@ def _write_above_event(
     desk, _ = _as_far(solution, part, desk, above, partial, early)
     desk.withheld = withheld
     names = [name for name, result in named if result.error is not None]
+    if not names:
+        return desk  # nothing is asked of what cannot happen
     refused = _without_answers(solution, left, desk, names)
     assert refused is not None
     return refused
@@ -578,6 +580,8 @@ def _write_end(
         write()
         if scene.sided:
             write_other_side(scene, result, name)
+    elif isinstance(result.error, UnboundedError):
+        write_unfinished(scene, solver, item, result, now, name)
     else:
         write_refusal(scene, solver, result, write, name)
 

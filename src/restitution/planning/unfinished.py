@@ -81,7 +81,7 @@ def note_unwritten(
     it, where they can.
     """
     if result.error is not None:
-        note_of(desk, result, name)
+        note_of(desk, result, name, premises)
         return
     outcome = {True: "shown", False: "not true", None: "not decided"}[result.holds]
     # What holds under conditions is no choice.

@@ -31,7 +31,7 @@ from restitution.workings.reasons.no_root import reason_of_no_root
 from restitution.workings.refuted import claim_of, refutation
 
 # These notes are of one item each.
-_ALONE = frozenset({"refuted", "undecided", "unwritten", "standing", "agreeing"})
+_ALONE = frozenset({"unbounded", "refuted", "undecided", "unwritten", "standing", "agreeing"})
 
 
 class Notes:
@@ -100,6 +100,11 @@ class Notes:
             line = self._derivation.line(max(first.lines))
             label = None if line is None else self._ends.part(line)
             return say("carried.part", label=label) if label else say("carried.above")
+        if first.kind == "unbounded":
+            item = self._ends.item(first.item)
+            assert isinstance(item, Extremum)
+            extreme = self._naming.extreme(item.expression, greatest=item.kind == "maximum")
+            return say("note.unbounded", extreme=extreme, reason=first.reason)
         if first.kind == "unwritten" and first.claim is not None:
             return say("note.unwritten-line-from" if first.premises else "note.unwritten-line")
         if first.kind == "unwritten":

@@ -193,6 +193,7 @@ class ItemEnd:
 
 NoteKind = Literal[
     "impossible",
+    "unbounded",
     "contradiction",
     "missing",
     "refuted",
@@ -213,7 +214,8 @@ class Note:
     ``place`` counts the items of the question from 0, in the order asked. One that is
     ``unwritten`` has its answer as the reason, and the last lines that stand. One that is
     ``standing`` says the answer again, as its ``claim``: an earlier part came to it already.
-    One that is ``agreeing`` stands beside the answer: a given fact that no answer needs says what
+    One that is ``unbounded`` has no extremum, which the lines of its premises show; one that is
+    ``agreeing`` stands beside the answer: a given fact that no answer needs says what
     its lines come to.
     """
 

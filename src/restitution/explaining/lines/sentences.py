@@ -781,6 +781,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "range.every-free": "No condition bounds {letter}, so every value of it is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
     "extremum.value": "When {places:or}, {value}. The difference from that value is",
+    "extremum.value-there": "When {places:or}, {value}.",
     "extremum.at-zero": "{square}, so {place}",
     "extremum.at-zero-angle": "{square}, so {place} and {angle}",
     "extremum.at-angle": "{place}, so {angle}",
@@ -869,6 +870,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "It is given that {fact}. That is so for all values of {items}, so {items} cannot be found."
     ),
     "note.impossible": "What is described cannot happen, as {reason}.",
+    "note.unbounded": "There is no {extreme}: {reason}.",
     "note.out-of-range": "But {reasons:and}. So what is described cannot happen.",
     "note.beyond-there": (
         "From part ({label}), {relation}. But {reasons:and}. So what is described cannot happen."

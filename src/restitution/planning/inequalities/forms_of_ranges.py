@@ -58,21 +58,26 @@ def write_forms(
 
     Raises NotPlannedError where one of them cannot be written so.
     """
-    standing = solver.mark()
+    standing, facts, assumed = solver.mark(), scene.desk.facts, scene.desk.assumed
     start = len(scene.desk.lines)
+
+    def refused(why: str) -> NotPlannedError:
+        """As if none had been tried: of those before it nothing stays in force."""
+        solver.back(standing)
+        scene.desk.facts, scene.desk.assumed = facts, assumed
+        return NotPlannedError(why)
+
     for number, answer in enumerate(answers, 1):
         own = name if number == 1 else f"{name} {number}"
         if not write_form(scene, solver, partial(write, answer), answer, own):
-            solver.back(standing)
-            raise NotPlannedError("an answer in cases")
+            raise refused("an answer in cases")
     cases: dict[int, set[Ref]] = {}
     for line in scene.desk.lines[start:]:
         refs = {ref for ref in line.premises if str(ref).startswith("case ")}
         refs.update(*(cases.get(ref, set()) for ref in line.premises if isinstance(ref, int)))
         cases[line.number] = refs
         if len(refs) > 1:
-            solver.back(standing)
-            raise NotPlannedError("a case that rests on another")
+            raise refused("a case that rests on another")
 
 
 def is_in_a_form(desk: Desk, name: str) -> bool:

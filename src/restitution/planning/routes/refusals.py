@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import sympy as sp
 
@@ -12,6 +12,7 @@ from restitution.errors import (
     ImpossibleError,
     MissingError,
     RestitutionError,
+    UnboundedError,
 )
 from restitution.explaining.lines.derivation import NoteKind, Ref
 from restitution.expression.tree import Letter
@@ -27,19 +28,23 @@ from restitution.solving.story.letters import roles
 _KINDS: tuple[tuple[type[RestitutionError], NoteKind], ...] = (
     (MissingError, "missing"),
     (ContradictionError, "contradiction"),
+    (UnboundedError, "unbounded"),
     (ImpossibleError, "impossible"),
 )
 
 
-def note_of(desk: Desk, result: ItemResult, name: str) -> None:
-    """Notes that an item has no answer, in the words of the solver."""
+def note_of(desk: Desk, result: ItemResult, name: str, premises: Sequence[Ref] = ()) -> None:
+    """Notes that an item has no answer, in the words of the solver.
+
+    ``premises`` are the lines that show it.
+    """
     error = result.error
     assert error is not None
     kind: NoteKind = next((kind for own, kind in _KINDS if isinstance(error, own)), "missing")
     reason = error.because or error.message
     if reason.endswith("?"):
         reason = reason.rpartition(";")[0]  # without what may have been meant
-    desk.note(name, kind, reason)
+    desk.note(name, kind, reason, premises=tuple(premises))
 
 
 def write_refusal(

@@ -12,7 +12,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from restitution import exact
-from restitution.errors import ContradictionError, ImpossibleError, UnsupportedError
+from restitution.errors import ContradictionError, UnboundedError, UnsupportedError
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.oracle import (
@@ -39,7 +39,7 @@ from restitution.render.layout import (
 )
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms
-from restitution.solving.algebra.intervals import End, Piece, inside_of, to_set
+from restitution.solving.algebra.intervals import INFINITE, End, Piece, inside_of, to_set
 from restitution.solving.algebra.neat import neat
 from restitution.solving.algebra.numbers import Sample, at, sample, sign_beyond
 from restitution.solving.equations.part import Desk, Outcome
@@ -101,12 +101,11 @@ def find_extremum(
             candidates.append((trial, best))
     if not candidates:
         raise ContradictionError("no values satisfy all that is told")
-    trial, ((candidate, reached, _, data), further) = max(
+    trial, ((candidate, reached, number, data), further) = max(
         candidates, key=lambda candidate: sign * candidate[1][0][2]
     )
-    if candidate.value.is_infinite:
-        grows = "grows" if candidate.value == sp.oo else "falls"
-        raise ImpossibleError(f"it has no {item.kind}: it {grows} without bound")
+    if abs(number) == INFINITE:  # its sign may hang on the data, as one of 1 − e² does
+        raise _unbounded(replace(outcome, trials=(trial,)), item, candidate, number)
     own = replace(outcome, trials=(trial,))
     place = candidate.where[name]
     answer = _answer(own, item, candidate.value, (place, *further), reached, angle)
@@ -119,6 +118,44 @@ def find_extremum(
     assert answer.layout is not None
     answer = with_condition(answer, answer.layout, limits)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
+
+
+def _unbounded(
+    outcome: Outcome, item: Extremum, candidate: Candidate, number: Enclosed
+) -> UnboundedError:
+    """That there is no extremum, and on the way to what place it grows or falls."""
+    region = Region(outcome, next(iter(candidate.where)))
+    place = forms.bound(candidate.where[region.letter])
+    angle = region.role.kind == "angle"
+    there = (
+        equation(region.symbol, from_sympy(place))
+        if place.is_infinite
+        else display_named(region.symbol, place, angle=angle)
+    )
+    grows = "grows" if number > 0 else "falls"
+    because = to_text(Phrase((Words(f"it {grows} without bound as"), replace(there, signs=("→",)))))
+    limits = [to_text(limit.layout) for limit in _where_it_does(region, candidate.value)]
+    if limits:
+        because = f"for {' and '.join(limits)} {because}"
+    error = UnboundedError(f"it has no {item.kind}: {because}")
+    error.because = because
+    return error
+
+
+def _where_it_does(region: Region, infinite: sp.Expr) -> Iterator[Limitation]:
+    """That coefficients are not at ends of their ranges at which nothing grows: 1 − e² is 0."""
+    signs = [atom.args[0] for atom in infinite.atoms(sp.sign)]
+    for name in region.data():
+        role = region.roles[name]
+        if role.kind != "restitution" or role.low is None or role.high is None:
+            continue
+        kept = [
+            closed and not any(sign.xreplace({role.symbol(name): end}) == 0 for sign in signs)
+            for end, closed in zip((role.low, role.high), role.closed, strict=True)
+        ]
+        if tuple(kept) != role.closed:
+            piece = End(role.low, kept[0]), End(role.high, kept[1])
+            yield bounds_of(name, to_set([piece]), region.roles)
 
 
 def _answer(
@@ -172,6 +209,9 @@ def _in_cases(outcome: Outcome, item: Extremum, several: list[Case], angle: bool
         ((best, place),) = case.pieces
         value = best.value.replace(sp.atan, lambda x: sp.atan(neat(x)))
         value = min(best.value, value, key=exact.cost)
+        if angle:
+            inside = inside_of(outcome.setting.roles[case.letter].symbol(case.letter), [case.where])
+            value = _as_one_arctangent(Oracle(_roles(outcome), (inside,)), value)
         answer = _answer(outcome, item, value, (place.value,), best.closed, angle)
         bounds = bounds_of(case.letter, case.values, outcome.setting.roles)
         assert answer.layout is not None
@@ -181,6 +221,16 @@ def _in_cases(outcome: Outcome, item: Extremum, several: list[Case], angle: bool
     proofs: list[Proof] = [case.proof for case in several]
     proof = next((each for each in proofs if each != "algebra"), proofs[0])
     return ItemResult(item, line, item.text, "extremum", tuple(answers), proof=proof)
+
+
+def _as_one_arctangent(oracle: Oracle, angle: sp.Expr) -> sp.Expr:
+    """90° − arctan x as arctan 1/x, where x is positive for all data."""
+    rest = sp.expand(sp.pi / 2 - angle)
+    if not isinstance(rest, sp.atan) or not rest.free_symbols:
+        return angle
+    above, below = sp.together(rest.args[0]).as_numer_denom()
+    positive = oracle.proves(Relation(rest.args[0], ">"))
+    return sp.atan(neat(below / above)) if positive else angle
 
 
 def _with_a_letter_to_vary(desk: Desk, name: str, setting: Setting) -> Outcome:
@@ -365,7 +415,8 @@ class _Winners:
         if winner is None:
             return []
         best, reached, _, _ = winner
-        return [(End(best.value, reached), End(best.where[self._region.letter], True))]
+        own = _with_signs(best.value, drawn)
+        return [(End(own, reached), End(best.where[self._region.letter], True))]
 
     def proved(self, pieces: Sequence[Piece], more: Sequence[Formula] = ()) -> Verdict:
         """Whether an extremum is one for all data: no value lies beyond it, and it occurs.
@@ -413,6 +464,11 @@ class _Winners:
             if seen == 2 * DRAWS:
                 break
         return seen >= DRAWS
+
+
+def _with_signs(value: sp.Expr, drawn: Sample) -> sp.Expr:
+    """A limit with the signs that something in the data has at some values of these."""
+    return value.replace(sp.sign, lambda x: sp.Integer(at(x, drawn).sign))
 
 
 def _told(facts: Sequence[Formula]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
@@ -467,7 +523,7 @@ def _candidates(region: Region, value: sp.Expr) -> list[Candidate]:
     broken = breaks(value, region.symbol, roles)
     points = turning(value, region.symbol, roles) + broken
     points += region.critical
-    points += [-sp.oo] * (region.role.low is None) + [sp.oo] * (region.role.high is None)
+    points += [sp.oo] * (region.role.high is None) + [-sp.oo] * (region.role.low is None)
     # The sign of what grows without bound may hang on the data: then either limit is one.
     turned = value.replace(sp.atan, lambda x: -sp.atan(x))
     forms_ = (

@@ -540,11 +540,14 @@ def tends(region: Region, value: sp.Expr, candidate: Candidate, drawn: Sample) -
     Of what a limit is, the sign of something in the data may decide.
     """
     number, near = limit_at(candidate.value, drawn), list(_nearby(region, candidate, drawn))
-    if number is None or candidate.value.is_infinite or not near:
+    if number is None or abs(number) == INFINITE or not near:
         return True
     for values in near:
         try:
-            if abs(float(at(value, values) - number)) < _CLOSE * (1 + abs(float(number))):
+            there = at(value, values)
+            if there.sign * number.sign < 0:
+                continue  # however small both are, it is the limit of another form
+            if abs(float(there - number)) < _CLOSE * (1 + abs(float(number))):
                 return True
         except (UndefinedError, KeyError):
             continue
