@@ -95,6 +95,14 @@ WORKINGS = {
         WALL + "show angle(velocity(P), W) <= alpha",
         ["angle(velocity(P, 1), W) <= alpha"],
     ),
+    "an acute deflection": (
+        EQUAL.format(e="") + "given e < 1\nshow deflection(A) < 90°",
+        ["deflection(A, 1) < 90°"],
+    ),
+    "an angle after that is one before at most": (
+        WALL + "find maximum of angle(velocity(P), W) over e",
+        ["beta <= alpha"],
+    ),
     "reversed": (
         OBLIQUE + "given along(velocity(A), i) < 0\npart a\ngiven k = 4\nfind range of e\n"
         "part b\nunknown e\nfind range of k",

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     Unit,
+    letters,
 )
 from restitution.planning.formulas.velocity_formulas import in_the_plane
 from restitution.planning.inequalities.angle_pairs import extents, made_of_two
@@ -34,6 +35,7 @@ from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.desk import NotPlannedError, Source
 from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.polynomials import expanded
+from restitution.solving.story.letters import roles
 
 
 def write_of_angles(
@@ -137,7 +139,8 @@ def _by_a_right_angle(claims: Comparing, link: Link) -> int | None:
     whole, _ = parts
     turn, own = scene.desk.last_link(whole).right, Relation(((link,),))
     known = extents(scene, {let.letter for let in _lets(claims)})
-    if (at_once := claims.judge.write(_COMPARE, [whole, *known], own)) is not None:
+    data = claims.judge.known(letters(turn) & roles(scene.problem).keys())
+    if (at_once := claims.judge.write(_COMPARE, [whole, *known, *data], own)) is not None:
         return at_once
     named = {Letter(let.letter): let.quantity for let in _lets(claims)}
     match turn:

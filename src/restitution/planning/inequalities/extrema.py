@@ -190,7 +190,7 @@ class _Extremum:
         """An angle by its tangent."""
         asked, whole, value = self.asked, self.end, self.value
         tangent = tidy(sp.tan(value))
-        if not sp.deg(value).is_Rational:
+        if not value.is_Symbol and not sp.deg(value).is_Rational:
             whole = replace(whole, right=Apply("arctan", tree_of(tangent)))
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             return self._of_wide_angle(asked)
