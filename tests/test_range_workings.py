@@ -17,6 +17,19 @@ from restitution.workings import explain
     [
         (
             """
+            wall W: along i
+            sphere P: mass m, velocity u at alpha to W
+            P hits W: e = 1/2
+            unknown alpha
+            find range of angle(velocity(P), W)
+            """,
+            [
+                "tan β > 0 as α is acute, and it takes every positive value as α goes from 0°",
+                "0° < β < 90°",
+            ],
+        ),
+        (
+            """
             sphere A: mass m, velocity u i
             sphere B: mass k m, at rest
             A hits B: along i

@@ -1154,6 +1154,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.from-then": "for {time}",
     "derived.acute": "{angle} is acute",
     "derived.both-acute": "{angles:and} are acute",
+    "derived.every-positive": ("and it takes every positive value as {angle} goes from 0° to 90°"),
     "derived.so-acute": "so {angle} is acute",
     "derived.acute-by-tangent": "{bound} and so {angle} is acute",
     "derived.positive": "{letter} is positive",

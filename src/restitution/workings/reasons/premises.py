@@ -43,6 +43,7 @@ from restitution.workings.naming.sources import Sources
 from restitution.workings.reasons.along_units import along_its_unit
 from restitution.workings.reasons.before_walls import wall_reached, walls_ahead
 from restitution.workings.reasons.equality import divisor_left_out, equal_tangents
+from restitution.workings.reasons.every_value import every_positive_value
 from restitution.workings.reasons.factors import factor_cancelled, factor_left, positive_factor_left
 from restitution.workings.reasons.grounds import (
     acute_by_its_tangent,
@@ -123,6 +124,9 @@ class Reasons:
         """What a line rests on, to stand behind it, and which angle it tells to be acute."""
         angle = angle_acute_by(self._derivation, line)
         more = () if angle is None else (say("derived.so-acute", angle=self._naming.layout(angle)),)
+        every = every_positive_value(self._derivation, self._roles, line)
+        if every is not None:
+            more = (say("derived.every-positive", angle=self._naming.layout(every)),)
         return (*map(with_acute_angles_together, self._of(line)), *more)
 
     def _of(self, line: Line) -> tuple[Sentence, ...]:

@@ -1,0 +1,75 @@
+"""A tangent that takes every positive value: not only is each of its values one of these."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from restitution.errors import RestitutionError
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.trees import trees_of
+from restitution.expression.evaluate import in_letters
+from restitution.expression.tree import Apply, Expression, Letter, letters
+from restitution.oracle import Role
+from restitution.oracle.roles import ACUTE
+from restitution.planning.writing.forms import ZERO
+
+
+def every_positive_value(
+    derivation: Derivation, roles: Mapping[str, Role], line: Line
+) -> Letter | None:
+    """The acute angle by which a tangent that is called positive takes every positive value.
+
+    None of a tangent on which no range rests, and of one whose values are not seen to be all: it
+    is a multiple of the tangent of the angle, or of its cotangent, and nothing is given of that.
+    """
+    match line.move.id, line.relation:
+        case "sign", Relation(((Link(Apply("tan"), ">", right),),)) if right == ZERO:
+            pass
+        case _:
+            return None
+    if not _is_under_a_range(derivation, line):
+        return None
+    for ref in line.premises:
+        above = derivation.line(ref) if isinstance(ref, int) else None
+        if above is None or not isinstance(above.relation, Relation):
+            continue
+        value = above.relation.options[0][-1].right
+        for name in sorted(letters(value)):
+            free = roles.get(name) == ACUTE and not _is_given(derivation, name)
+            if free and _is_multiple(value, name):
+                return Letter(name)
+    return None
+
+
+def _is_under_a_range(derivation: Derivation, line: Line) -> bool:
+    """Whether the range of an angle between two ends rests on a line."""
+    return any(
+        own is not None and line.number in own.premises and len(end.answer.options[0]) == 2
+        for end in derivation.items
+        for own in (derivation.line(end.line),)
+    )
+
+
+def _is_given(derivation: Derivation, name: str) -> bool:
+    """Whether a fact other than the data bounds a letter, or ties it to others."""
+    return any(
+        fact.kind in ("given", "range", "case")
+        and any(name in letters(tree) for tree in trees_of(fact.relation))
+        for fact in derivation.facts
+    )
+
+
+def _is_multiple(value: Expression, name: str) -> bool:
+    """Whether an expression is a factor without a letter times its tangent, or cotangent."""
+    try:
+        whole = in_letters(value, positive=True)
+    except RestitutionError:
+        return False
+    if not isinstance(whole, sp.Expr):
+        return False
+    angle = sp.Symbol(name, positive=True)
+    tangent = sp.sin(angle) / sp.cos(angle)
+    factors = (sp.cancel(whole / tangent), sp.cancel(whole * tangent))
+    return any(angle not in factor.free_symbols for factor in factors)
