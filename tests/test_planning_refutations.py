@@ -44,6 +44,14 @@ CLAIMS = {
         WALL + "show impulse = 3(1 - e) m v sin(theta)",
         "The magnitude of the impulse is not 3(1 − e)mv sin θ in general: it is 3(1 + e)mv sin θ.",
     ),
+    "a value that is always another one, by the difference of squares": (
+        WALL + "given 0 < e < 1\nshow speed(S) = e v",
+        "and v²(cos²θ + e² sin²θ) − e²v² = v²(1 − e²) cos²θ > 0.",
+    ),
+    "an impulse that is always another one, by the difference": (
+        WALL + "given 0 < e < 1\nshow impulse = 3(1 - e) m v sin(theta)",
+        "and 3(1 + e)mv sin θ − 3(1 − e)mv sin θ = 6emv sin θ > 0.",
+    ),
     "an inequality": (
         OBLIQUE + "show energy_lost > 1/2 energy(0)",
         "It is not true that the kinetic energy lost in the collision is greater than",

@@ -10,14 +10,14 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Derivation, Link, Note, Relation
+from restitution.explaining.lines.derivation import Derivation, Link, Note, Relation, Sign
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
 from restitution.oracle import REAL, Oracle, compared
-from restitution.planning.writing.forms import ZERO, product, tree_of
+from restitution.planning.writing.forms import ZERO, difference, product, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -287,9 +287,18 @@ def _value(note: Note, derivation: Derivation, naming: Naming) -> Sentence | Non
         else ("refuted.value", "refuted.value-general")
     )
     facts = tuple(_bounds_of_letters(derivation, note.part))
-    agree = _may_agree(link.right, own.right) and not _differ(link.right, own.right, naming, facts)
-    sentence = general if agree else plain
-    return say(sentence, quantity=name, claimed=claimed, value=value)
+    slots: dict[str, Any] = {"quantity": name, "claimed": claimed, "value": value}
+    if not _may_agree(link.right, own.right):
+        return say(plain, **slots)
+    if not _differ(link.right, own.right, naming, facts):
+        return say(general, **slots)
+    apart = difference_of(link.right, own.right, naming, facts)
+    if apart is None:
+        return say(plain, **slots)
+    differs: SentenceId = (
+        "refuted.vector-differs" if plain == "refuted.vector" else "refuted.value-differs"
+    )
+    return say(differs, **slots, difference=naming.relation(apart))
 
 
 def _with_decimal(value: Expression, naming: Naming) -> lay.Layout:
@@ -364,6 +373,58 @@ def _differ(
         return False
     oracle = Oracle(known, bounds)
     return any(oracle.proves(compared(gap, sign, sp.Integer(0))) for sign in (">", "<"))
+
+
+def difference_of(
+    claimed: Expression, value: Expression, naming: Naming, facts: tuple[Link, ...]
+) -> Relation | None:
+    """The difference of two values in letters, or of their squares, as factors, and its sign.
+
+    None of vectors, and where the sign is not certain.
+    """
+    known = roles(naming.problem)
+
+    def symbol(name: str) -> sp.Symbol:
+        return known.get(name, REAL).symbol(name)
+
+    try:
+        bounds = tuple(
+            compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
+            for link in facts
+        )
+        one, other = (evaluate(tree, symbol) for tree in (value, claimed))
+        if isinstance(one, Vector) or isinstance(other, Vector):
+            return None
+        sides = [sp.sympify(end, strict=True) for end in (one, other)]
+        has_root = any(power.exp.q != 1 for end in sides for power in _powers(end))
+        if has_root:
+            sides = [sp.expand(end**2) for end in sides]
+        gap = min(_as_factors(sides[0] - sides[1]), key=sp.count_ops)
+        oracle = Oracle(known, bounds)
+        signs: tuple[Sign, ...] = (">", "<")
+        sign = next((e for e in signs if oracle.proves(compared(gap, e, sp.Integer(0)))), None)
+        trees = [tree_of(tidy(end)) for end in sides] if has_root else [value, claimed]
+        whole = tree_of(tidy(gap))
+    except (RestitutionError, ArithmeticError, TypeError, ValueError):
+        return None
+    if sign is None:
+        return None
+    links = Link(difference(*trees), "=", whole), Link(whole, sign, ZERO)
+    return Relation((links,))
+
+
+def _powers(value: sp.Expr) -> set[sp.Pow]:
+    return {power for power in value.atoms(sp.Pow) if power.exp.is_Rational}
+
+
+def _as_factors(gap: sp.Expr) -> Iterator[sp.Expr]:
+    """A difference as a product, with sines or with cosines alone in its factors."""
+    for one, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
+        put = sp.expand(gap).replace(
+            lambda own, one=one: own.is_Pow and own.exp == 2 and own.base.func is one,
+            lambda own, other=other: 1 - other(own.base.args[0]) ** 2,
+        )
+        yield sp.factor(sp.expand(put))
 
 
 def _link_of(derivation: Derivation, number: int) -> Link:

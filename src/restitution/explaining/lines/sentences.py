@@ -837,6 +837,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "refuted.range-is": "The range of possible values is not {range}: it is {true}.",
     "refuted.range": "The range of possible values is not {range}.",
     "refuted.value": "The {quantity} is not {claimed}: it is {value}.",
+    "refuted.value-differs": ("The {quantity} is not {claimed}: it is {value}, and {difference}."),
+    "refuted.vector-differs": "{quantity} is not {claimed}: it is {value}, and {difference}.",
     "refuted.value-general": "The {quantity} is not {claimed} in general: it is {value}.",
     "refuted.vector": "{quantity} is not {claimed}: it is {value}.",
     "refuted.vector-general": "{quantity} is not {claimed} in general: it is {value}.",
