@@ -384,3 +384,16 @@ def test_an_equation_in_one_ratio_has_the_other_square_as_1_less_that() -> None:
     )
     assert "(u/2)² = (eu cos α)² + u²(1 − cos²α)" in told
     assert "tan" not in told
+
+
+def test_the_ratio_of_the_energies_of_one_body_is_that_of_the_squares_of_its_speeds() -> None:
+    text = AT_THE_SECOND_WALL + "find energy(P)/energy(P, 0)"
+    explanation = explain(solve(parse(text)), check=True)
+    shown = " ".join(to_text(explanation).split())
+    assert "Ratio of the kinetic energies, in which half the mass cancels:" in shown
+    assert "= ((⅓u cos α)² + (½u sin α)²)/u² = (4 + 5 sin²α)/36" in shown
+    assert "as sin²α + cos²α = 1" in shown
+    assert "½m" not in shown
+    assert explanation.followed
+    both = AT_THE_SECOND_WALL + "find energy(P)/energy(P, 0), energy(P)"
+    assert "½m" in to_text(explain(solve(parse(both))))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
 from restitution.explaining.definitions.common import axis_of, squared, total_of, whole_links
 from restitution.explaining.lines.derivation import Event, Link
@@ -279,7 +280,8 @@ def energy_lost(step: Step, event: Event | None) -> Iterator[Link]:
 
 
 def fraction_lost(step: Step, event: Event | None) -> Iterator[Link]:
-    """The fraction of its energy that the only sphere loses, by squares of speeds."""
+    """The fraction of its energy that a sphere loses, or keeps, by squares of speeds."""
+    yield from _energies_apart(step, event)
     if event is None or len(step.setting.spheres) != 1:
         return
     (body,) = step.setting.spheres
@@ -298,6 +300,21 @@ def fraction_lost(step: Step, event: Event | None) -> Iterator[Link]:
             for change in changes:
                 for whole in early:
                     yield Link(Binary("/", lost, before), "=", Binary("/", change, whole))
+
+
+def _energies_apart(step: Step, event: Event | None) -> Iterator[Link]:
+    """The energy of a sphere after an event over what it was before others: its mass cancels."""
+    if event is None:
+        return
+    forms = ("speed", "components", "vectors")
+    for body in step.move.bodies:
+        late = Quantity("energy", (Name(body),), event.number)
+        above = [_squares(form, body, event.number, event) for form in forms]
+        for stage in range(event.number - 1):
+            early = Quantity("energy", (Name(body),), stage)
+            below = [_squares(form, body, stage, event) for form in forms]
+            for pair in product(above, below):
+                yield Link(Binary("/", late, early), "=", Binary("/", *pair))
 
 
 def _changes_cited(step: Step, event: Event, spheres: Sequence[str]) -> list[Expression]:

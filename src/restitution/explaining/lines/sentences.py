@@ -1208,6 +1208,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
+    "energy-ratio.title": "Ratio of the kinetic energies, in which half the mass cancels",
     "fraction-lost.title": "Fraction of the kinetic energy that is lost, in which the mass cancels",
     "fraction-lost.percentage": (
         "Percentage of the kinetic energy that is lost, in which the mass cancels"

@@ -29,7 +29,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "energy-lost": ("loss-wall.title", "loss-spheres.title"),
     "energy-change": ("change-of-energy.title", "change-of-energy.title"),
     "energy": ("derived-energy.title", "derived-energy.title"),
-    "energy-ratio": ("derived-energy.title", "derived-energy.title"),
+    "energy-ratio": ("energy-ratio.title", "energy-ratio.title"),
     "total": ("derived-energy.title", "derived-energy.title"),
     "total-lost": ("derived-energy.title", "derived-energy.title"),
     "tan": ("derived-direction.title", "derived-direction.title"),

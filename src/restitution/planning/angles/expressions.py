@@ -32,7 +32,7 @@ from restitution.planning.closing.losses_by_products import write_loss_by_produc
 from restitution.planning.closing.squared_ratios import write_by_squares
 from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.energy_formulas import energy_change
-from restitution.planning.formulas.fractions_lost import fraction_lost
+from restitution.planning.formulas.fractions_lost import fraction_lost, ratio_of_energies
 from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.separations import relative_speed
 from restitution.planning.formulas.velocity_formulas import squared_speed, velocity_source
@@ -142,6 +142,7 @@ def formula_of_squares(scene: Scene, asked: Expression) -> Formula | None:
 def _of_squares(scene: Scene, asked: Expression) -> Formula | None:
     """The change of an energy, a fraction of it or the square of a speed; None of another tree."""
     own = energy_change(scene, asked) or fraction_lost(scene, asked)
+    own = own or ratio_of_energies(scene, asked)
     return own or squared_speed(scene, asked)
 
 

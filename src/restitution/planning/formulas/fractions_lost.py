@@ -1,11 +1,11 @@
-"""The fraction of its kinetic energy that the only sphere loses, without its mass."""
+"""The fraction of its kinetic energy that a sphere loses, or keeps, without its mass."""
 
 from __future__ import annotations
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, MoveId, Ref
 from restitution.explaining.lines.trees import angles_with_both_ratios
-from restitution.expression.tree import Binary, Expression, Quantity
+from restitution.expression.tree import Binary, Expression, Name, Quantity, walk
 from restitution.planning.formulas.definitions import Formula, itself
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import is_root_of_a_sum, known_speed, squares
@@ -13,6 +13,9 @@ from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import difference, square, swept, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
+
+# How a ratio comes to its last form.
+_BY: tuple[MoveId, ...] = ("rearrange", "identity")
 
 
 def fraction_lost(scene: Scene, asked: Expression, is_given: bool = False) -> Formula | None:
@@ -71,6 +74,55 @@ def fraction_lost(scene: Scene, asked: Expression, is_given: bool = False) -> Fo
     return Formula(move, itself, asked, right, fraction, needed)
 
 
+def ratio_of_energies(scene: Scene, asked: Expression) -> Formula | None:
+    """The kinetic energy of one body over what it was, as the ratio of the squares of its speeds.
+
+    None of another quotient, and where the energies are asked besides, or are lines.
+    """
+    pair = _two_energies(asked)
+    if pair is None:
+        return None
+    body, late, early = pair
+    event = scene.last_event(body, late)
+    if event not in scene.model.frames or scene.last_event(body, early) == event:
+        return None
+    used = {
+        Quantity("energy", bodies, at) for bodies in ((), (Name(body),)) for at in (late, early)
+    }
+    if any(scene.desk.known(quantity) is not None for quantity in used):
+        return None
+    others = (tree for tree in scene.asked_alone if _two_energies(tree) is None)
+    if any(used & set(walk(tree)) for tree in others):
+        return None
+    ends = [
+        squares(scene, body, scene.last_event(body, stage), known=True) for stage in (late, early)
+    ]
+    (above, square_after, refs), (below, square_before, more) = ends
+    if square_after == 0 or scene.unknown(square_after) or scene.unknown(square_before):
+        return None
+    move = Move("define", "energy-ratio", event, (body,))
+    right = Binary("/", above, below)
+    fraction = tidy(expanded(square_after / square_before))
+    for by in _BY:
+        whole = chain(asked, (right, None), (tree_of(fraction), by))
+        needed = scene.judge.needed(move, together(refs, more), whole)
+        if needed is not None:
+            return Formula(move, itself, asked, right, fraction, needed)
+    return None
+
+
+def _two_energies(tree: Expression) -> tuple[str, int, int] | None:
+    """The body of which an energy is divided by an earlier one, and both stages."""
+    match tree:
+        case Binary(
+            "/",
+            Quantity("energy", (Name(body),), int(late)),
+            Quantity("energy", (Name(other),), int(early)),
+        ) if body == other and late > early:
+            return body, late, early
+    return None
+
+
 def _by_component(scene: Scene, body: str, event: int) -> tuple[Source, Source]:
     """The component along the line of an impact, before it and after it."""
     frame = scene.frame(event)
@@ -83,4 +135,4 @@ def _refs_of(scene: Scene, ends: tuple[Source, Source], event: int) -> tuple[Ref
     return together(*(end.whole for end in ends), scene.frame(event).names_axis("along"))
 
 
-__all__ = ["fraction_lost"]
+__all__ = ["fraction_lost", "ratio_of_energies"]

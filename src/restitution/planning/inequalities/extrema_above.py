@@ -67,13 +67,13 @@ def _subjects(claims: Claims, asked: Expression) -> Iterator[tuple[Expression, t
 
 
 def _bound(claims: Claims, line: Line) -> Link | None:
-    """What a line of another part says that is in force, if it has one link with letters."""
+    """What a printed line of another part says that is in force, if it has one link."""
     desk = claims.scene.desk
     if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
         return None
     if len(line.relation.only) != 1 or desk.is_of_this_part(line.number):
         return None
-    if line.move.id == "answer" or not desk.holds(line.number):
+    if line.move.id == "answer" or line.shown == "silent" or not desk.holds(line.number):
         return None
     return line.relation.only[0]
 

@@ -73,7 +73,7 @@ from restitution.workings.reasons.together import merged, with_acute_angles_toge
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
 _BY_TANGENT = "derived.acute-by-tangent"
 _BEHIND = {"derived.fact-equal": 1, "derived.it-is": 2}
-_OF_SQUARES = frozenset({"speed", "size", "energy", "total", "tan-deflection"})
+_OF_SQUARES = frozenset({"speed", "size", "energy", "energy-ratio", "total", "tan-deflection"})
 _OF_VALUES = frozenset({"put", "rearrange", "square-add"})
 
 
