@@ -1273,6 +1273,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.place-of": "New position = old position + velocity × time, for {body}",
     "flight.same-time": "The path is in the direction of the velocity",
     "flight.add": "Putting the times together:",
+    "flight.subtract": "Subtracting the times:",
     "derived-energy.title": "Kinetic energy",
     "change-of-energy.why": (
         "The component that does not change adds the same to the kinetic energy before and after, "

@@ -43,7 +43,7 @@ from restitution.planning.journeys.places import (
     leg_along,
     time_of,
 )
-from restitution.planning.journeys.steady import steady_axis
+from restitution.planning.journeys.steady import steady_axis, write_last_way
 from restitution.planning.journeys.touching import write_touch
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.circles import circle_of
@@ -293,6 +293,8 @@ def write_path(scene: Scene, path: Path) -> int:
         if pace == 0 or any(scene.unknown(value) for value in values):
             continue
         ends = [coordinate(scene, body, each, other) for each in (since, number)]
+        if since and steady_axis(scene, body, number) == axis:
+            write_last_way(scene, number, since)
         if standing(scene, time_tree(number)) is None:
             leg_along(scene, body, number, axis)
         flight, _, timed = flight_time(scene, since, number)

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Move, Ref
-from restitution.expression.tree import Expression, Quantity, walk
+from restitution.expression.tree import Expression, Name, Quantity, walk
 from restitution.planning.formulas.whereabouts import (
     last_move,
     standing,
@@ -19,10 +19,11 @@ from restitution.planning.formulas.whereabouts import (
     velocity,
     without_walls,
 )
-from restitution.planning.journeys.places import coordinate, coordinate_given
+from restitution.planning.journeys.places import coordinate, coordinate_given, time_of
 from restitution.planning.writing.circles import circle_of
-from restitution.planning.writing.desk import Source, together
+from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.flights import divisor_refs, time_quotient, time_relation
+from restitution.planning.writing.forms import difference, tree_of
 from restitution.planning.writing.place_trees import AXES, Axis, duration_tree, time_tree
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Item, Show, Value
@@ -50,10 +51,13 @@ def steady_axis(scene: Scene, body: str, number: int, first: int = 0) -> Axis | 
     return None
 
 
-def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None:
+def time_at_one_pace(
+    scene: Scene, number: int, since: int = 0, *, at_once: bool = False
+) -> Source | None:
     """The time from an event, or the start, by the whole way in such a direction; None without one.
 
-    None too where a time in between is asked: then ways are added.
+    None too where a time in between is asked: then ways are added, unless it is to be had
+    ``at_once``.
     """
     own = time_tree(number) if since == 0 else duration_tree(number, since)
     if not number or standing(scene, own) is not None:
@@ -63,14 +67,14 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
     if axis is None or any(circle_of(scene, n) for n in range(since + 1, number + 1)):
         return None
     between = _events_between(scene, body, number, since)
-    if not between or _times_wanted(scene) & set(between):
+    if not between or (_times_wanted(scene) & set(between) and not at_once):
         return None
     ends = [coordinate_given(scene, body, each, axis) for each in (since, number)]
     if None in ends:
         return None
     early = [known.value for number in between if (known := scene.desk.known(time_tree(number)))]
     in_lines = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
-    if early and (in_lines or all(value.is_number for value in early)):
+    if early and not at_once and (in_lines or all(value.is_number for value in early)):
         return None  # the sum is as short
     if _are_added(scene, (since, *between, number)):
         return None
@@ -96,6 +100,39 @@ def time_at_one_pace(scene: Scene, number: int, since: int = 0) -> Source | None
         return None
     line = scene.desk.write(move, needed, relation)
     return scene.desk.know(own, value, (line,))
+
+
+def write_last_way(scene: Scene, number: int, since: int) -> None:
+    """Writes the time of the last way to an event as what is left of a time that is asked.
+
+    Both times are numbers from the start on. Nothing is written where a place between is wanted
+    anyway.
+    """
+    body = scene.bodies(number)[0]
+    axis = steady_axis(scene, body, number)
+    if axis is None or number not in _times_wanted(scene):
+        return
+    if _events_between(scene, body, number) != [since]:
+        return
+    if standing(scene, duration_tree(number, since)) is not None:
+        return
+    if coordinate_given(scene, body, since, axis) is not None or _is_asked(scene, body, since):
+        return
+    mark = scene.desk.mark()
+    early, late = time_of(scene, since), time_at_one_pace(scene, number, at_once=True)
+    if late is None or not early.value.is_number or not late.value.is_number:
+        scene.desk.back(mark)
+        return
+    value = tidy(late.value - early.value)
+    left = difference(tree_of(late.value), tree_of(early.value))
+    relation = chain(duration_tree(number, since), (left, None), (tree_of(value), "rearrange"))
+    line = scene.desk.write(Move("put"), together(late.refs, early.refs), relation)
+    scene.desk.know(duration_tree(number, since), value, (line,))
+
+
+def _is_asked(scene: Scene, body: str, number: int) -> bool:
+    """Whether the place of a body at an event is asked."""
+    return Quantity("position", (Name(body),), number) in scene.asked
 
 
 def _are_added(scene: Scene, stages: Sequence[int]) -> bool:
@@ -172,4 +209,4 @@ def _times_wanted(scene: Scene) -> set[int]:
     }
 
 
-__all__ = ["steady_axis", "time_at_one_pace", "write_steady_ways"]
+__all__ = ["steady_axis", "time_at_one_pace", "write_last_way", "write_steady_ways"]

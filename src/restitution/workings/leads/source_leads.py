@@ -47,6 +47,14 @@ _DIFFERENCES: Mapping[tuple[str, str], SentenceId] = {
 }
 
 
+def _is_left(line: Line) -> bool:
+    """Whether a time between events is what is left of one from the start."""
+    match line.relation:
+        case Relation(((Link(Binary("-"), "=", Binary("-")), *_),)):
+            return True
+    return False
+
+
 class SourceLeads(LinesAround):
     """The words before lines that come from others."""
 
@@ -108,7 +116,7 @@ class SourceLeads(LinesAround):
             case "compare" if not equations:
                 yield say("given.compare")
             case "times":
-                yield say("flight.add")
+                yield say("flight.subtract" if _is_left(line) else "flight.add")
             case "case":
                 yield say("derived.since", facts=(self._of_its_case(line),))
             case "made":
