@@ -504,6 +504,44 @@ find position(P, 1)
 4 a | define assemble 1 P | 2, 3 | position(P, 1) = 6i
 a: 4 position(P, 1) = 6i
 """,
+    # Places on two walls, each of which goes into what comes next.
+    "two-cushions": """
+wall OX: along i, through (0, 0)
+wall OY: along j, through (0, 0)
+sphere P: at (3, 1), velocity u at q from -i
+P hits OX: e = 1/2
+P hits OY: e = 1/2
+P reaches (1, 1)
+find tan(q)
+---
+1 a | define straight-line 1 P | position P, contact 1 | along(position(P, 1), i) = 3 - 1/tan(q)
+2 a | law unchanged 1 P | velocity P, axis 1 | along(velocity(P, 1), i) = -u cos(q)
+3 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = u sin(q)/2
+4 a | define straight-line 2 P | contact 2, 1, 3 | along(position(P, 2), j) = (3tan(q) - 1)/2
+5 a | law unchanged 2 P | axis 2, 3 | along(velocity(P, 2), j) = u sin(q)/2
+6 a | law restitution-wall 2 P | axis 2, e 2, 2 | along(velocity(P, 2), i) = u cos(q)/2
+7 a | define straight-line 3 P | contact 2, contact 3, 4, 6, 5 | 1 - (3tan(q) - 1)/2 = tan(q)
+8 a | rearrange | 7 | tan(q) = 12/20 = 9/15 = 6/10 = 3/5
+a: 8 tan(q) = 3/5
+""",
+    # The whole time, of two flights.
+    "two-flights": """
+wall W: along i, through (0, 0)
+point T: (8, 6)
+sphere P: at (0, 3), velocity u at q to W
+P hits W: e = 3/4
+P reaches T
+given time(2) = 2
+find sin(q)
+---
+1 a | define straight-line 1 P | position P, contact 1, velocity P, start | time(1) = 3/(u sin(q))
+2 a | law restitution-wall 1 P | velocity P, axis 1, e 1 | along(velocity(P, 1), j) = 3/4 u sin(q)
+3 a | define straight-line 2 P | contact 1, contact 2, 2 | time(2) - time(1) = 8/(u sin(q))
+4 a | put | 3, 1 | time(2) = 11/(u sin(q))
+5 a | put | given 1, 4 | 11/(u sin(q)) = 2
+6 a | rearrange | 5 | sin(q) = 11/(2u)
+a: 6 sin(q) = 11/(2u)
+""",
     # Who was at rest moves off to a point: that gives the line of centres, and where they touched.
     "pocket": """
 point N: (10, 10)
@@ -679,6 +717,9 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("data", "corner", 8, "", "", ""),
     ("place-on-an-axis", "on-its-way", 2, "", "", ""),
     ("place-by-a-path", "on-its-way", 3, "M1", "M1", "M1"),
+    ("place-by-a-path-on-the-way", "two-cushions", 1, "M1 A1", "M1 A1", "M1 A1"),
+    ("place-on-the-way", "two-cushions", 4, "M1 A1", "M1 A1", "M1 A1"),
+    ("times-put-together", "two-flights", 4, "A1", "A1", "A1"),
     ("time-or-place", "reaches-a-point", 4, "M1", "M1", "M1"),
     ("place-by-the-data", "places", 2, "", "", ""),
     ("time-by-the-data", "places", 3, "B1", "B1", "B1"),

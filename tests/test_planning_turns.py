@@ -288,7 +288,7 @@ A hits B: along i
 given deflection(A) = 60°, deflection(B) = 45°
 find k, e
 """,
-        ("= 90° − 45° = 45°",),
+        ("tan 45° = w/u",),
     ),
     "a right angle by the product": (
         """
@@ -377,3 +377,26 @@ find angle(velocity(A), velocity(B))
 def test_an_angle_with_letters_has_its_constant_in_degrees() -> None:
     value = (sp.pi - 2 * sp.Symbol("alpha", positive=True)) / 2
     assert write_expression(tree_of(sp.factor(value), angle=True)) == "90° - alpha"
+
+
+@pytest.mark.parametrize(
+    ("given", "asked", "line"),
+    [
+        ("given deflection(A) = 30°", "find e", "tan 30° = ((1 + e)u/2)/u"),
+        ("given tan(deflection(A)) = 2/3", "find e", "⅔ = ((1 + e)u/2)/u"),
+        ("", "find tan(deflection(A))", "tan δ = ((1 + e)u/2)/u = (1 + e)/2"),
+    ],
+)
+def test_who_came_across_the_line_of_centres_turns_from_its_own_direction(
+    given: str, asked: str, line: str
+) -> None:
+    text = f"""
+sphere A: mass 3m, velocity u j
+sphere B: mass m, velocity -2u i
+A hits B: along i
+{given}
+{asked}
+"""
+    shown = " ".join(to_text(explain(solve(parse(text)), check=True)).split())
+    assert "A came in the direction of 𝐣, so the angle of deflection is the one" in shown
+    assert line in shown

@@ -174,7 +174,13 @@ RULES: tuple[Rule, ...] = (
     _rule("time-of-no-way", ("define",), "", ("straight-line",), ("zero", "time")),
     _rule("place-at-rest", ("define",), "", ("straight-line",), ("at-rest", "on-the-way")),
     _rule("place-in-an-open-time", ("define",), "", ("straight-line",), ("open-place",)),
-    _rule("place-on-the-way", ("define",), "M V", ("straight-line",), ("goes-on",)),
+    _rule(
+        "place-by-a-path-on-the-way",
+        ("define",),
+        "M V",
+        ("straight-line",),
+        ("place-of-facts", "goes-on"),
+    ),
     _rule("place-by-a-path", ("define",), "M", ("straight-line",), ("place-of-facts",)),
     _rule("place-on-an-axis", ("define",), "", ("straight-line",), ("zero", "on-the-way")),
     _rule(
@@ -183,6 +189,7 @@ RULES: tuple[Rule, ...] = (
     _rule("place-by-the-data", ("define",), "", ("straight-line",), ("of-facts", "a-place")),
     _rule("energy-lost-by-the-data", ("define",), "M A", ("energy-lost",), ("of-facts",)),
     _rule("data", ("define",), "", ENERGIES, ("of-facts", "on-the-way")),
+    _rule("place-on-the-way", ("define",), "M V", ("straight-line",), ("goes-on",)),
     _rule("time-or-place", ("define",), "M", ("straight-line",)),
     _rule("times-put-together", ("put",), "A", when=("times-together", "on-the-way")),
     _rule("centres-by-a-path", ("law",), "M", ("moves-off",)),

@@ -9,6 +9,7 @@ from restitution.explaining.lines.derivation import Line, Link, Relation
 from restitution.expression.tree import (
     AtTime,
     Binary,
+    Expression,
     Quantity,
     has_quantity,
     letters,
@@ -98,7 +99,7 @@ def put_together(work: Work, line: Line) -> bool:
 def goes_on(work: Work, line: Line) -> bool:
     """A coordinate in letters of the statement, in which more is done before an item ends."""
     match subject_of(line):
-        case Quantity("along", (Quantity("position"), _)):
+        case Quantity("along", (Quantity("position"), axis)):
             pass
         case _:
             return False
@@ -106,7 +107,18 @@ def goes_on(work: Work, line: Line) -> bool:
     value = line.relation.options[0][-1].right
     if has_quantity(value) or letters(value) & work.new or line.number in work.ends:
         return False
-    return not _ends_below(work, line)
+    below = (e for e in work.derivation.lines if line.number in e.premises)
+    return not _ends_below(work, line) and not any(_moves_along(each, axis) for each in below)
+
+
+def _moves_along(line: Line, axis: Expression) -> bool:
+    """Whether a line is of a later place in the same direction, of which this is the first half."""
+    if line.move.record != "straight-line" or not isinstance(line.relation, Relation):
+        return False
+    return any(
+        isinstance(node, Quantity) and node.kind == "along" and node.arguments[-1] == axis
+        for node in walk(line.relation.options[0][0].left)
+    )
 
 
 def _ends_below(work: Work, line: Line) -> bool:

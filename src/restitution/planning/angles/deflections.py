@@ -57,6 +57,9 @@ def write_deflection(scene: Scene, equation: GivenEquation) -> int:
     angle, refs = scene.put(scene.scalar(equation.link.right))
     if angle == sp.pi / 2:
         return _at_right_angles(scene, equation, name.name, event, early, late)
+    line = _from_an_axis(scene, equation, name.name, event, early, late)
+    if line is not None:
+        return line
     if frame.wall is not None:
         line = given_at_a_wall(scene, equation, name.name, frame, angle)
         line = line or related_at_a_wall(scene, equation)
@@ -71,14 +74,49 @@ def write_deflection(scene: Scene, equation: GivenEquation) -> int:
     if scene.model.sign(cross) < 0:
         above.reverse()
     below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
-    tangent, more = scene.put(sp.tan(angle))
-    degrees = tree_of(angle, angle=True)
-    named = isinstance(degrees, Degrees)
-    left = Apply("tan", degrees) if named else tree_of(tidy(tangent))
+    left, more = _tangent_of(scene, angle)
     relation = chain(left, (swept(Binary("/", difference(*above), below)), None))
     move = Move("define", "tan-deflection", event, (name.name,))
     sources = together(equation.refs, refs, *(own.refs for own in (*early, *late)))
     return _written(scene, move, sources, relation, (*frame.refs, *more))
+
+
+def _tangent_of(scene: Scene, angle: sp.Expr) -> tuple[Expression, tuple[Ref, ...]]:
+    """``tan 60°``, or what the tangent of an angle is worth, with what that rests on."""
+    tangent, more = scene.put(sp.tan(angle))
+    degrees = tree_of(angle, angle=True)
+    named = isinstance(degrees, Degrees)
+    return Apply("tan", degrees) if named else tree_of(tidy(tangent)), more
+
+
+def _from_an_axis(
+    scene: Scene,
+    equation: GivenEquation,
+    body: str,
+    event: int,
+    early: tuple[Source, ...],
+    late: tuple[Source, ...],
+) -> int | None:
+    """The tangent of a deflection of a sphere that came across the line of centres.
+
+    It keeps that component. None of another, and where it is open to which side it turns.
+    """
+    (c, s), (d, t) = early, late
+    frame = scene.frame(event)
+    if frame.wall or frame.is_slanted or c.value != 0 or s.value != t.value:
+        return None
+    aside, ahead = (
+        tree_of(-own.value if scene.model.sign(own.value) < 0 else own.value) for own in (d, t)
+    )
+    angle, refs = scene.put(scene.scalar(equation.link.right))
+    left, more = _tangent_of(scene, angle)
+    sources = together(equation.refs, refs, *(own.refs for own in (*early, *late)))
+    move = Move("define", "tan-from-axis", event, (body,))
+    relation = chain(left, (swept(Binary("/", aside, ahead)), None))
+    try:
+        return _written(scene, move, sources, relation, (*frame.refs, *more))
+    except NotPlannedError:
+        return None
 
 
 def _at_right_angles(

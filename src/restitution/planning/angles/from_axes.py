@@ -32,12 +32,11 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
     if axis is None:
         return None
     known = scene.desk.known(Quantity("velocity", (Name(body),), event))
-    vector = False
     if event not in scene.model.frames:
         blown = known_vector(scene, body, event) or velocity_source(scene, body, event)
         late, rest = blown.value, blown.whole
     elif scene.frame(event).is_slanted and known is not None and isinstance(known.value, Vector):
-        late, rest, vector = known.value, known.refs, True
+        late, rest = known.value, known.refs
     elif not scene.frame(event).is_slanted and scene.frame(event).n[axis] == 0:
         components = in_the_plane(scene, body, event)
         late = Vector(*(component.value for component in components))
@@ -50,7 +49,7 @@ def from_an_axis(scene: Scene, body: str, event: int, asked: Quantity) -> Ratio 
     if scene.model.sign(aside) < 0:
         aside = -aside
     value = tidy(aside / ahead)
-    if not value.is_number and not (vector and _is_certain(scene, aside, ahead)):
+    if not value.is_number and not _is_certain(scene, aside, ahead):
         return None
     if event not in scene.model.frames and not value.is_Rational:
         return None  # of roots the scalar product with a speed that is known is plainer

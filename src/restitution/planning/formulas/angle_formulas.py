@@ -448,11 +448,20 @@ def deflection_formula(scene: Scene, quantity: Quantity) -> Formula:
         above, cross = above[::-1], -cross
     below = total((product(trees[0], trees[2]), product(trees[1], trees[3])))
     names = together(frame.names_axis("along"), frame.names_axis("across"))
+    whole = together(*(source.whole for source in (*early, *late)), names)
+    if c.value == 0 and s.value == t.value and not (frame.is_slanted or frame.wall):
+        # It came across the line of centres, and keeps that component.
+        aside, ahead = (
+            tree_of(-own.value if scene.model.sign(own.value) < 0 else own.value) for own in (d, t)
+        )
+        move = Move("define", "tan-from-axis", event, (body,))
+        right = Binary("/", aside, ahead)
+        return Formula(move, tangent, quantity, right, tidy(cross / dot), whole)
     return Formula(
         Move("define", "tan-deflection", event, (body,)),
         tangent,
         quantity,
         Binary("/", difference(*above), below),
         tidy(cross / dot),
-        together(*(source.whole for source in (*early, *late)), names),
+        whole,
     )

@@ -215,7 +215,7 @@ def _tangent(scene: Scene, equation: GivenEquation, own: Formula) -> int:
     relation = chain(left, (swept(own.right), None))
     components = {component.symbol for component in scene.model.components.values()}
     backwards = any(scene.model.sign(x) < 0 for x in scene.unknown(own.value) & components)
-    if own.move.record == "tan-deflection" and (
+    if own.move.record in ("tan-deflection", "tan-from-axis") and (
         backwards or not scene.judge.follows(own.move, premises, relation)
     ):
         raise NotPlannedError("to which side a sphere turns is open")

@@ -145,7 +145,8 @@ class GivenLeads(Leads):
                 line.move.record == "perpendicular" and is_zero(link.right)
             ):
                 return (say("given.component", fact=sentence, axis=self._naming.layout(unit)),)
-        if line.move.record in ("sum", "difference") and len(line.move.bodies) == 1:
+        by_angles = line.move.record in ("sum", "difference", "tan-from-axis")
+        if by_angles and len(line.move.bodies) == 1:
             turned = self._turned(line)
             if turned is not None:
                 return (say("given.and", fact=sentence), turned)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from restitution.explaining.lines.derivation import (
@@ -17,12 +19,14 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
     Negate,
     Number,
     Pair,
+    Polar,
     Quantity,
     Unit,
     is_zero,
@@ -324,4 +328,17 @@ def _sense_of(velocity: Expression) -> Expression | None:
             return sense.operand if isinstance(sense, Negate) else sense and Negate(sense)
         case Binary("*", Number() | Letter() | Binary("*", Number(), Letter()), Unit() as unit):
             return unit  # numbers carry no sign
+        case Polar(_, Degrees(angle), None | Unit("i"), None):
+            return _AT_RIGHT_ANGLES.get(int(angle)) if angle.denominator == 1 else None
+        case Polar(_, Negate(Degrees(angle)), None | Unit("i"), None):
+            return Negate(Unit("j")) if angle == _QUARTER else None
     return None
+
+
+_QUARTER = 90
+_AT_RIGHT_ANGLES: Mapping[int, Expression] = {
+    0: Unit("i"),
+    90: Unit("j"),
+    180: Negate(Unit("i")),
+    270: Negate(Unit("j")),
+}
