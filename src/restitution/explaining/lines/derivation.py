@@ -15,7 +15,7 @@ from itertools import pairwise
 from typing import Literal, get_args
 
 from restitution.explaining.lines.marks import Marks
-from restitution.expression.tree import Expression, Place, keeps_hash, letters
+from restitution.expression.tree import Expression, Letter, Place, keeps_hash, letters
 
 Ref = int | str
 """A premise: the number of a line, the id of a fact, or the text of what is known of a letter."""
@@ -88,6 +88,13 @@ class Relation:
         return links
 
     @cached_property
+    def trees(self) -> tuple[Expression, ...]:
+        """Both sides of each link."""
+        return tuple(
+            side for links in self.options for link in links for side in (link.left, link.right)
+        )
+
+    @cached_property
     def ends(self) -> Link | None:
         """A chain of equations by its ends; None for any other relation."""
         if len(self.options) != 1:
@@ -102,10 +109,7 @@ class Relation:
     @cached_property
     def letters(self) -> frozenset[str]:
         """The letters of which it speaks."""
-        sides = (
-            side for links in self.options for link in links for side in (link.left, link.right)
-        )
-        return frozenset().union(*map(letters, sides))
+        return frozenset().union(*map(letters, self.trees))
 
 
 @keeps_hash
@@ -122,6 +126,11 @@ class Meaning:
     sense: Expression | None = None
     vector: bool = False
     angle: Literal["acute", "turn", "signed"] | None = None
+
+    @cached_property
+    def trees(self) -> tuple[Expression, ...]:
+        """The letter, and what it stands for."""
+        return Letter(self.letter), self.quantity
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from string import Formatter
 from typing import TypeAlias
 
@@ -33,7 +33,7 @@ class Sentence:
         """What the sentence speaks of: the id up to its first dot."""
         return topic_of(self.id)
 
-    @property
+    @cached_property
     def words(self) -> Words:
         """The sentence in words."""
         return _merged(_spoken(self))

@@ -16,7 +16,6 @@ from restitution.expression.tree import (
     AtTime,
     Binary,
     Expression,
-    Letter,
     Name,
     Quantity,
     has_quantity,
@@ -108,16 +107,9 @@ def of_relation(relation: Relation, change: Callable[[Expression], Expression]) 
     )
 
 
-def trees_of(relation: Relation | Meaning) -> Iterable[Expression]:
+def trees_of(relation: Relation | Meaning) -> tuple[Expression, ...]:
     """The trees of a relation, or of a meaning."""
-    if isinstance(relation, Meaning):
-        yield Letter(relation.letter)
-        yield relation.quantity
-        return
-    for links in relation.options:
-        for link in links:
-            yield link.left
-            yield link.right
+    return relation.trees
 
 
 def statement_of(relation: Relation) -> frozenset[frozenset[object]]:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Ref, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
@@ -41,7 +41,13 @@ class DataAngles:
         self._naming = naming
         self._seen: set[Expression] = set()
         self._turned: set[str] = set()
-        self._of_velocities = {e.id: e for e in derivation.facts if _is_of_velocity(e)}
+        self._of_velocities: dict[Ref, Fact] = {
+            e.id: e for e in derivation.facts if _is_of_velocity(e)
+        }
+        self._at_events: dict[int | None, list[Ref]] = {}
+        for line in derivation.lines:
+            own = [ref for ref in line.premises if ref in self._of_velocities]
+            self._at_events.setdefault(line.move.event, []).extend(own)
 
     def in_order(self, lines: Sequence[Line]) -> Iterator[Line]:
         """Lines with the ratios of angles that follow each other in the order of the statement."""
@@ -58,11 +64,9 @@ class DataAngles:
         if line.move.id not in ("law", "define") or not self._of_velocities:
             return
         # The angles of all velocities before an impact are spoken of together.
-        alike = (e for e in self._derivation.lines if e.move.event == line.move.event)
-        for ref in dict.fromkeys(ref for each in (line, *alike) for ref in each.premises):
-            fact = self._of_velocities.get(ref) if isinstance(ref, str) else None
-            if fact is None:
-                continue
+        own = [ref for ref in line.premises if ref in self._of_velocities]
+        for ref in dict.fromkeys((*own, *self._at_events.get(line.move.event, ()))):
+            fact = self._of_velocities[ref]
             for node in (node for tree in trees_of(fact.relation) for node in walk(tree)):
                 if not isinstance(node, Apply) or node.function not in _ARCS:
                     continue
