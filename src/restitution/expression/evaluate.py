@@ -69,7 +69,7 @@ class Symbolic:
     zero = sp.Integer(0)
 
     def number(self, value: Fraction) -> Scalar:
-        return sp.Rational(value.numerator, value.denominator)
+        return _rational(value.numerator, value.denominator)
 
     def sqrt(self, x: Scalar) -> Scalar:
         return root(sp.sympify(x, strict=True))
@@ -128,6 +128,11 @@ class Numeric:
 
     def is_zero(self, x: Scalar) -> bool:
         return not Enclosed.of(x).sign
+
+
+@lru_cache(maxsize=4096)
+def _rational(numerator: int, denominator: int) -> sp.Rational:
+    return sp.Rational(numerator, denominator)
 
 
 @lru_cache(maxsize=4096)

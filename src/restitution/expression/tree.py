@@ -315,27 +315,27 @@ LEAVES: frozenset[type] = frozenset({Number, Degrees, Pi, Letter, Unit, Name})
 
 def walk(node: Expression) -> tuple[Expression, ...]:
     """A node and all that stands inside it, outermost first."""
-    return (node, *_inside(node))
+    try:
+        return node, *node._inside  # type: ignore[union-attr]
+    except AttributeError:
+        return node, *_inside(node)
 
 
 def _inside(node: Expression) -> tuple[Expression, ...]:
     """All nodes inside of one, which keeps them: not itself, so that no circle arises."""
-    try:
-        return node._inside  # type: ignore[no-any-return, union-attr]
-    except AttributeError:
-        nodes: list[Expression] = []
-        pending = list(reversed(children(node)))
-        while pending:  # a long sum is a deep tree: no recursion
-            current = pending.pop()
-            nodes.append(current)
-            kind = type(current)
-            if kind is Binary:
-                pending += (current.right, current.left)  # type: ignore[union-attr]
-            elif kind not in LEAVES:
-                pending.extend(reversed(children(current)))
-        inside = tuple(nodes)
-        object.__setattr__(node, "_inside", inside)
-        return inside
+    nodes: list[Expression] = []
+    pending = list(reversed(children(node)))
+    while pending:  # a long sum is a deep tree: no recursion
+        current = pending.pop()
+        nodes.append(current)
+        kind = type(current)
+        if kind is Binary:
+            pending += (current.right, current.left)  # type: ignore[union-attr]
+        elif kind not in LEAVES:
+            pending.extend(reversed(children(current)))
+    inside = tuple(nodes)
+    object.__setattr__(node, "_inside", inside)
+    return inside
 
 
 def letters(node: Expression) -> frozenset[str]:
