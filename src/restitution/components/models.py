@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -78,8 +78,11 @@ class Model:
     _numbers: dict[sp.Expr, Any] = field(default_factory=dict, repr=False)
     floats: dict[Expression, Any] = field(default_factory=dict, repr=False)
     """What quantities without letters are worth at the sample in floats, as lines are tried."""
-    true: dict[object, set[object]] = field(default_factory=dict, repr=False)
-    """What has been seen to be true at the sample, by what its letters and axes mean."""
+    true: dict[object, tuple[set[object], Callable[[Expression], Any]]] = field(
+        default_factory=dict, repr=False
+    )
+    """What has been seen to be true at the sample, by what its letters and axes mean; and what
+    trees are worth there."""
 
     # --- what is proved -----------------------------------------------------------------------
 

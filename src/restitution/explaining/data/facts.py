@@ -71,6 +71,7 @@ _STAGED = frozenset(word for word, kind in KINDS.items() if kind.staged and not 
 _OF_AN_EVENT = frozenset(word for word in _STAGED if KINDS[word].of_an_event)
 
 
+@once_a_problem
 def facts_of(problem: Problem) -> tuple[Fact, ...]:
     """What a problem gives, part by part. Made of the statement alone, once a problem."""
     maker = FactsOf(with_lines_of_centres(Arrangement(problem)))

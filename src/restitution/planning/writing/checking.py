@@ -74,15 +74,30 @@ def require_true(
     above, facts = tuple(above), tuple(facts)
     meanings = frozenset(line.relation for line in above if isinstance(line.relation, Meaning))
     axes = frozenset(fact.relation for fact in facts if fact.id.startswith(("axis ", "let ")))
-    true = model.true.setdefault((meanings, axes), set())
-    value: Callable[[Expression], Any] | None = None
+    if (meanings, axes) not in model.true:
+        model.true[meanings, axes] = set(), _keeping(lambda: evaluator(model, above, facts))
+    true, value = model.true[meanings, axes]
     for line in lines:
         if not isinstance(line.relation, Relation) or line.relation in true:
             continue
-        value = value or evaluator(model, above, facts)
         if not holds(line.relation, value):
             raise NotPlannedError(f"line {line.number} is not true in numbers")
         true.add(line.relation)
+
+
+def _keeping(make: Callable[[], Callable[[Expression], Any]]) -> Callable[[Expression], Any]:
+    """A function, made when it is wanted, that keeps what trees are worth: sides come again."""
+    worth: dict[Expression, Any] = {}
+    own: list[Callable[[Expression], Any]] = []
+
+    def kept(tree: Expression) -> Any:
+        if tree not in worth:
+            if not own:
+                own.append(make())
+            worth[tree] = own[0](tree)
+        return worth[tree]
+
+    return kept
 
 
 def evaluator(

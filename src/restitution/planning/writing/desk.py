@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import chain as joined
 from typing import Any
 
 from restitution.errors import UnsupportedError
@@ -77,7 +78,7 @@ class Source:
 
 def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
     """Premises without repetitions: facts first, in the order named, then lines by number."""
-    refs = tuple(dict.fromkeys(ref for group in groups for ref in group))
+    refs = tuple(dict.fromkeys(joined.from_iterable(groups)))
     if len(refs) < 2:
         return refs
     return (
@@ -194,15 +195,14 @@ class Desk:
         own = tuple(premises)
         refs = tuple(dict.fromkeys(own)) if move.id in _FROM_A_LINE else together(own)
         for line in self.lines if move.id not in _LAST else ():
-            if not self.holds(line.number):
-                continue
-            if _is_same(line.relation, relation):
-                return line.number
             if (
-                line.move == move
-                and _goes_further(line.relation, relation)
-                and set(line.premises) == set(refs)
-            ):
+                _is_same(line.relation, relation)
+                or (
+                    line.move == move
+                    and _goes_further(line.relation, relation)
+                    and set(line.premises) == set(refs)
+                )
+            ) and self.holds(line.number):
                 return line.number
         return self._added(move, refs, relation, shown)
 
@@ -282,7 +282,7 @@ class Desk:
             return False
         if self.apart:
             return self._homes(ref) <= {None, self.part}
-        scope = self._own.get(ref, self._scope(ref))
+        scope = self._own[ref] if ref in self._own else self._scopes.get(ref)
         return scope is None or self.part in scope
 
     def _rests_on(self, ref: Ref) -> frozenset[Ref]:

@@ -110,6 +110,7 @@ class Scene:
     _names: tuple[int, Mapping[str, sp.Symbol]] | None = None
     _worths: dict[Expression, sp.Expr] = field(default_factory=dict)
     _gaps: dict[tuple[Expression, Expression], sp.Expr] = field(default_factory=dict)
+    _values: dict[tuple[str, Expression], Any] = field(default_factory=dict)
 
     # --- the story ------------------------------------------------------------------------------
 
@@ -197,15 +198,23 @@ class Scene:
 
     def value(self, tree: Expression) -> Any:
         """What a tree is worth, in letters: a number, a Vector or an Angle."""
-        return self.model.story.evaluator(self.events).value(tree)
+        return self._worth_as("value", tree)
 
     def vector(self, tree: Expression) -> Vector:
         """What a tree is worth, as a vector; 0 is the one of no length."""
-        return self.model.story.evaluator(self.events).vector(tree)
+        return self._worth_as("vector", tree)  # type: ignore[no-any-return]
 
     def scalar(self, tree: Expression) -> sp.Expr:
         """What a tree is worth, as a number; angles in radians."""
-        return sp.sympify(self.model.story.evaluator(self.events).scalar(tree), strict=True)
+        return sp.sympify(self._worth_as("scalar", tree), strict=True)
+
+    def _worth_as(self, kind: Literal["value", "vector", "scalar"], tree: Expression) -> Any:
+        """What a tree is worth as one kind of value; it is kept while letters are the same."""
+        self._named_letters()
+        if (kind, tree) not in self._values:
+            own = self.model.story.evaluator(self.events)
+            self._values[kind, tree] = getattr(own, kind)(tree)
+        return self._values[kind, tree]
 
     @property
     def first(self) -> Model:
@@ -240,6 +249,7 @@ class Scene:
         if self._names is None or self._names[0] != len(final):
             self._worths.clear()
             self._gaps.clear()
+            self._values.clear()
             names = {value.name: value for value in final}
             names |= {e.symbol.name: e.symbol for e in self.model.components.values()}
             self._names = len(final), names
