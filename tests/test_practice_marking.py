@@ -1032,3 +1032,139 @@ def test_what_is_divided_by_gives_the_printed_share() -> None:
         solution = restitution.solve(restitution.parse(SHARE_AT_A_WALL))
         lines = restitution.mark(solution, f"{loss}{words} (1-e²)cos²α").lines
         assert [line.verdict for line in lines] == ["remark", "true", "false"]
+
+
+THREE_IN_LINE = """sphere A: mass m, velocity 6u i
+sphere B: mass 2m, at rest
+sphere C: mass m, at rest
+A hits B: along i, e = 1/2
+part a
+find speed(A)
+B hits C: along i, e = 1/3
+part b
+find speed(B), speed(C)
+part c
+show A and B do not collide again"""
+
+
+@pytest.mark.parametrize(
+    ("line", "state"),
+    [
+        ("A at rest, B goes right at 5u/3 so no more collisions", "earned"),
+        ("C is faster than B so no more collisions", "lost"),
+    ],
+)
+def test_a_conclusion_in_words_is_of_the_spheres_that_are_asked(line: str, state: str) -> None:
+    solution = restitution.solve(restitution.parse(THREE_IN_LINE))
+    marks = restitution.mark(solution, line, part="c").marks
+    assert {point.state for point in marks.points} == {state}
+
+
+BY_IMPULSE = """sphere A: mass 4, velocity 3i + j
+sphere B: mass 2, velocity -i - j
+A hits B: along i
+given impulse = 10
+find velocity(A), velocity(B)"""
+ALONG_I = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+
+
+def earned_of(statement: str, working: str, letters: dict[str, str] | None = None) -> int:
+    solution = restitution.solve(restitution.parse(statement))
+    return restitution.mark(solution, working, letters=letters or {}).marks.earned
+
+
+def test_the_impulse_on_one_sphere_is_not_the_momentum_of_both() -> None:
+    last = "\nA ½i + j, B 4i - j"
+    both = "10 = 4(3 - v), v = ½\n10 = 2(w + 1), w = 4"
+    assert earned_of(BY_IMPULSE, both + last, ALONG_I) == 7
+    wrong = "10 = 4(v - 3), v = 5.5\n10 = 2(w + 1), w = 4\nvA = 5.5i + j, vB = 4i - j"
+    assert earned_of(BY_IMPULSE, wrong, ALONG_I) == 5
+    assert earned_of(BY_IMPULSE, "10 = 4(3 - v), v = ½", ALONG_I) == 2
+    assert earned_of(BY_IMPULSE, "10 = 4(√10 - V)\nV = 0.662", {"V": "speed(A)"}) == 0
+
+
+BY_CHANGE = """sphere A: mass 3, velocity 4i + 2j
+sphere B: mass 5, velocity -i
+A hits B
+given velocity(A) = i - 2j
+part a
+find velocity(B)
+part b
+find e"""
+
+
+def test_known_velocities_show_no_law_for_an_unknown_coefficient() -> None:
+    solution = restitution.solve(restitution.parse(BY_CHANGE))
+    relative = "uA - uB = 5i+2j, vB - vA = -0.2i + 4.4j\n"
+    inverted = """loc ∥ 3i+4j
+    approach = (5i+2j).(3i+4j)/5 = 23/5
+    separation = (-0.2i+4.4j).(3i+4j)/5 = 17/5
+    """
+    marks = [
+        restitution.mark(solution, working, part="b").marks.earned
+        for working in (relative + "e = √19.4/√29 = 0.818", inverted + "e = 23/17 = 1.35")
+    ]
+    assert marks == [0, 6]
+    assert restitution.mark(solution, inverted + "e = 17/23", part="b").marks.earned == 9
+
+
+AT_RIGHT_ANGLES = """sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i
+part a
+find along(velocity(A), i), along(velocity(B), i)
+part b
+given tan(alpha) = 1/2, velocity(A) perpendicular to velocity(A, 0)
+find e"""
+
+
+def test_what_follows_from_a_slip_that_is_forgiven_is_no_right_answer() -> None:
+    solution = restitution.solve(restitution.parse(AT_RIGHT_ANGLES))
+    working = "usinα/v = 2\n¼(1-3e)ucosα = ½usinα\n1-3e = 1, e = 0"
+    letters = {"v": "along(velocity(A), i)"}
+    marks = restitution.mark(solution, working, part="b", letters=letters).marks
+    assert [point.state for point in marks.points] == ["earned", "earned", "lost"]
+
+
+PRINTED = """sphere A: mass m, velocity u i
+sphere B: mass k m, velocity -2u i
+A hits B: along i, e = 1/2
+show along(velocity(B), i) = (5 - 4k)u/(2(1 + k))"""
+
+
+def test_a_printed_quotient_may_be_typed_without_brackets_below() -> None:
+    working = "u - 2ku = v + kw\nw - v = 3u/2\nu - 2ku + 3u/2 = w(1+k)\nw = (5u - 4ku)/2(1+k)"
+    assert earned_of(PRINTED, working, ALONG_I) == 6
+
+
+ALONG_A_VECTOR = """wall W: along 4i + 3j
+sphere P: mass 3, velocity 7i - j
+P hits W: e = 2/5
+find velocity(P)"""
+
+
+def test_a_sign_in_one_part_of_a_velocity_keeps_the_method_of_adding_up() -> None:
+    kinds = states(ALONG_A_VECTOR, "v = 4i+3j + 2(3i-4j)/5 = 5.2i + 1.4j")
+    assert kinds == ["lost", "lost", "earned", "lost"]
+
+
+ENERGY_ONLY = """sphere A: mass 4, velocity 3i + j
+sphere B: mass 2, velocity -i - j
+A hits B: along i, e = 7/8
+find energy_lost"""
+
+
+def test_the_energy_before_alone_is_no_method_for_what_is_lost() -> None:
+    assert states(ENERGY_ONLY, "KE before = ½·4·10 + ½·2·2 = 22")[:1] == ["lost"]
+
+
+def test_a_wrong_number_may_stand_beside_the_same_number_that_is_right() -> None:
+    statement = """wall W: along i
+    sphere P: mass m, velocity u at 60° to W
+    P hits W
+    given angle(velocity(P), W) = 45°
+    find impulse"""
+    solution = restitution.solve(restitution.parse(statement))
+    working = "perp before: ucos60 = 0.5u\nperp after: 0.5u\nI = m(0.5u + 0.5u) = mu"
+    verdicts = [line.verdict for line in restitution.mark(solution, working).lines]
+    assert verdicts == ["false", "true", "follows"]

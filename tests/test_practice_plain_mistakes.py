@@ -472,3 +472,72 @@ def test_lines_of_the_nineteenth_scripts_have_their_names(
     statement: str, line: str, name: str | None
 ) -> None:
     assert name_of(statement, line) == name
+
+
+FOUND = """
+sphere A: mass 3, velocity 4i + 2j
+sphere B: mass 5, velocity -i
+A hits B
+given velocity(A) = i - 2j
+find e
+"""
+SLOWER = """
+wall AB: along i
+wall BC: along j
+sphere P: mass 2, velocity 13 at theta to AB
+given tan(theta) = 5/12
+P hits AB: e = 3/5
+P hits BC
+given speed(P) = 5
+find e
+"""
+HEAVIER = """
+sphere A: mass 3m, velocity u at 45°
+sphere B: mass m, at rest
+A hits B: along i, e = 1/3
+find energy_lost/energy(0)
+"""
+APART = """
+sphere A: mass m, velocity 2u i, radius r
+sphere B: mass 2m, velocity -u i, radius r
+A hits B: offset 1.2 r, e = 1/4
+find energy_lost
+"""
+UPRIGHT = """
+sphere A: mass 3, velocity 2i + 3j
+sphere B: mass 1, velocity -i - j
+A hits B: along j, e = 1/2
+find velocity(A), velocity(B)
+"""
+STRUCK_AT_SIX = """
+wall W: along j
+sphere P: velocity 3i + 2j
+P hits W: e = 1/3
+find velocity(P)
+"""
+FORTY_FIVE = """
+wall W: along i
+sphere P: mass m, velocity u at 60° to W
+P hits W
+given angle(velocity(P), W) = 45°
+find impulse
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "line", "name"),
+    [
+        (FOUND, "e = 23/17 = 1.35", "restitution-inverted"),
+        (SLOWER, "5 = e√153", "restitution-whole-speed"),
+        (HEAVIER, "fraction = 1/6 ÷ 3/4 = 2/9", "energy-fraction-of-line"),
+        (APART, "KE after = ½m(1.6u²) + ½(2m)(0.04u²) = 0.84mu²", "energy-component-missing"),
+        (UPRIGHT, "vA = -i + 1.5j", "across-exchanged"),
+        (UPRIGHT, "vB - vA = ½(-3i - 4j)", "restitution-whole-speed"),
+        (STRUCK_AT_SIX, "after: -3i + ⅔j", "restitution-parallel"),
+        (FORTY_FIVE, "perp before: ucos60 = 0.5u", "sine-cosine"),
+    ],
+)
+def test_values_and_vectors_show_laws_that_are_used_wrongly(
+    statement: str, line: str, name: str
+) -> None:
+    assert name_of(statement, line) == name

@@ -404,3 +404,54 @@ def test_a_vector_v_behind_a_blow_and_one_impact_is_the_velocity_that_is_asked()
     assert verdicts(TAPPED, "v after = -3i + ⅔j") == ["false"]
     assert verdicts(TAPPED, "v = -2i + j") == ["true"]
     assert verdicts(TAPPED, "v = 3i + j") == ["true"]
+
+
+HEAD_ON = (
+    "sphere A: mass 2, velocity 4i + j\nsphere B: mass 5, velocity -3i + 2j\n"
+    "A hits B: along i, e = 3/5\n"
+)
+AT_SIXTY = (
+    "wall W: along i\nsphere P: mass m, velocity u at 60° to W\nP hits W\n"
+    "given angle(velocity(P), W) = 45°\n"
+)
+AT_SIX = (
+    "wall W: along j, through (6, 0)\nsphere P: velocity 3i + 2j, at (0, 0)\nP hits W: e = 1/3\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("statement", "line"),
+    [
+        (f"{HEAD_ON}find impulse\n", "I = 2(-4i+j) - 2(4i+j) = -16i so 16"),
+        (f"{HEAD_ON}find speed(A), speed(B)\n", "speeds: A √(16+1) = 4.12, B √(0.2²+2²) = 2.01"),
+        (f"{AT_SIXTY}find energy_lost/energy(0)\n", "v² = u²/2 so half the KE is lost"),
+        (f"{AT_SIXTY}find energy_lost/energy(0)\n", "1 - ¼ - ¼ = ½ lost"),
+        (f"{HEAD_ON}find speed(A), speed(B)\n", "4.12, 2.01 m/s"),
+        (f"{HEAD_ON}find deflection(B)\n", "62.0°"),
+    ],
+)
+def test_answers_in_sentences_and_lists(statement: str, line: str) -> None:
+    marking = restitution.mark(solution_of(statement), line).json()
+    assert {one["verdict"] for one in marking["lines"]} <= {"true", "remark"}
+    assert marking["marks"]["earned"] == marking["marks"]["of"]
+
+
+def test_a_share_that_is_not_lost_and_a_place_that_is_no_velocity() -> None:
+    share = f"{AT_SIXTY}find energy_lost/energy(0)\n"
+    assert verdicts(share, "so a third of the KE is lost") == ["false"]
+    assert verdicts(share, "1 - e² = 1 - ⅓ = ⅔ lost") == ["false"]
+    assert verdicts(f"{AT_SIX}find position(P, at 5)\n", "at wall (6,4)") == ["remark"]
+
+
+def test_letters_of_the_book_for_impulses_velocities_and_speeds() -> None:
+    known = (
+        "sphere A: mass 3, velocity 4i + 2j\nsphere B: mass 5, velocity -i\nA hits B\n"
+        "given velocity(A) = i - 2j\nfind velocity(B)\n"
+    )
+    assert verdicts(known, "12i + 6j + 5i = 3i - 6j + 5v") == ["false"]
+    assert verdicts(f"{HEAD_ON}find impulse\n", "I = 2(4 - 4) = 0") != ["true"]
+    square = (
+        "wall W: along i\nsphere P: mass m, velocity u at 60° to W\nP hits W\n"
+        "show speed(P)^2 = (1 + 3e^2)u^2/4\n"
+    )
+    assert verdicts(square, "v² = u²cos²60 + e u²sin²60") == ["false"]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 from restitution.expression.tree import (
     Expression,
@@ -10,7 +11,7 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Accuracy, Verdict
 from restitution.practice.judging.bounds import Bounds
 from restitution.practice.judging.support import Wanted
-from restitution.practice.script import Claim
+from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.world import World
 
 COARSE = "coarse"
@@ -55,3 +56,16 @@ class JudgedLink:
     meant: tuple[tuple[str, Expression], ...] = ()
     grounded: bool = True
     his_own: bool = False
+
+
+def as_decided(line: ScriptLine, judged: Sequence[JudgedLink]) -> ScriptLine:
+    """A line in which the reading that decided stands before the other readings of its link."""
+
+    def decided(link: Link, claim: Claim) -> Link:
+        if claim not in link.readings[1:]:
+            return link
+        others = (reading for reading in link.readings if reading != claim)
+        return replace(link, readings=(claim, *others))
+
+    links = (decided(link, own.claim) for link, own in zip(line.links, judged, strict=True))
+    return replace(line, links=tuple(links))

@@ -7,6 +7,7 @@ not a mistake.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import nullcontext, suppress
 from dataclasses import replace
@@ -24,6 +25,7 @@ from restitution.expression.tree import (
     Number,
     children,
     letters,
+    walk,
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
 from restitution.practice.judging.bench import Bench, bench_of, numbers
@@ -293,7 +295,7 @@ class _Sitting(Doubts):
         first = next(line.line for line in lines if line.verdict == "false")
         typed = [value for line in self.script.lines for value in _factors_in(line)]
         pairs = misreadings(typed, self.bench.data)
-        near = set(_factors_in(first))
+        near = set(_factors_in(first)) - set(_of_two_data(self.script.lines))
         for value, datum in islice((pair for pair in pairs if pair[0] in near), _MISREADINGS):
             script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
             if self._judge(self.meanings.best).is_true(script):
@@ -405,6 +407,28 @@ def _is_true_throughout(line: ScriptLine, value: Fraction, datum: Fraction, judg
 
 def _alone(line: ScriptLine, link: Link) -> Script:
     return Script((replace(line, links=(link,)),))
+
+
+def _of_two_data(lines: Sequence[ScriptLine]) -> Iterator[Fraction]:
+    """Numbers that stand alone, and in a fraction of two numbers as well: they are of two data."""
+    sides = [
+        side
+        for line in lines
+        for link in line.links
+        for side in (link.readings[0].left, link.readings[0].right)
+    ]
+    fractions = [
+        tree
+        for side in sides
+        for tree in walk(side)
+        if isinstance(tree, Binary)
+        and tree.op == "/"
+        and isinstance(tree.left, Number)
+        and isinstance(tree.right, Number)
+    ]
+    inside = Counter(numbers(fractions))
+    everywhere = Counter(numbers(sides))
+    return (value for value, count in inside.items() if count < everywhere[value])
 
 
 def _factors_in(line: ScriptLine) -> Iterator[Fraction]:

@@ -42,6 +42,7 @@ from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
 from restitution.practice.judging.entries import Entry, is_numeric, same_relation
 from restitution.practice.judging.other_forms import is_turn, kind_of
+from restitution.practice.judging.plain_laws import cannot_be
 from restitution.practice.judging.plain_mistakes import (
     has_coefficient,
     is_coefficient,
@@ -183,6 +184,7 @@ class Names:
         of_deflection = is_deflection_as_angle(entry, judge.base)
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
+        variants = tuple(variant for variant in variants if not cannot_be(variant, entry))
         if is_halved(entry):
             variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:

@@ -28,6 +28,7 @@ _MOST = 3
 """So many of the numbers in a line are put back at once: each may have either sign."""
 _MEANT = 4
 _TRIED = 24
+_FEWEST = 2
 _SMALL = frozenset(map(Fraction, (0, 1)))
 _TWO = Number(Fraction(2))
 _FACTORS = (Fraction(2), Fraction(3), Fraction(1, 2))
@@ -85,6 +86,8 @@ class OwnNumbers:
             return
         own = [size for size in self._known if size in sizes][-_MOST:]
         yield from self._put(claim, {size: (self._known[size][0], (size,)) for size in own})
+        for size in own:
+            yield from self._put_once(claim, size)
         sums = {size: trees for size in sizes if (trees := self._made_of(size))}
         if sums:
             known = {size: (self._known[size][0], (size,)) for size in own}
@@ -114,6 +117,18 @@ class OwnNumbers:
             put = dict(zip(meant, trees, strict=True))
             left, right = (_with(side, put) for side in (claim.left, claim.right))
             yield replace(claim, left=left, right=right), lines
+
+    def _put_once(self, claim: Claim, size: Fraction) -> Iterator[Put]:
+        """A claim with what a number stands for in one of its places: it is right in another."""
+        trees, line = self._known[size]
+        places = [*_places(claim.left, size), *_places(claim.right, size)]
+        if len(places) < _FEWEST:
+            return
+        for tree in (own for meant in trees for own in (meant, Negate(meant))):
+            for left in _with_one(claim.left, size, tree):
+                yield replace(claim, left=left), (line,)
+            for right in _with_one(claim.right, size, tree):
+                yield replace(claim, right=right), (line,)
 
     def _made_of(self, number: Fraction) -> Meant | None:
         """What a number stands for that is the square of a wrong one, or a multiple."""
@@ -187,6 +202,27 @@ def _sizes(tree: Expression) -> Iterator[Fraction]:
     else:
         for child in children(tree):
             yield from _sizes(child)
+
+
+def _places(tree: Expression, size: Fraction) -> Iterator[Fraction]:
+    """A number as often as it stands in a tree, without exponents."""
+    return (number for number in _sizes(tree) if number == size)
+
+
+def _with_one(tree: Expression, size: Fraction, other: Expression) -> Iterator[Expression]:
+    """A tree with another one in a single place of a number; exponents stay."""
+    if isinstance(tree, Number | Degrees):
+        if tree.value == size:
+            yield other
+    elif isinstance(tree, Binary):
+        for left in _with_one(tree.left, size, other):
+            yield replace(tree, left=left)
+        if tree.op != "^":
+            for right in _with_one(tree.right, size, other):
+                yield replace(tree, right=right)
+    elif isinstance(tree, Negate):
+        for operand in _with_one(tree.operand, size, other):
+            yield Negate(operand)
 
 
 def _with(tree: Expression, put: dict[Fraction, Expression]) -> Expression:

@@ -37,6 +37,7 @@ from restitution.practice.judging.plain_energies import (
     is_tangent_inverted,
 )
 from restitution.practice.judging.plain_impulses import is_impulse_of_speeds, is_impulse_reversed
+from restitution.practice.judging.plain_laws import SHOWN
 from restitution.practice.judging.slips import Correction
 from restitution.practice.judging.typed_energies import (
     given_energies,
@@ -672,4 +673,5 @@ _SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
     (is_impulse_reversed, "impulse-sign"),
     (is_impulse_of_speeds, "impulse-of-speeds"),
     (_is_angle_of_other_wall, "second-wall-angle"),
+    *SHOWN,
 )

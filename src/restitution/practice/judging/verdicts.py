@@ -42,6 +42,7 @@ from restitution.practice.judging.judged_link import (
     GRADES,
     JudgedLink,
     Question,
+    as_decided,
 )
 from restitution.practice.judging.listed import as_components
 from restitution.practice.judging.naming import Explained, is_sum_of_angles
@@ -280,7 +281,7 @@ class Judge(Unlabelled):
             }
         self._remember(line, links)
         return JudgedLine(
-            line,
+            as_decided(line, links),
             verdict,
             accuracy=next((grade for grade in GRADES if grade in accuracies), None)
             if verdict in ("true", "follows")

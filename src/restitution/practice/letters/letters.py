@@ -43,6 +43,7 @@ from restitution.practice.letters.options import (
     directions,
     elsewhen,
     is_direction,
+    is_impulse,
     multiples,
     of_trees,
     options,
@@ -214,7 +215,7 @@ class _Search(LettersOfLines):
                 self._options(name, line, segment),
                 self.around.tester,
                 segment,
-                may_vanish=name in self.vanishing,
+                may_vanish=name in self.vanishing and not is_impulse(name),
             )
         return self.slots[key]
 

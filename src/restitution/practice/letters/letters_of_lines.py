@@ -282,7 +282,8 @@ class LettersOfLines:
         asked = [each for each in self.around.asked if isinstance(each, Quantity)]
         stages = {(x.arguments[0], x.stage) for x in asked if x.kind in ("velocity", "speed")}
         own = [x for x in after if (Name(x.body or ""), x.event) in stages]
-        return own if len(own) == 1 and impacts == 1 and len({x.body for x in after}) == 1 else []
+        open_ = {x.body for x in after if not x.given}
+        return own if len(own) == 1 and impacts == 1 and len(open_) == 1 else []
 
     def _event_of(self, candidate: Candidate) -> Event | None:
         """The event after which a quantity is taken."""
@@ -326,10 +327,13 @@ class LettersOfLines:
         """The last speed of a sphere, for ``vB = √(4² + 5²)``."""
         if name.partition("_")[0] not in ("v", "V") or not self._is_of_squares_alone(name):
             return None
+        spheres = self.around.problem.spheres
+        single = len(spheres) == len(self.around.events) == 1 and not suffix(name)
+        body = spheres[0].name if single else suffix(name)
         own = [
             candidate
             for candidate in self.around.candidates
-            if candidate.kind == "speed" and candidate.event and candidate.body == suffix(name)
+            if candidate.kind == "speed" and candidate.event and candidate.body == body
             if scope.event in (None, candidate.event)
         ]
         return max(own, key=lambda candidate: candidate.event or 0, default=None)

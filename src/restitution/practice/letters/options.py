@@ -97,6 +97,11 @@ def _is_never(letter: str, candidate: Candidate) -> bool:
     return candidate.kind == "mass" or _is_of_velocities(letter) or base in ("e", "I", "J")
 
 
+def is_impulse(letter: str) -> bool:
+    """Whether a letter is one for an impulse, of which no component that vanishes is spoken."""
+    return letter.partition("_")[0] in ("I", "J")
+
+
 def is_direction(letter: str) -> bool:
     """Whether a letter is one for the unit vectors along and across the line of centres: n, t."""
     return letter.partition("_")[0] in ("n", "t")

@@ -3,32 +3,34 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
-from restitution.expression.tree import walk
-from restitution.practice.judgement import JudgedLine, Judgement, Use
+from restitution.practice.judgement import JudgedLine, Use
+from restitution.practice.marking.grounds import LAWS, Grounds
 from restitution.practice.marking.lines import (
     SOUND,
     continues,
     fitting_uses,
     has_vector,
+    is_plain,
     is_sound,
 )
 from restitution.practice.marking.marks import PointMark, State
-from restitution.practice.marking.scheme import MarkPoint, Scheme
-from restitution.practice.marking.values import Values
+from restitution.practice.marking.scheme import MarkPoint
 
 _OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
+_OF_WHOLE_SPEEDS = frozenset(
+    {"impulse-of-speeds", "speed-for-component", "restitution-whole-speed"}
+)
 _UNSURE = ("asks", "unread")
 
 # The words in which it is said whether bodies meet.
 _CONCLUDING = re.compile(
-    r"\b(again|collide|collides|collision|hit|hits|strikes?|meets?|catch(?:es)?|overtakes?)\b", re.I
+    r"\b(again|collides?|collisions?|hits?|strikes?|meets?|catch(?:es)?|overtakes?)\b", re.I
 )
 
-LAWS = ("momentum", "restitution", "unchanged")
 _UNGROUNDED = "does not follow from the true lines above"
 
 # What a condition of the question is stated with.
@@ -65,14 +67,8 @@ def _is_of_plain_mistake(line: JudgedLine, use: Use) -> bool:
     return named and use.altered is not None and use.principle in LAWS
 
 
-class EachPoint:
+class EachPoint(Grounds):
     """The lines of a working, and what each point of one scheme finds in them."""
-
-    def __init__(self, judgement: Judgement, scheme: Scheme, values: Values) -> None:
-        self.lines = judgement.lines
-        self.scheme = scheme
-        self.values = values
-        self.states: dict[str, PointMark] = {}
 
     def _first(self, point: MarkPoint) -> PointMark:
         if point.letter == "M":
@@ -132,19 +128,33 @@ class EachPoint:
             )
             if divided is not None:
                 return self._earned(point, divided, "")
-        if lost is None and point.principle in ("solve", "condition", "method"):
+        solving = point.principle in ("solve", "method") or (
+            point.principle == "condition" and bool(point.depends)
+        )
+        if lost is None and solving:
             line_of_value = self._elimination(point) or self._worked_out(point)
             if line_of_value is not None:
                 return self._earned(point, line_of_value, "")
         tangent = self._by_tangent(point)
         if tangent is not None:
             return self._earned(point, tangent, "the angle by its tangent instead")
+        assembled = self._assembled(point)
+        if assembled is not None:
+            return self._earned(point, assembled, "its components put together")
         return lost or self._carried(point) or self._missing(point)
 
-    def _is_below(self, line: JudgedLine) -> bool:
-        """Whether a mistake stands above a line."""
-        above = (other for other in self.lines if other.line.number < line.line.number)
-        return any(line.verdict not in ("true", "remark") for line in above)
+    def _assembled(self, point: MarkPoint) -> JudgedLine | None:
+        """A false line that adds up the parts of a velocity of which one only is wrong."""
+        if point.principle != "velocity":
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict == "false" and self.values.adds_up(point, line)
+            ),
+            None,
+        )
 
     def _by_tangent(self, point: MarkPoint) -> JudgedLine | None:
         """A line with the angle of a velocity where the scalar product needs its speed."""
@@ -195,7 +205,7 @@ class EachPoint:
     def _compared(self, point: MarkPoint) -> JudgedLine | None:
         """A line that uses the condition of a point, or compares what the part is to compare."""
         if point.principle == "inequality":
-            return self._conclusion()
+            return self._conclusion(point)
         if point.principle == "condition":
             return self._inequality()
         shown = any(point.shown and point.principle == "inequality" for point in self.scheme.points)
@@ -282,8 +292,20 @@ class EachPoint:
             return self._earned(point, seen, "seen here")
         if value.state == "earned" or lost is not None:
             return value if value.state == "earned" else lost or value
-        used = next((line for line in self.lines if self.values.carries(point, line)), None)
+        used = next(
+            (
+                line
+                for line in self.lines
+                if self.values.carries(point, line) and not self._is_unresolved(line)
+            ),
+            None,
+        )
         return value if used is None else self._earned(point, used, "used here")
+
+    def _is_unresolved(self, line: JudgedLine) -> bool:
+        """Whether a line only gives a speed to which whole speeds have led, without components."""
+        above = {root.mistake.id for root in self._roots(line) if root.mistake is not None}
+        return bool(above & _OF_WHOLE_SPEEDS) and is_plain(line)
 
     def _is_denied(self, point: MarkPoint) -> bool:
         """Whether a false line has a component that stays as another one."""
@@ -358,6 +380,13 @@ class EachPoint:
         if last is None and any(function(point) for function in seen_alone):
             seen = next((line for line in self.lines if self.values.shows(point, line)), None)
             last = None if seen is None else self._earned(point, seen, "")
+        if last is None and point.item is not None:
+            items = len({other.item for other in self.scheme.points} - {None})
+            listed = next((x for x in self.lines if self.values.lists(point, x, items)), None)
+            last = None if listed is None else self._earned(point, listed, "")
+        if last is None and point.principle == "component":
+            used = next((line for line in self.lines if self.values.relates(point, line)), None)
+            last = None if used is None else self._earned(point, used, "used here")
         if last is None:
             used = next(
                 (line for line in self.lines if self.values.points_along(point, line)), None
@@ -367,7 +396,7 @@ class EachPoint:
             seen = next((line for line in self.lines if self.values.is_seen(point, line)), None)
             last = None if seen is None else self._earned(point, seen, "seen here")
         if last is None and point.shown and point.principle == "inequality":
-            conclusion = self._conclusion()
+            conclusion = self._conclusion(point)
             compared = next((x for x in self.lines if self.values.compares(point, x)), None)
             if compared is not None:
                 last = self._earned(point, compared, "")
@@ -385,71 +414,6 @@ class EachPoint:
         line = self._line(mark.line)
         return line is not None and self.values.gives_multiple_only(point, line)
 
-    def _follows_through(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a point is earned by what follows from a mistake.
-
-        Its value comes from an earlier part, where it is only quoted here; or the mistake has lost
-        an earlier A or B, and no method of a law.
-        """
-        if not point.follows:
-            return False
-        begun = [root for root in self._roots(line) if not self._is_quoted(root)]
-        return not begun or self._has_cost(begun)
-
-    def _is_his_own(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
-        """Whether a true value, the last of some lines, follows through from false lines above.
-
-        A sign that is lost may leave a speed as it is.
-        """
-        false = [line for line in lines if line.verdict == "false"]
-        return point.follows and lines[-1].his_own and self._has_cost(false)
-
-    def _has_cost(self, roots: Sequence[JudgedLine]) -> bool:
-        """Whether mistakes have lost an A or a B of a point above, and no method of a law."""
-        numbers = {root.line.number for root in roots}
-        lost = [
-            mark
-            for mark in self.states.values()
-            if mark.state == "lost" and self._rests_on(mark.line, numbers)
-        ]
-        laws = (mark for mark in lost if mark.point.letter == "M")
-        if any(law.point.principle in LAWS for law in laws):
-            return False
-        return any(mark.point.letter in "AB" for mark in lost)
-
-    def _rests_on(self, number: int | None, roots: set[int]) -> bool:
-        """Whether a line is one of some false lines, or follows from one of them."""
-        line = self._line(number)
-        if line is None:
-            return False
-        return number in roots or any(root.line.number in roots for root in self._roots(line))
-
-    def _is_quoted(self, line: JudgedLine) -> bool:
-        """Whether a line gives a letter, in its first line, a value and no more."""
-        if not self.values.is_quoted(line):
-            return False
-        lefts = {link.readings[0].left for link in line.line.links}
-        above = [other for other in self.lines if other.line.number < line.line.number]
-        return not any(
-            tree in lefts
-            for line in above
-            for link in line.line.links
-            for side in (link.readings[0].left, link.readings[0].right)
-            for tree in walk(side)
-        )
-
-    def _roots(self, line: JudgedLine) -> list[JudgedLine]:
-        """The false lines from which a line follows, over all lines between."""
-        seen: set[int] = set()
-        pending = list(line.sources)
-        while pending:
-            number = pending.pop()
-            source = self._line(number)
-            if number not in seen and source is not None:
-                seen.add(number)
-                pending += source.sources
-        return [line for line in self.lines if line.line.number in seen and line.verdict == "false"]
-
     def _in_words(self, point: MarkPoint) -> JudgedLine | None:
         """A line below the equations that says in words what is printed of a direction."""
         words = self.values.words_of_direction(point)
@@ -466,9 +430,11 @@ class EachPoint:
             None,
         )
 
-    def _conclusion(self) -> JudgedLine | None:
+    def _conclusion(self, point: MarkPoint) -> JudgedLine | None:
         """A line that compares two values, or says in words what comes of it."""
         for line in self.lines:
+            if self.values.is_about_others(point, line):
+                continue
             signs = {link.readings[0].sign for link in line.line.links}
             if line.verdict in SOUND and signs - {"=", "!="}:
                 return line
@@ -529,8 +495,25 @@ class EachPoint:
                 use = self._use(line, point)
                 if use is None or self._is_by_chance(line, use) or _is_of_plain_mistake(line, use):
                     continue
-                if not self._is_stated_wrongly(line, use, point):
-                    yield line, use
+                if self._is_stated_wrongly(line, use, point) or self._is_taken(line, use, point):
+                    continue
+                yield line, use
+
+    def _is_taken(self, line: JudgedLine, use: Use, point: MarkPoint) -> bool:
+        """Whether the impulse on one sphere has earned its own point, where momentum is another.
+
+        The impulses on both spheres are as good as one of them and momentum.
+        """
+        if point.principle != "momentum" or use.principle != "impulse":
+            return False
+        taken = any(
+            mark.state == "earned"
+            and mark.line == line.line.number
+            and mark.point.principle == "impulse"
+            for mark in self.states.values()
+        )
+        bodies = {own.bodies for own in (*line.uses, *line.stated) if own.principle == "impulse"}
+        return taken and len(bodies) < 2
 
     def _is_by_chance(self, line: JudgedLine, use: Use) -> bool:
         """Whether what follows from a mistake only happens to fit another altered law.
@@ -584,6 +567,8 @@ class EachPoint:
                 continue  # a fact of the question needs no law
             if point.principle == "fact" and not self.values.speaks_of(point, use.principle):
                 continue
+            if point.principle == "fact" and line.verdict == "follows" and is_plain(line):
+                continue  # a value that follows states no fact
             if point.principle == "solve" and is_of_what_stays(line):
                 continue
             if (point.principle, use.principle) == ("velocity", "component") and not has_vector(
@@ -592,6 +577,10 @@ class EachPoint:
                 continue  # one component is no velocity
             if point.event is not None and use.event not in (None, point.event):
                 continue
+            if use.altered is None and self.values.lacks_coefficient(point, line):
+                continue  # what is known of velocities tells nothing of an unknown e
+            if point.principle == "energy" and self.values.is_of_the_start(line):
+                continue  # a change needs the energy after as well
             if self._is_of_another(point, line):
                 continue
             own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
@@ -663,9 +652,6 @@ class EachPoint:
         if unsure is None:
             return PointMark(point, "lost", None, "not seen")
         return PointMark(point, "open", unsure.line.number, "a line could not be judged")
-
-    def _line(self, number: int | None) -> JudgedLine | None:
-        return next((line for line in self.lines if line.line.number == number), None)
 
 
 def is_of_what_stays(line: JudgedLine) -> bool:

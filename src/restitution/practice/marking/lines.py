@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
+from fractions import Fraction
 
-from restitution.expression.tree import Pair, Unit, walk
+from restitution.expression.tree import Degrees, Letter, Number, Pair, Quantity, Unit, walk
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.script import Link
+from restitution.practice.worlds.principles import is_worked
 
 _FIGURES = 3
 SOUND = ("true", "follows")
@@ -24,6 +27,28 @@ def has_vector(line: JudgedLine) -> bool:
         for link in line.line.links
         for side in (link.readings[0].left, link.readings[0].right)
         for node in walk(side)
+    )
+
+
+def is_plain(line: JudgedLine) -> bool:
+    """Whether a line gives quantities their values and no more, without a calculation."""
+    claims = [link.readings[0] for link in line.line.links]
+    return all(
+        isinstance(claim.left, Letter | Quantity) and not is_worked(claim.right) for claim in claims
+    )
+
+
+def wrong_numbers(lines: Iterable[JudgedLine]) -> frozenset[Fraction]:
+    """The numbers that false lines have worked out."""
+    return frozenset(
+        node.value
+        for line in lines
+        if line.verdict == "false"
+        for link in line.line.links[line.link or 0 :]
+        for claim in link.readings[:1]
+        if isinstance(claim.right, Number | Degrees)
+        for node in walk(claim.right)
+        if isinstance(node, Number | Degrees)
     )
 
 
@@ -82,6 +107,8 @@ __all__ = [
     "ends_fine",
     "fitting_uses",
     "has_vector",
+    "is_plain",
     "is_sound",
     "without_slip",
+    "wrong_numbers",
 ]

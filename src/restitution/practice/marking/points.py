@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from restitution.expression.tree import Binary, letters, walk
+from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
 from restitution.practice.marking.each_point import LAWS, OF_VALUES, EachPoint, is_of_what_stays
 from restitution.practice.marking.lines import (
@@ -19,6 +19,7 @@ from restitution.practice.marking.lines import (
     continues,
     ends_fine,
     without_slip,
+    wrong_numbers,
 )
 from restitution.practice.marking.marks import Marks, PointMark
 from restitution.practice.marking.scheme import MarkPoint, Scheme
@@ -55,6 +56,7 @@ class _Examiner(EachPoint):
         self._complete()
         self._keep()
         self._forgive()
+        self._follow()
         self._require()
         points = [self.states[point.id] for point in self.scheme.points]
         points = self._misread(points)
@@ -131,7 +133,7 @@ class _Examiner(EachPoint):
                 continue
             of_start = own.point.item is None and self.values.is_of_the_start(line)
             broken = self._is_broken(own.line, ("false",)) and not self._is_sure(own)
-            if broken and not point.equation:
+            if broken and not (point.equation and self._is_right_throughout(line)):
                 continue  # a true equation shows what is in it, whatever stands above
             stated = point.letter == "M" and not own.implied
             stated = stated and not self._is_given(point, line)
@@ -158,6 +160,17 @@ class _Examiner(EachPoint):
                 self.states[name] = replace(
                     state, state="earned", line=own.line, why=why, implied=True
                 )
+
+    def _is_right_throughout(self, line: JudgedLine) -> bool:
+        """Whether no number of a true line is one that a false line above has worked out."""
+        above = (other for other in self.lines if other.line.number < line.line.number)
+        wrong = wrong_numbers(above)
+        return not any(
+            isinstance(node, Number | Degrees) and node.value in wrong
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for node in walk(side)
+        )
 
     def _imply_steps(self, result: PointMark) -> None:
         """A printed result that its own line works out earns the steps in that line.
@@ -269,6 +282,19 @@ class _Examiner(EachPoint):
                 continue
             if there.state == "earned" and own.line in (None, there.line):
                 self.states[point.id] = replace(there, why="a slip keeps the method")
+
+    def _follow(self) -> None:
+        """What follows from a mistake is right only where that has cost something: not forgiven."""
+        for point in self.scheme.points:
+            own = self.states[point.id]
+            line = self._line(own.line)
+            if own.state != "earned" or line is None or line.verdict != "follows":
+                continue
+            if point.letter != "A" or not point.follows or point.equation or own.implied:
+                continue
+            if not self._follows_through(point, line):
+                why = "follows from an earlier slip"
+                self.states[point.id] = PointMark(point, "lost", own.line, why)
 
     def _is_slip_in_chain(self, line: JudgedLine) -> bool:
         """Whether a slip stands in a line that works out its value."""

@@ -17,6 +17,7 @@ import numpy as np
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
+    Apply,
     Binary,
     Expression,
     Letter,
@@ -125,6 +126,20 @@ class Sides:
             return is_rounded(self._base, own, self._base.value(quantity))
         except UnvaluedError:
             return False
+
+    def _has_figures_of(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
+        """Whether a number is what a quantity is worth to three figures, or more exactly."""
+        world = self._base
+        pair = self._both(world, side, quantity, self._meanings(line), line)
+        if pair is None or any(isinstance(value, Vector) for value in pair):
+            return False
+        own, true = (np.abs(spread_of(world, value)) for value in pair)
+        if isinstance(pair[1], Angle):
+            own = own if isinstance(pair[0], Angle) else np.radians(own)
+            own, true = np.degrees(own), np.degrees(true)
+        if np.any(true < _LEAST):
+            return False
+        return bool(np.all(np.abs(own - true) <= 0.5 * 10 ** (np.floor(np.log10(true)) - 2)))
 
     def _has_square(self, value: Expression, line: JudgedLine) -> bool:
         """Whether the square of a value in letters stands in a line: ``w² = v² + u² sin²α``."""
@@ -428,8 +443,10 @@ class Sides:
     def _is_size_of(
         self, side: Expression, quantity: Expression, meanings: Mapping[str, Expression]
     ) -> bool:
-        """Whether a side is a component of an impulse, and so its size, as smooth bodies meet."""
-        meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
+        """Whether a side is the size, or a component, of an impulse: smooth bodies meet."""
+        inner = side.argument if isinstance(side, Apply) and side.function == "abs" else side
+        meant = meanings.get(inner.name, inner) if isinstance(inner, Letter) else inner
+        meant = meant if inner is side else Apply("abs", meant)
         if not isinstance(quantity, Quantity) or quantity.kind != "impulse" or quantity.arguments:
             return False
         try:

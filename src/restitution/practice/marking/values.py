@@ -25,9 +25,9 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine
+from restitution.practice.marking.line_contents import LineContents
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
-    Sides,
     are_close,
     are_near,
     chains,
@@ -38,7 +38,6 @@ from restitution.practice.marking.sides import (
 from restitution.practice.reading.quoted import has_data
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError, is_bare
-from restitution.practice.worlds.principles import is_worked
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 from restitution.vector import Vector
@@ -86,7 +85,7 @@ def _bounds_of(point: MarkPoint) -> Iterator[tuple[str, Expression, Expression]]
 
 
 @dataclass(frozen=True, eq=False)
-class Values(Sides):
+class Values(LineContents):
     """The values of a part, and how the lines of a script reach them."""
 
     def of_his_own(self) -> Values:
@@ -107,6 +106,7 @@ class Values(Sides):
             return self._match(line)
         if not point.shown and not self._gives(point.link.left, line, self._is_open(point, line)):
             computed = point.principle in ("energy", "component") or point.letter == "A"
+            computed = computed or point.item is not None
             open_ = self._is_open(point, line)
             computed = computed and self._computes(point.link.left, line, open_)
             between = point.letter == "A" and point.item is None
@@ -488,14 +488,6 @@ class Values(Sides):
             quantity.kind for side in (link.left, link.right) for quantity in quantities_in(side)
         }
         return not kinds or bool(kinds & _KINDS_OF_FACTS.get(principle, kinds))
-
-    def is_quoted(self, line: JudgedLine) -> bool:
-        """Whether a line gives quantities their values and no more, without a calculation."""
-        claims = [link.readings[0] for link in line.line.links]
-        return all(
-            isinstance(claim.left, Letter | Quantity) and not is_worked(claim.right)
-            for claim in claims
-        )
 
     def is_formula(self, line: JudgedLine) -> bool:
         """Whether a line is a formula that is only quoted: I = m(v - u), with m and u for data."""

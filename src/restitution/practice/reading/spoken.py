@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
+from restitution.practice.reading import shares
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.usage import letters_of_question
 from restitution.problem import Find, Problem, trees_of_step
@@ -269,5 +270,10 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_REBOUNDS, _speed_after),
     (_IN_ALL, _in_all),
     (_IN_UNITS, _unit_of_letters),
+    (shares.SIZE_OF_A_VECTOR, shares.size_of_a_vector),
+    (shares.SHARE_OF_ENERGY, shares.share_of_energy),
+    (shares.LOST, shares.lost),
+    (shares.SPEEDS, shares.speeds_of_bodies),
+    (shares.AT_A_WALL, shares.at_a_wall),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )

@@ -1,0 +1,276 @@
+"""Laws of an impact that a line shows by itself to be used wrongly: values, ratios, vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import reduce
+from itertools import permutations, product
+
+from restitution.explaining.mistakes.misconceptions import VariantAt
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    letters,
+    walk,
+)
+from restitution.practice.judging.claimed import has_value, meant_by
+from restitution.practice.judging.entries import Entry
+from restitution.practice.worlds.arrays import is_bare
+from restitution.practice.worlds.world import World
+from restitution.problem import Impact
+
+_TWO = Number(Fraction(2))
+_ONE = Number(Fraction(1))
+# What may be wrong in a component before an impact.
+_OF_COMPONENTS = frozenset({"sine-cosine", "angle-from-normal", "speed-for-component"})
+_ENERGIES = ("energy", "energy_lost", "total_energy_lost")
+
+
+def is_coefficient_inverted(entry: Entry, world: World) -> bool:
+    """Whether a coefficient of restitution is given approach over separation: ``e = 23/17``."""
+    meant = meant_by(entry)
+    events = _events_of(meant, world)
+    return bool(events) and any(
+        has_value(Binary("/", _ONE, _coefficient(number)), entry.claim.right, entry, world)
+        for number in events
+    )
+
+
+def is_coefficient_of_speeds(entry: Entry, world: World) -> bool:
+    """Whether whole speeds at a wall are in the ratio e: ``5 = e√153``, ``e = 5/√153``."""
+    for number, body in _walls(world):
+        before, after = (Quantity("speed", (Name(body),), stage) for stage in (number - 1, number))
+        into = Quantity("along", (_velocity(body, number - 1), _line(number)))
+        if has_value(before, Apply("abs", into), entry, world):
+            continue  # nothing moves along the wall
+        if number in _events_of(meant_by(entry), world):
+            if has_value(Binary("/", after, before), entry.claim.right, entry, world):
+                return True
+            continue
+        e = world.events[number - 1]
+        letter = e.e if isinstance(e, Impact) and e.e is not None else Letter("e")
+        if not isinstance(letter, Letter) or letter.name not in world.determined:
+            continue
+        for one, other in permutations((entry.claim.left, entry.claim.right)):
+            if letter.name not in letters(other) or letter.name in letters(one):
+                continue
+            slowed = Binary("*", _coefficient(number), before)
+            if has_value(after, one, entry, world) and has_value(slowed, other, entry, world):
+                return True
+    return False
+
+
+def is_fraction_of_line_energy(entry: Entry, world: World) -> bool:
+    """Whether a share lost by two spheres is one of their energy along the line of centres."""
+    match meant_by(entry):
+        case Binary("/", Quantity("energy_lost" | "total_energy_lost") as lost, Quantity("energy")):
+            pass
+        case _:
+            return False
+    for number, pair in _pairs(world):
+        along = reduce(_plus, (_energy_by(body, "along", number - 1, number) for body in pair))
+        if has_value(Binary("/", lost, along), entry.claim.right, entry, world):
+            return True
+    return False
+
+
+def is_energy_of_components(entry: Entry, world: World) -> bool:
+    """Whether an energy after two spheres meet has one component of a sphere for its speed."""
+    meant = meant_by(entry)
+    if not isinstance(meant, Quantity) or meant.kind not in _ENERGIES:
+        return False
+    for number, pair in _pairs(world):
+        bodies = [x.name for x in meant.arguments if isinstance(x, Name)] or list(world.start)
+        if not set(bodies) <= set(pair):
+            continue
+        before = [Quantity("energy", (Name(body),), number - 1) for body in bodies]
+        for kinds in product(("whole", "along", "across"), repeat=len(bodies)):
+            if set(kinds) == {"whole"}:
+                continue
+            after = reduce(
+                _plus,
+                (
+                    _energy_by(body, kind, number, number)
+                    for body, kind in zip(bodies, kinds, strict=True)
+                ),
+            )
+            value = after if meant.kind == "energy" else Binary("-", reduce(_plus, before), after)
+            wrong = not has_value(meant, entry.claim.right, entry, world)
+            if wrong and has_value(value, entry.claim.right, entry, world):
+                return True
+    return False
+
+
+def is_across_exchanged(entry: Entry, world: World) -> bool:
+    """Whether a velocity after two spheres meet has the other one's component across."""
+    velocity, typed = meant_by(entry), entry.claim.right
+    match velocity:
+        case Quantity("velocity", (Name(body),)):
+            pass
+        case _:
+            return False
+    for number, pair in _pairs(world):
+        if body not in pair or velocity.stage not in (None, number):
+            continue
+        other = next(each for each in pair if each != body)
+        line = _line(number)
+        wanted = _velocity(other, number - 1)
+        if _has_part("across", typed, wanted, line, entry, world) and _has_part(
+            "along", typed, velocity, line, entry, world
+        ):
+            return True
+    return False
+
+
+def is_restitution_parallel(entry: Entry, world: World) -> bool:
+    """Whether a velocity after a wall has e in its component along the wall, the other turned."""
+    velocity, typed = meant_by(entry), entry.claim.right
+    match velocity:
+        case Quantity("velocity", (Name(body),)):
+            pass
+        case _:
+            return False
+    for number, own in _walls(world):
+        if own != body or velocity.stage not in (None, number):
+            continue
+        line, before = _line(number), _velocity(body, number - 1)
+        slowed = Binary("*", _coefficient(number), Quantity("across", (before, line)))
+        kept = Quantity("along", (before, line))
+        across, along = (Quantity(kind, (typed, line)) for kind in ("across", "along"))
+        if has_value(slowed, across, entry, world) and any(
+            has_value(each, along, entry, world) for each in (kept, Negate(kept))
+        ):
+            return True
+    return False
+
+
+def is_law_of_relative_velocities(entry: Entry, world: World) -> bool:
+    """Whether relative velocities as vectors are in the ratio e, across the line as well."""
+    for number, (first, second) in _pairs(world):
+        after, before = (
+            Binary("-", _velocity(second, stage), _velocity(first, stage))
+            for stage in (number, number - 1)
+        )
+        slowed = Binary("*", _coefficient(number), before)
+        for left, right in permutations((entry.claim.left, entry.claim.right)):
+            relative = any(has_value(x, left, entry, world) for x in (after, Negate(after)))
+            if not relative or is_bare(left) or not _is_vector(right):
+                continue
+            if any(has_value(x, right, entry, world) for x in (slowed, Negate(slowed))):
+                return True
+    return False
+
+
+def cannot_be(variant: VariantAt, entry: Entry) -> bool:
+    """Whether a claim is not of the kind in which an altered law shows itself.
+
+    A component before an impact is not changed there; and where e is put across, each sphere keeps
+    its component along the line, so that an equation for both tells nothing of that.
+    """
+    meant = meant_by(entry)
+    meant = meant.operand if isinstance(meant, Negate) else meant
+    match meant:
+        case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), _)):
+            if stage < variant.event.number and variant.mistake not in _OF_COMPONENTS:
+                return True
+    if variant.mistake != "restitution-parallel" or variant.event.wall:
+        return False
+    names = letters(entry.claim.left) | letters(entry.claim.right)
+    bodies = {
+        node.name
+        for name in names & entry.meanings.keys()
+        if _is_along(entry.meanings[name])
+        for node in walk(entry.meanings[name])
+        if isinstance(node, Name)
+    }
+    return len(bodies) > 1
+
+
+def _is_along(tree: Expression) -> bool:
+    inner = tree.operand if isinstance(tree, Negate) else tree
+    return isinstance(inner, Quantity) and inner.kind == "along"
+
+
+def _has_part(
+    kind: str, typed: Expression, wanted: Expression, line: Expression, entry: Entry, world: World
+) -> bool:
+    """Whether a vector has a component of another one, and not zero."""
+    own, other = (Quantity(kind, (vector, line)) for vector in (typed, wanted))
+    return has_value(other, own, entry, world)
+
+
+def _events_of(meant: Expression, world: World) -> tuple[int, ...]:
+    """The impacts of which a quantity is the coefficient of restitution."""
+    if isinstance(meant, Quantity) and meant.kind == "restitution":
+        return (meant.stage,) if isinstance(meant.stage, int) else ()
+    if not isinstance(meant, Letter):
+        return ()
+    return tuple(
+        number
+        for number, step in enumerate(world.events, 1)
+        if isinstance(step, Impact) and (step.e or Letter("e")) == meant
+    )
+
+
+def _coefficient(number: int) -> Quantity:
+    return Quantity("restitution", (), number)
+
+
+def _velocity(body: str, stage: int) -> Quantity:
+    return Quantity("velocity", (Name(body),), stage)
+
+
+def _line(number: int) -> Quantity:
+    return Quantity("line_of_centres", (), number)
+
+
+def _energy_by(body: str, kind: str, stage: int, number: int) -> Expression:
+    """The energy of a sphere, of its speed or of one of its components."""
+    if kind == "whole":
+        return Quantity("energy", (Name(body),), stage)
+    part = Quantity(kind, (_velocity(body, stage), _line(number)))
+    twice = Binary("*", Quantity("mass", (Name(body),)), Binary("^", part, _TWO))
+    return Binary("/", twice, _TWO)
+
+
+def _plus(one: Expression, other: Expression) -> Expression:
+    return Binary("+", one, other)
+
+
+def _is_vector(tree: Expression) -> bool:
+    return any(isinstance(node, Unit | Pair) for node in walk(tree))
+
+
+def _pairs(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
+    """The impacts of two spheres, by the number of the event."""
+    for number, step in enumerate(world.events, 1):
+        if isinstance(step, Impact) and number in world.lines and step.second in world.start:
+            yield number, (step.first, step.second)
+
+
+def _walls(world: World) -> Iterator[tuple[int, str]]:
+    """The impacts with walls, each with its sphere."""
+    for number, step in enumerate(world.events, 1):
+        if isinstance(step, Impact) and step.second in world.walls:
+            yield number, step.first
+
+
+SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (
+    (is_coefficient_inverted, "restitution-inverted"),
+    (is_coefficient_of_speeds, "restitution-whole-speed"),
+    (is_fraction_of_line_energy, "energy-fraction-of-line"),
+    (is_energy_of_components, "energy-component-missing"),
+    (is_across_exchanged, "across-exchanged"),
+    (is_restitution_parallel, "restitution-parallel"),
+    (is_law_of_relative_velocities, "restitution-whole-speed"),
+)
+"""What a line shows by itself, and its name."""

@@ -1,0 +1,98 @@
+"""The false lines from which a line follows, and what these have cost."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import takewhile
+
+from restitution.expression.tree import walk
+from restitution.practice.judgement import JudgedLine, Judgement
+from restitution.practice.marking.lines import is_plain
+from restitution.practice.marking.marks import PointMark
+from restitution.practice.marking.scheme import MarkPoint, Scheme
+from restitution.practice.marking.values import Values
+
+LAWS = ("momentum", "restitution", "unchanged")
+
+
+class Grounds:
+    """The lines of a working beside one scheme, and what each line rests on."""
+
+    def __init__(self, judgement: Judgement, scheme: Scheme, values: Values) -> None:
+        self.lines = judgement.lines
+        self.scheme = scheme
+        self.values = values
+        self.states: dict[str, PointMark] = {}
+
+    def _is_below(self, line: JudgedLine) -> bool:
+        """Whether a mistake stands above a line."""
+        above = (other for other in self.lines if other.line.number < line.line.number)
+        return any(line.verdict not in ("true", "remark") for line in above)
+
+    def _follows_through(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a point is earned by what follows from a mistake.
+
+        Its value comes from an earlier part, where it is only quoted here; or the mistake has lost
+        an earlier A or B, and no method of a law.
+        """
+        if not point.follows:
+            return False
+        begun = [root for root in self._roots(line) if not self._is_quoted(root)]
+        return not begun or self._has_cost(begun, point)
+
+    def _is_his_own(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
+        """Whether a true value, the last of some lines, follows through from false lines above.
+
+        A sign that is lost may leave a speed as it is.
+        """
+        false = [line for line in lines if line.verdict == "false"]
+        return point.follows and lines[-1].his_own and self._has_cost(false, point)
+
+    def _has_cost(self, roots: Sequence[JudgedLine], point: MarkPoint) -> bool:
+        """Whether mistakes have lost an A or a B above a point, and no method of a law."""
+        numbers = {root.line.number for root in roots}
+        above = takewhile(lambda other: other.id != point.id, self.scheme.points)
+        marks = [self.states[other.id] for other in above if other.id in self.states]
+        lost = [
+            mark for mark in marks if mark.state == "lost" and self._rests_on(mark.line, numbers)
+        ]
+        laws = (mark for mark in lost if mark.point.letter == "M")
+        if any(law.point.principle in LAWS for law in laws):
+            return False
+        return any(mark.point.letter in "AB" for mark in lost)
+
+    def _rests_on(self, number: int | None, roots: set[int]) -> bool:
+        """Whether a line is one of some false lines, or follows from one of them."""
+        line = self._line(number)
+        if line is None:
+            return False
+        return number in roots or any(root.line.number in roots for root in self._roots(line))
+
+    def _is_quoted(self, line: JudgedLine) -> bool:
+        """Whether a line gives a letter, in its first line, a value and no more."""
+        if not is_plain(line):
+            return False
+        lefts = {link.readings[0].left for link in line.line.links}
+        above = [other for other in self.lines if other.line.number < line.line.number]
+        return not any(
+            tree in lefts
+            for line in above
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for tree in walk(side)
+        )
+
+    def _roots(self, line: JudgedLine) -> list[JudgedLine]:
+        """The false lines from which a line follows, over all lines between."""
+        seen: set[int] = set()
+        pending = list(line.sources)
+        while pending:
+            number = pending.pop()
+            source = self._line(number)
+            if number not in seen and source is not None:
+                seen.add(number)
+                pending += source.sources
+        return [line for line in self.lines if line.line.number in seen and line.verdict == "false"]
+
+    def _line(self, number: int | None) -> JudgedLine | None:
+        return next((line for line in self.lines if line.line.number == number), None)

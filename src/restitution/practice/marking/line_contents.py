@@ -1,0 +1,121 @@
+"""What lines of a script name, list or put together, as the points of a scheme need it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from restitution.expression.tree import (
+    Binary,
+    Degrees,
+    Expression,
+    Letter,
+    Name,
+    Number,
+    Quantity,
+    Unit,
+    letters,
+    walk,
+)
+from restitution.practice.judgement import JudgedLine
+from restitution.practice.marking.scheme import MarkPoint
+from restitution.practice.marking.sides import Sides, chains, quantities_in
+from restitution.practice.reading.vocabulary import HEADS
+from restitution.problem import Impact
+
+_WORD = re.compile(r"[A-Za-z]{2,}")
+_UNITS = re.compile(r"m\s?s\^?-1|ms⁻¹|N\s?s|kg|deg(?:rees)?|and|sqrt", re.IGNORECASE)
+
+
+def _is_of_velocity(point: MarkPoint) -> bool:
+    """Whether a point is for a velocity."""
+    left = point.link.left if point.link is not None else None
+    return isinstance(left, Quantity) and left.kind == "velocity" and not point.shown
+
+
+def _is_sum_of_vectors(tree: Expression) -> bool:
+    """Whether a multiple of a vector in brackets is added: ``4i + 3j - 2(3i - 4j)/5``."""
+    if not (isinstance(tree, Binary) and tree.op in "+-"):
+        return False
+    products = (node for node in walk(tree) if isinstance(node, Binary) and node.op in "*/")
+    return any(_is_sum(part) for product in products for part in walk(product))
+
+
+def _is_sum(tree: Expression) -> bool:
+    """Whether vectors are added up."""
+    added = isinstance(tree, Binary) and tree.op in "+-"
+    return added and any(isinstance(node, Unit) for node in walk(tree))
+
+
+@dataclass(frozen=True, eq=False)
+class LineContents(Sides):
+    """What lines name of spheres and coefficients, list as answers, and add up."""
+
+    def lacks_coefficient(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a point is for the law with a coefficient to be found, and a line is without it.
+
+        Without it nothing is said of the law, but of velocities that are known.
+        """
+        events = self._base.events
+        if point.principle != "restitution" or point.event is None or point.event > len(events):
+            return False
+        step = events[point.event - 1]
+        e = step.e if isinstance(step, Impact) and step.e is not None else Letter("e")
+        if not isinstance(e, Letter) or e.name not in self.unknown:
+            return False
+        meanings = self._meanings(line)
+        return not any(
+            meanings.get(name, Letter(name)) in (e, Quantity("restitution", (), point.event))
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for name in letters(side)
+        )
+
+    def is_about_others(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line names a sphere of which a point says nothing, and not all of its own."""
+        if point.link is None:
+            return False
+        own = {
+            node.name
+            for side in (point.link.left, point.link.right)
+            for node in walk(side)
+            if isinstance(node, Name)
+        }
+        named = {name for name in self._base.start if re.search(rf"\b{name}\b", line.line.text)}
+        return bool(named - own) and not own <= named
+
+    def lists(self, point: MarkPoint, line: JudgedLine, items: int) -> bool:
+        """Whether a line has nothing but the values of all that is asked, in their order."""
+        link = point.link
+        if link is None or point.item is None or point.shown or line.verdict != "remark":
+            return False
+        if len(line.line.values) != items or _WORD.search(_UNITS.sub("", line.line.text)):
+            return False
+        value = line.line.values[point.item]
+        rounded = isinstance(value, Number | Degrees)
+        return self._is_worth(value, link.left, line) or (
+            rounded and self._has_figures_of(value, link.left, line)
+        )
+
+    def relates(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a true line has the approach, or the separation, of which a component is part."""
+        link = point.link
+        if link is None or line.verdict != "true" or point.event is None:
+            return False
+        stages = {node.stage for node in quantities_in(link.left) if node.kind == "velocity"}
+        head = "approach" if stages == {point.event - 1} else "separation"
+        lefts = (chain[0].left for chain in chains(line))
+        names = (left.name.split() for left in lefts if isinstance(left, Letter))
+        return bool(stages) and any(head in map(HEADS.get, words) for words in names)
+
+    def adds_up(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line has a sum of vectors for the velocity that a point is for."""
+        link = point.link
+        if link is None or not _is_of_velocity(point):
+            return False
+        meanings = self._meanings(line)
+        return any(
+            self._names(chain[0].left, link.left, meanings, line)
+            and any(_is_sum_of_vectors(claim.right) for claim in chain)
+            for chain in chains(line)
+        )

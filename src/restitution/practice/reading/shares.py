@@ -1,0 +1,86 @@
+"""What a sentence says of sizes, shares and places: ``so half the KE is lost``, ``so 16``."""
+
+from __future__ import annotations
+
+import re
+
+from restitution.expression.tree import Binary, Quantity, walk
+from restitution.problem import Find, Problem, trees_of_step
+
+_SO = r"(?:so|hence|therefore|thus|∴|→|⇒|=>)"
+_IN_UNITS = r"(?:\s*(?:N\s?s|m/s|m\s?s\^?-1|ms⁻¹))?"
+SIZE_OF_A_VECTOR = re.compile(
+    rf",?\s*{_SO}\s*(?:(?:the\s+)?(?:mag(?:nitude)?|size|modulus)\s*(?:is|=)?\s*)?"
+    rf"((?:\d[\d./]*)?√?\d[\d./]*){_IN_UNITS}\s*$",
+    re.IGNORECASE,
+)
+_OF_A_VECTOR = re.compile(r"^\s*([A-Za-z](?:_?[A-Z])?)\s*=.*\d?[ij]\)?(?:/\d+)?\s*$")
+
+_SHARES = {
+    "half": "1/2",
+    "third": "1/3",
+    "quarter": "1/4",
+    "two thirds": "2/3",
+    "three quarters": "3/4",
+}
+SHARE_OF_ENERGY = re.compile(
+    r"(?:\b(?:so|hence|∴)\s+)?(?<![\w/.])(?:(?:an?|one)\s+)?"
+    r"(half|third|quarter|two\s+thirds|three\s+quarters|[½⅓⅔¼¾]|\d+/\d+|\d+(?:\.\d+)?\s*%)"
+    r"\s+(?:of\s+)?(?:(?:the|its|all)\s+)*(?:(?:initial|original|total)\s+)*"
+    r"(?:KE|kinetic\s+energy|energy)\s+(?:(?:is|was|has\s+been|gets)\s+)?lost\b",
+    re.IGNORECASE,
+)
+LOST = re.compile(r"^([^:,;]*\d[^:,;]*?|[½⅓⅔¼¾])\s*J?\s+(?:is\s+|are\s+)?lost\s*$", re.IGNORECASE)
+_WORD = re.compile(r"[A-Za-z]{3,}")
+_FUNCTION = re.compile(r"sin|cos|tan|sqrt")
+SPEEDS = re.compile(r"^\s*speeds?(?:\s+after)?\s*:\s*(?=[A-Z]\s*[√(\d]).*$")
+_OF_A_BODY = re.compile(r"(^|[,;]\s*|\band\s+)([A-Z])\s*(?=[√(\d])")
+AT_A_WALL = re.compile(
+    r"^\s*at\s+(?:the\s+)?wall\s*:?\s*(?=\([^(),]*,[^(),]*\)\s*$)", re.IGNORECASE
+)
+
+
+def size_of_a_vector(match: re.Match[str], _: Problem) -> str:
+    """The size behind a vector: ``I = -16i so 16`` is ``|I| = 16`` as well."""
+    before = _OF_A_VECTOR.match(match.string[: match.start()])
+    return f"; |{before[1]}| = {match[1]}" if before else match[0]
+
+
+def share_of_energy(match: re.Match[str], _: Problem) -> str:
+    """The share that is lost, as a label with its value."""
+    share = " ".join(match[1].lower().split())
+    return f"; fraction lost = {_SHARES.get(share, share)}"
+
+
+def lost(match: re.Match[str], problem: Problem) -> str:
+    """What is lost by a line that ends with that word: a share where one is asked, or energy."""
+    if any(not _FUNCTION.search(word) for word in _WORD.findall(match[1])):
+        return match[0]
+    asked = [
+        tree
+        for _, step in problem.steps()
+        if isinstance(step, Find)
+        for tree in trees_of_step(step)
+        if any(isinstance(x, Quantity) and x.kind.endswith("energy_lost") for x in walk(tree))
+    ]
+    if not asked:
+        return match[0]
+    shares = [isinstance(tree, Binary) and tree.op == "/" for tree in asked]
+    if any(shares) != all(shares):
+        return match[0]
+    return f"{'fraction' if all(shares) else 'KE'} lost = {match[1]}"
+
+
+def speeds_of_bodies(match: re.Match[str], problem: Problem) -> str:
+    """The speed of each sphere in a list of them: ``speeds: A √(4 + 9), B 2``."""
+    spheres = {sphere.name for sphere in problem.spheres}
+    listed = match[0].partition(":")[2].strip()
+    if not {own[2] for own in _OF_A_BODY.finditer(listed)} <= spheres:
+        return match[0]
+    return _OF_A_BODY.sub(r"\1speed of \2 = ", listed)
+
+
+def at_a_wall(match: re.Match[str], problem: Problem) -> str:
+    """The place at which a sphere comes to a wall, where the question tells places."""
+    places = any(sphere.position is not None for sphere in problem.spheres)
+    return "hits at " if places else match[0]
