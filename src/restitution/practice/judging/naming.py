@@ -184,7 +184,7 @@ class Names:
         of_deflection = is_deflection_as_angle(entry, judge.base)
         alone = whole or law or of_deflection or is_sought_angle(entry, judge.base)
         variants = () if alone else self._explaining(entry, judge, mended)
-        variants = tuple(variant for variant in variants if not cannot_be(variant, entry))
+        variants = tuple(v for v in variants if not cannot_be(v, entry, judge.base))
         if is_halved(entry):
             variants = tuple(variant for variant in variants if variant.mistake != "energy-no-half")
         if unresolved:

@@ -7,6 +7,9 @@ from fractions import Fraction
 from functools import reduce
 from itertools import permutations, product
 
+import numpy as np
+
+from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Apply,
@@ -28,6 +31,7 @@ from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 
+_TINY = 1e-9
 _TWO = Number(Fraction(2))
 _ONE = Number(Fraction(1))
 # What may be wrong in a component before an impact.
@@ -89,10 +93,14 @@ def is_energy_of_components(entry: Entry, world: World) -> bool:
     if not isinstance(meant, Quantity) or meant.kind not in _ENERGIES:
         return False
     for number, pair in _pairs(world):
+        if meant.stage not in (None, number):
+            continue
         bodies = [x.name for x in meant.arguments if isinstance(x, Name)] or list(world.start)
         if not set(bodies) <= set(pair):
             continue
-        before = [Quantity("energy", (Name(body),), number - 1) for body in bodies]
+        before: list[Expression] = [
+            Quantity("energy", (Name(body),), number - 1) for body in bodies
+        ]
         for kinds in product(("whole", "along", "across"), repeat=len(bodies)):
             if set(kinds) == {"whole"}:
                 continue
@@ -170,17 +178,19 @@ def is_law_of_relative_velocities(entry: Entry, world: World) -> bool:
     return False
 
 
-def cannot_be(variant: VariantAt, entry: Entry) -> bool:
+def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
     """Whether a claim is not of the kind in which an altered law shows itself.
 
-    A component before an impact is not changed there; and where e is put across, each sphere keeps
-    its component along the line, so that an equation for both tells nothing of that.
+    A component that is given before an impact is not changed there; and where e is put across,
+    each sphere keeps its component along the line: with one of zero an equation tells nothing.
     """
     meant = meant_by(entry)
     meant = meant.operand if isinstance(meant, Negate) else meant
     match meant:
-        case Quantity("along" | "across", (Quantity("velocity", _, int(stage)), _)):
-            if stage < variant.event.number and variant.mistake not in _OF_COMPONENTS:
+        case Quantity("along" | "across", (Quantity("velocity", (Name(body),), int(stage)), _)):
+            before = stage < variant.event.number and variant.mistake not in _OF_COMPONENTS
+            known = (sphere.velocity for sphere in world.problem.spheres if sphere.name == body)
+            if before and any(velocity is not None for velocity in known):
                 return True
     if variant.mistake != "restitution-parallel" or variant.event.wall:
         return False
@@ -192,7 +202,16 @@ def cannot_be(variant: VariantAt, entry: Entry) -> bool:
         for node in walk(entry.meanings[name])
         if isinstance(node, Name)
     }
-    return len(bodies) > 1
+    number = variant.event.number
+    along = (Quantity("along", (_velocity(body, number - 1), _line(number))) for body in bodies)
+    return len(bodies) > 1 and any(_is_zero(component, world) for component in along)
+
+
+def _is_zero(tree: Expression, world: World) -> bool:
+    try:
+        return bool(np.all(np.abs(world.spread(world.scalar(tree))) < _TINY))
+    except RestitutionError:
+        return False
 
 
 def _is_along(tree: Expression) -> bool:

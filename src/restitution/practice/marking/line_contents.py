@@ -64,11 +64,15 @@ class LineContents(Sides):
         if not isinstance(e, Letter) or e.name not in self.unknown:
             return False
         meanings = self._meanings(line)
-        return not any(
-            meanings.get(name, Letter(name)) in (e, Quantity("restitution", (), point.event))
+        sides = [
+            side
             for link in line.line.links
             for side in (link.readings[0].left, link.readings[0].right)
-            for name in letters(side)
+        ]
+        return not any(
+            meanings.get(name, Letter(name)) in (e, Quantity("restitution", (), point.event))
+            for tree in (*sides, *line.line.values)
+            for name in letters(tree)
         )
 
     def is_about_others(self, point: MarkPoint, line: JudgedLine) -> bool:

@@ -13,7 +13,8 @@ from itertools import pairwise
 
 from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.each_point import LAWS, OF_VALUES, EachPoint, is_of_what_stays
+from restitution.practice.marking.each_point import OF_VALUES, EachPoint, is_of_what_stays
+from restitution.practice.marking.grounds import LAWS
 from restitution.practice.marking.lines import (
     as_true,
     continues,

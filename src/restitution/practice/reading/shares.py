@@ -25,12 +25,15 @@ _SHARES = {
 }
 SHARE_OF_ENERGY = re.compile(
     r"(?:\b(?:so|hence|∴)\s+)?(?<![\w/.])(?:(?:an?|one)\s+)?"
-    r"(half|third|quarter|two\s+thirds|three\s+quarters|[½⅓⅔¼¾]|\d+/\d+|\d+(?:\.\d+)?\s*%)"
+    r"(half|third|quarter|two\s+thirds|three\s+quarters|[½⅓⅔¼¾]|\d+/\d+)"
     r"\s+(?:of\s+)?(?:(?:the|its|all)\s+)*(?:(?:initial|original|total)\s+)*"
     r"(?:KE|kinetic\s+energy|energy)\s+(?:(?:is|was|has\s+been|gets)\s+)?lost\b",
     re.IGNORECASE,
 )
-LOST = re.compile(r"^([^:,;]*\d[^:,;]*?|[½⅓⅔¼¾])\s*J?\s+(?:is\s+|are\s+)?lost\s*$", re.IGNORECASE)
+LOST = re.compile(
+    r"^\s*(?:(?:so|hence|∴)\s+)?([^:,;]*\d[^:,;]*?|[½⅓⅔¼¾])\s*J?\s+(?:is\s+|are\s+)?lost\s*$",
+    re.IGNORECASE,
+)
 _WORD = re.compile(r"[A-Za-z]{3,}")
 _FUNCTION = re.compile(r"sin|cos|tan|sqrt")
 SPEEDS = re.compile(r"^\s*speeds?(?:\s+after)?\s*:\s*(?=[A-Z]\s*[√(\d]).*$")
