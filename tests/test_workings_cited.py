@@ -208,3 +208,16 @@ def test_a_negative_loss_is_said_to_be_a_gain() -> None:
     blow = "sphere P: mass 2, velocity i\nP receives 6i\nfind energy_lost\n"
     assert "= −15 J (kinetic energy is gained)" in printed(blow)
     assert "gained" not in printed(blow.replace("6i", "-3i"))
+
+
+def test_two_equal_quantities_cite_both_their_lines_and_what_makes_them_one() -> None:
+    text = """
+    sphere A, B: mass m
+    sphere A: velocity u at alpha
+    sphere B: velocity u at alpha from -i
+    A hits B: along i, e = 1/2
+    show deflection(A) = deflection(B)
+    """
+    working = to_text(explain(solve(parse(text)), marks="none"))
+    assert "φ = 180° − α − θ   (4)" in working
+    assert "From (3), (4) and (5):\n    δ = φ" in working

@@ -384,7 +384,10 @@ class Sources:
         )
 
     def _are_equal(self, line: Line, cited: list[int]) -> bool:
-        """Whether a line says that two quantities are equal, or opposite, which two lines tell."""
+        """Whether a line says that two quantities are equal, or opposite, which two lines tell.
+
+        A third may say that two letters in these are equal.
+        """
         assert isinstance(line.relation, Relation)
         match line.relation.options:
             case ((Link(Quantity() as one, "=", Quantity() as other),),):
@@ -394,12 +397,16 @@ class Sources:
             case _:
                 return False
         lines = [own for number in cited if (own := self._derivation.line(number)) is not None]
+        named = {
+            Letter(letter): meaning.quantity
+            for letter, meaning in self._derivation.meanings.items()
+        }
         subjects = {
-            e.relation.only[0].left
+            named.get(e.relation.only[0].left, e.relation.only[0].left)
             for e in lines
             if isinstance(e.relation, Relation) and len(e.relation.options) == 1
         }
-        return len(cited) == 2 and subjects == sides
+        return subjects == sides if len(cited) == 2 else len(cited) == 3 and subjects > sides
 
     def _put(self, line: Line, cited: list[int], above: int | None) -> Source | None:
         first, *_ = line.premises
