@@ -219,5 +219,5 @@ def test_two_equal_quantities_cite_both_their_lines_and_what_makes_them_one() ->
     show deflection(A) = deflection(B)
     """
     working = to_text(explain(solve(parse(text)), marks="none"))
-    assert "φ = 180° − α − θ   (4)" in working
-    assert "From (3), (4) and (5):\n    δ = φ" in working
+    assert "φ = 180° − α − θ   (5)" in working
+    assert "From (4), (5) and (6):\n    δ = φ" in working
