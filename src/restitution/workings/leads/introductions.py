@@ -107,7 +107,8 @@ class Introductions:
                     if turned is None:
                         return ("axis", sense)
                     return ("wall" if event.wall else "centres", event, turned)
-                if isinstance(sense, Unit) and event is None and stage == self._naming.last(body):
+                last = self._naming.last(body)
+                if isinstance(sense, Unit) and event is None and stage and stage == last:
                     return ("axis", sense)
                 return "named"
             case Quantity():
