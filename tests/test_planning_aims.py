@@ -83,3 +83,50 @@ def test_a_sense_or_a_side_that_is_wrong_is_refused() -> None:
             assert follow(replace(derivation, lines=lines), oracle) != ()
             spoiled += 1
     assert spoiled == 2
+
+
+def test_a_velocity_of_known_size_is_along_the_way_to_a_known_place() -> None:
+    problem, derivation = planned(
+        """
+        point N: (4, 6)
+        sphere P: mass 1, at (1, 2)
+        P reaches N
+        given speed(P, 0) = 10
+        find velocity(P, 0)
+        """
+    )
+    text = to_text(explanation_of(awarded(derivation), problem))
+    assert "The path is in the\ndirection of the velocity:" in text
+    assert "𝐮_P = 10(((4𝐢 + 6𝐣) − (𝐢 + 2𝐣))/5) = 10((3𝐢 + 4𝐣)/5)" in text
+    assert "a𝐢 + b𝐣" not in text
+
+
+def test_the_velocity_of_who_strikes_serves_the_laws_of_the_impact() -> None:
+    problem, derivation = planned(
+        """
+        sphere A: mass 1, at (0, 0), radius 5
+        sphere B: mass 1, at (30, 40), at rest
+        A hits B: e = 1/2
+        B reaches (60, 80)
+        given speed(A, 0) = 20
+        find velocity(A, 0), velocity(B)
+        """
+    )
+    text = to_text(explanation_of(awarded(derivation), problem))
+    assert "𝐮_A = 20((24𝐢 + 32𝐣)/40)" in text
+    assert "w = 15 m s⁻¹" in text
+
+
+def test_a_component_of_who_meets_nothing_is_not_said_to_be_after_an_impact() -> None:
+    problem, derivation = planned(
+        """
+        point N: (4, 6)
+        sphere P: mass 1, at (1, 2)
+        P reaches N
+        given time(1) = 2
+        find velocity(P, 0)
+        """
+    )
+    text = to_text(explanation_of(awarded(derivation), problem))
+    assert "Let 𝐮_P = a𝐢 + b𝐣." in text
+    assert "after the impact" not in text

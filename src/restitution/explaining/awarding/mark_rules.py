@@ -144,6 +144,7 @@ RULES: tuple[Rule, ...] = (
     ),
     _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
     _rule("velocity-in-components", ("define",), "", ("assemble",)),
+    _rule("velocity-by-size-and-direction", ("define",), "M", ("turned",), ("asked",)),
     # Facts closed into equations, and what is asked.
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),
     _rule("distance-along-one-axis", ("define",), "", ("distance",), ("displaced",)),

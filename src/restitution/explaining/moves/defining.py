@@ -39,7 +39,7 @@ _RESOLVED: Mapping[str | None, tuple[str, ...]] = {
 def is_definition(step: Step, line: Link) -> bool:
     """Whether a line says the definition that its move names."""
     if step.move.record == "turned":
-        return _is_turned(step, line)
+        return _is_turned(step, line) or _is_aimed(step, line)
     if step.move.record == "component" and _is_whole_speed(step, line):
         return True
     if step.move.record in _RESOLVED or _is_size(step, line.left):
@@ -93,6 +93,40 @@ def _is_turned(step: Step, line: Link) -> bool:
     y = there.y if side > 0 else CONSTANT(0) - there.y
     return (
         step.world.reduced(there.x - after.x).vanishes and step.world.reduced(y - after.y).vanishes
+    )
+
+
+def _is_aimed(step: Step, line: Link) -> bool:
+    """A velocity by its size and the way from one place to another, which no event is between."""
+    match line.left:
+        case Quantity("velocity", (Name() as body,), int(stage)) if line.sign == "=":
+            pass
+        case _:
+            return False
+    number = step.move.event
+    values = {link.left: link.right for link in step.links if link.sign == "="}
+    size = values.get(Quantity("speed", (body,), stage))
+    ends = [values.get(Quantity("position", (body,), at)) for at in (stage, number)]
+    if size is None or None in ends or number is None or number <= stage:
+        return False
+    between = (step.setting.event(index) for index in range(stage + 1, number))
+    if any(event is None or body.name in event.bodies for event in between):
+        return False
+    here, there, after = (step.world.value(tree) for tree in (*ends, line.right) if tree)
+    fast = step.world.value(size)
+    if not (isinstance(here, Plane) and isinstance(there, Plane) and isinstance(after, Plane)):
+        return False
+    if not isinstance(fast, Quotient):
+        return False
+    x, y = there.x - here.x, there.y - here.y
+    beside = after.x * y - after.y * x
+    square = after.x * after.x + after.y * after.y - fast * fast
+    ahead = step.world.reduced(after.x * x + after.y * y)
+    return (
+        step.world.reduced(beside).vanishes
+        and step.world.reduced(square).vanishes
+        and not ahead.vanishes
+        and step.signs.of(ahead, sure=True) == 1
     )
 
 

@@ -40,6 +40,7 @@ from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.related_velocities import write_related
 from restitution.planning.formulas.separations import event_of_relative
 from restitution.planning.journeys import journeys
+from restitution.planning.journeys.aimed_velocities import write_by_its_way
 from restitution.planning.routes.given_shares import write_given_share
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
@@ -74,6 +75,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         pass  # an impact of two spheres does not change it
     elif isinstance(asked, Quantity) and is_by_vectors(scene, asked):
         pass  # a change of momentum tells it
+    elif isinstance(asked, Quantity) and write_by_its_way(scene, asked):
+        pass  # its size and direction tell it
     elif placed:
         solver.determine(journeys.goals(scene, asked))
     elif not _by_a_line_above(scene, solver, asked):

@@ -37,6 +37,7 @@ from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.workings.leads.component_leads import is_square
 from restitution.workings.leads.lines_around import is_rest
+from restitution.workings.leads.scalar_products import slope_title
 from restitution.workings.leads.titles import Leads
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.facts import fact_in_words, velocity_given
@@ -89,6 +90,8 @@ class GivenLeads(Leads):
             return ()
         self._given |= {fact.id for fact in facts}
         sentence = fact_in_words(self._naming, facts[0])
+        if (path := slope_title(self._naming, line)) is not None and line.move.record == "turned":
+            return (say("given.and", fact=sentence), path)
         along = self._moving_along(line)
         if along is not None and line.move.record == "tan":
             rested = self.tells_of_rest(along, line.move.event or 0, line)

@@ -29,17 +29,18 @@ from restitution.workings.reasons.grounds import meant_by
 def slope_title(naming: Naming, line: Line) -> Sentence | None:
     """What is said before the tangent of the angle of a line of centres, by a vector along it.
 
-    And before the velocity that is turned to a side, which the line of centres tells.
+    And before a velocity that is turned to a side, which the line of centres tells, or is along
+    the way that a body goes.
     """
-    match line.relation:
-        case Relation(((Link(Apply("tan", Letter() as angle), "="), *_),)) if (
-            line.move.record == "parallel"
-            and any(str(e).startswith("axis ") for e in line.premises)
-        ):
+    kinds = {str(premise).partition(" ")[0] for premise in line.premises}
+    if line.move.record == "turned" and "position" in kinds:
+        return say("derived.along-the-path")
+    if "axis" not in kinds:
+        return None
+    match line.move.record, line.relation:
+        case "parallel", Relation(((Link(Apply("tan", Letter() as angle), "="), *_),)):
             return say("derived.line-at", angle=naming.layout(angle))
-        case Relation(((Link(_, "=", Binary(op)), *_),)) if line.move.record == "turned" and any(
-            str(e).startswith("axis ") for e in line.premises
-        ):
+        case "turned", Relation(((Link(_, "=", Binary(op)), *_),)):
             (body,) = line.move.bodies
             (other,) = (e for e in naming.events[line.move.event or 0].bodies if e != body)
             turned: SentenceId = (
