@@ -489,6 +489,16 @@ find time(1)
 1 a | define straight-line 1 A | position A, position B, start | time(1) = 0
 a: 1 time(1) = 0
 """,
+    # A velocity of known size along the way to a point.
+    "to-a-point": """
+sphere P: mass 1, at (1, 2)
+P reaches (4, 6)
+given speed(P, 0) = 10
+find velocity(P, 0)
+---
+1 1 | define turned 1 P | given 1, position P, contact 1 | velocity(P, 0) = 6i + 8j
+1: 1 velocity(P, 0) = 6i + 8j
+""",
     # Times and places: on an axis, at its place, by the other direction.
     "on-its-way": """
 wall W: along i, through (0, 0)
@@ -704,6 +714,7 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("another-put-together", "product", 10, "A1", "A1", "A1"),
     ("put-together", "centres-slanted", 10, "M1", "M1", "M1"),
     ("velocity-in-components", "deflection-decimal", 9, "A1", "A1", "A1"),
+    ("velocity-by-size-and-direction", "to-a-point", 1, "M1 A1", "M1 A1", "M1 A1"),
     ("speed-size-angle-distance", "both-moving", 11, "M1 A1", "M1 A1", "M1 A1"),
     ("distance-at-another-time", "two-times", 7, "A1", "A1", "A1"),
     ("condition-on-one-component", "mass-ratio", 1, "B1", "B1", "B1"),

@@ -397,7 +397,7 @@ class Sources:
             case _:
                 return False
         lines = [own for number in cited if (own := self._derivation.line(number)) is not None]
-        named = {
+        named: dict[Expression, Expression] = {
             Letter(letter): meaning.quantity
             for letter, meaning in self._derivation.meanings.items()
         }
