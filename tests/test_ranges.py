@@ -512,6 +512,22 @@ def test_what_grows_without_bound_has_no_extremum(text: str, because: str) -> No
     assert "cannot happen" not in printed
 
 
+def test_a_place_at_which_no_impact_is_has_no_limit() -> None:
+    """B is missed beyond d = 2r: there the components are complex, and so are their limits.
+
+    The greatest deflection is that of equal spheres, at sin²α = (1 − e)/(3 − e) with d = 2r sin α.
+    """
+    text = """sphere A: mass m, radius r, velocity u i, at (0, 0)
+sphere B: mass m, radius r, at rest, at (10 r, d)
+A hits B
+find maximum of deflection(A) over d"""
+    ((_, item),) = solve(parse(text)).items()
+    (answer,) = item.answers
+    assert answer.display == (
+        "arctan(√2(1 + e)/(4√(1 − e))) when d = 2r√((1 − e)/(3 − e)), for e < 1"
+    )
+
+
 def test_a_small_limit_of_the_other_sign_is_no_extremum() -> None:
     """Near 90° the deflection of A is small, and so is its opposite, that of another form."""
     text = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"

@@ -112,9 +112,8 @@ def find_extremum(
     proof, limits = _proved(own, values[id(trial)], candidate, reached, sign)
     if reached and not place.is_infinite:
         limits = (*defined(outcome, trial, (forms.bound(place), answer.value)), *limits)
-    known = {limit.text for limit in limits}
     elsewhere = _elsewhere(own, values[id(trial)], name, (candidate, reached), data, sign)
-    limits = (*limits, *(each for each in elsewhere if each.text not in known))
+    limits = tuple({limit.text: limit for limit in (*limits, *elsewhere)}.values())
     assert answer.layout is not None
     answer = with_condition(answer, answer.layout, limits)
     return ItemResult(item, line, item.text, "extremum", (answer,), proof=proof)
@@ -172,7 +171,7 @@ def _answer(
     name, (place, *further) = item.over.name, places
     if sp.count_ops(value) > LONG and Oracle(_roles(outcome)).vanishes(value):
         value = sp.S.Zero
-    value = forms.plain(value, outcome.witnesses(trial))
+    value = forms.plain(_without_squares_in_roots(outcome, value), outcome.witnesses(trial))
     if angle:
         value = exact.tidy_angle(value)
     place = forms.bound(place)
@@ -200,6 +199,26 @@ def _answer(
         angle,
         layout,
     )
+
+
+def _without_squares_in_roots(outcome: Outcome, value: sp.Expr) -> sp.Expr:
+    """√((1 − e)/(3 − e)²) as √(1 − e)/(3 − e), where the sign of what is squared is known."""
+    oracle = Oracle(_roles(outcome))
+
+    def taken(base: sp.Expr, exponent: sp.Expr) -> sp.Expr:
+        inside, outside = [], []
+        for factor in sp.Mul.make_args(sp.factor(base)):
+            own, power = factor.as_base_exp()
+            if own.is_Add and power.is_Integer and not power % 2:
+                sign = next((s for s in (1, -1) if oracle.proves(Relation(s * own, ">"))), 0)
+                if sign:
+                    outside.append((sign * own) ** (power * exponent))
+                    continue
+            inside.append(factor)
+        return sp.Mul(*outside) * sp.Mul(*inside) ** exponent if outside else base**exponent
+
+    own = value.replace(lambda x: x.is_Pow and abs(x.exp) == sp.S.Half, lambda x: taken(*x.args))
+    return value if own == value else own.replace(sp.atan, lambda x: sp.atan(neat(x)))
 
 
 def _in_cases(outcome: Outcome, item: Extremum, several: list[Case], angle: bool) -> ItemResult:

@@ -93,7 +93,7 @@ def limit(
     quick = _approached(exact.in_sines(expression), symbol, sp.sympify(point, strict=True), below)
     if quick is not None:
         return quick if quick.has(*_INFINITIES) else exact.tidy(quick)
-    if sp.count_ops(expression) > LONG:
+    if sp.count_ops(expression) > LONG or not _is_real_near(expression, symbol, point, below):
         return None
     try:
         side = "-" if below or point == sp.oo else "+"
@@ -181,6 +181,33 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
     if slope == 0 or slope.has(*_NO_VALUE):
         return None
     return sp.oo * sp.sign(-slope if below else slope)
+
+
+def _is_real_near(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> bool:
+    """Whether an expression has a real value close to a point, for some data.
+
+    Where it has none, its limit is that of a complex number, which takes long and is of no use.
+    """
+    if point in _INFINITIES:
+        near = _INFINITIES[point] * sp.Integer(10) ** 8
+    else:
+        near = point + sp.Rational(-1 if below else 1, 10**8)
+    there = x.xreplace({symbol: near})
+    rng = random.Random(53)
+    names = sorted(symbol_names(there))
+    for _ in range(_DRAWN):
+        small = {name: rng.uniform(0, 1) for name in names}
+        wide = {name: 10 ** rng.uniform(-2, 2) for name in names}
+        drawn = {name: Enclosed.of(rng.choice((small, wide))[name]) for name in names}
+        try:
+            at(there, drawn)
+        except (UndefinedError, KeyError):
+            continue
+        return True
+    return False
+
+
+_DRAWN = 60
 
 
 def _sign_near(
