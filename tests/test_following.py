@@ -235,6 +235,19 @@ LOST_AT_AN_END = """
 8 a | put | 7 | {}
 """
 
+STEEP = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W: e = 0
+given alpha > 30°
+find speed(P)
+"""
+ONE_COMPONENT = """
+1 a | law unchanged 1 P | velocity P, wall W, axis 1 | along(velocity(P, 1), i) = u cos(alpha)
+2 a | law restitution-wall 1 P | axis 1, e 1 | along(velocity(P, 1), j) = 0
+3 a | define speed 1 P | 30° < alpha < 90°, 2, 1 | speed(P, 1) = u cos(alpha)
+"""
+
 SPEED_SQUARED = """
 wall W: along j
 sphere P: mass m, velocity u at theta
@@ -462,6 +475,7 @@ def test_what_only_looks_right_is_refused(statement: str, working: str, expected
             ),
         ),
         (LOST, LOST_AT_AN_END.format("k != 0 or energy_lost(1) = 0")),
+        (STEEP, ONE_COMPONENT),
         (LOST, LOST_AT_AN_END.format("1/k != 0 or energy_lost(1) = 1/2 m u^2 (1 - e^2)")),
         *(
             (

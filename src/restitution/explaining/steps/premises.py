@@ -131,7 +131,9 @@ class Premises:
         for each in self.known:
             for name in each.letters:
                 role = self.setting.role(name)
-                if role.kind == "angle" and role.low == 0 and bool(role.high <= sp.pi / 2):
+                if role.kind != "angle" or role.low is None or role.high is None:
+                    continue
+                if role.low >= 0 and role.high <= sp.pi / 2:
                     yield name
             for links in each.relation.options:
                 for link in links:
