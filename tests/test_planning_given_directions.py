@@ -81,3 +81,12 @@ def test_a_slanting_direction_has_its_component_for_a_letter() -> None:
 def test_a_direction_told_by_a_slanting_angle_is_no_vector_with_roots() -> None:
     text = text_of(SLANTING.replace("velocity(P) parallel to i + 2j", "direction(P) = arctan(2)"))
     assert "2 = (8 + 3e)/(6 − 4e)" in text
+
+
+def test_a_body_that_was_struck_along_an_axis_is_turned_at_right_angles_by_a_wall() -> None:
+    text = text_of(
+        "sphere A, B: mass m\nsphere A: velocity u at 60°\nsphere B: at rest\nwall W: along theta\n"
+        "A hits B: along i, e = 1/2\nB hits W: e = 1/3\ngiven deflection(B) = 90°\nfind theta\n"
+    )
+    assert "3 cos²θ = sin²θ" in text
+    assert "θ = 60°" in text

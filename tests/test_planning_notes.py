@@ -171,6 +171,19 @@ def test_a_given_letter_that_no_line_holds_is_not_needed() -> None:
     assert "It is also given that k = 3, which is not needed here." in words
 
 
+def test_a_value_of_another_part_does_not_stand_against_a_condition() -> None:
+    text = (
+        "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: velocity u at 180° - alpha\n"
+        "A hits B: along i\npart a\ngiven tan^2(alpha) > e\n"
+        "show tan(deflection(A)) = (1 + e) tan(alpha)/(tan^2(alpha) - e)\n"
+        "part b\ngiven alpha = 30°, deflection(A) = 90°\nfind e\n"
+    )
+    explanation = explain(solve(parse(text)), check=True)
+    assert explanation.followed
+    words = " ".join(to_text(explanation).split())
+    assert "It is also given that tan²α > e, which is not needed here." in words
+
+
 def test_spheres_that_do_not_meet_are_shown_not_to() -> None:
     text = """
 sphere A: mass 3, velocity 2i + 3j, at (0, 0)

@@ -47,10 +47,17 @@ def spare_facts(derivation: Derivation) -> Iterator[Fact]:
         yield from unused_facts(derivation, partial(lines_under, derivation))
 
 
-def first_lines_of_letters(derivation: Derivation) -> dict[str, int]:
-    """The letters of which, or of a ratio of which, a line says the value, with the first one."""
+def first_lines_of_letters(
+    derivation: Derivation, among: AbstractSet[Ref] | None = None
+) -> dict[str, int]:
+    """The letters of which, or of a ratio of which, a line says the value, with the first one.
+
+    ``among`` are the lines that count; all of them, if it is left out.
+    """
     first: dict[str, int] = {}
     for line in derivation.lines:
+        if among is not None and line.number not in among:
+            continue
         for links in () if isinstance(line.relation, Meaning) else line.relation.options:
             for side in (*(link.left for link in links), links[-1].right):
                 own = side.argument if isinstance(side, Apply) else side
@@ -62,10 +69,15 @@ def first_lines_of_letters(derivation: Derivation) -> dict[str, int]:
 def is_of_open_data(fact: Fact, derivation: Derivation) -> bool:
     """Whether a fact is about letters of the data alone, of which no line says the value.
 
-    There is nothing with which it would have to agree.
+    There is nothing with which it would have to agree. A line of another part says nothing of a
+    letter in the part in which the fact is given.
     """
     trees = tuple(trees_of(fact.relation))
-    valued = set(first_lines_of_letters(derivation))
+    among: set[Ref] | None = None
+    if fact.part is not None:
+        ends = (end.line for end in derivation.items if end.part == fact.part)
+        among = set().union(*(lines_under(derivation, line) for line in ends))
+    valued = set(first_lines_of_letters(derivation, among))
     return not any(map(has_quantity, trees)) and not any(valued & letters(tree) for tree in trees)
 
 

@@ -28,12 +28,12 @@ def plain_direction(direction: Vector) -> Vector:
     x, y = (tidy(sp.expand(component)) for component in direction)
     if y != 0 and sp.sympify(x / y, strict=True).is_Rational:
         ratio = sp.Rational(x / y)
-        sign = 1 if y > 0 else -1
+        sign = -1 if y.is_negative else 1
         return Vector(sp.Integer(sign * ratio.p), sp.Integer(sign * ratio.q))
     if y != 0 and (surd := sp.sympify(tidy(x / y), strict=True)).is_number:
         part, root = surd.as_coeff_Mul()
         if root.is_Pow and root.exp == sp.Rational(1, 2) and root.base.is_Integer:
-            return _with_a_root(part, root, 1 if y > 0 else -1)
+            return _with_a_root(part, root, -1 if y.is_negative else 1)
     if x != 0 and y != 0 and (x.free_symbols | y.free_symbols or has_nested_roots(x, y)):
         by_one_root = _by_one_root(x, y)
         if by_one_root is not None:
