@@ -397,3 +397,26 @@ def test_the_ratio_of_the_energies_of_one_body_is_that_of_the_squares_of_its_spe
     assert explanation.followed
     both = AT_THE_SECOND_WALL + "find energy(P)/energy(P, 0), energy(P)"
     assert "½m" in to_text(explain(solve(parse(both))))
+
+
+def test_a_condition_that_is_shown_takes_values_and_bounds_another_letter() -> None:
+    told = worked(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+        "given deflection(A) > 90°\npart a\nshow tan^2(alpha) < (2e - 1)/3\n"
+        "part b\nshow e > 1/2\npart c\ngiven e = 7/8\nfind range of alpha\n"
+    )
+    (_, after) = told.split("(b)\n")
+    second, third = after.split("(c)\n")
+    assert "2e − 1 > 0" in second
+    assert "Since e = ⅞, from (3):\n    tan²α < ¼" in third
+    assert "cos α" not in third
+
+
+def test_what_shows_how_a_square_goes_is_not_said_to_be_itself() -> None:
+    told = " ".join(
+        worked(
+            "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+            "A hits B: along i\nfind range of speed(A) in terms of u, alpha\n"
+        ).split()
+    )
+    assert "as (1 − e)² cos²α + 4 sin²α decreases as e increases" in told

@@ -45,7 +45,9 @@ class Eliminated(InStages):
             return self.compared([*base, *self.conditions.lines(wanted)], relation, base)
 
         def by_what_is_shown(base: list[Ref], relation: Relation) -> int | None:
-            shown = (self.ties.shown_by(equation.fact.id) for equation in self.scene.given)
+            shown = [self.ties.shown_by(equation.fact.id) for equation in self.scene.given]
+            ends = {end.line for end in self.scene.desk.ends if end.shown}
+            shown += [line for line in self.conditions.lines(wanted) if line in ends]
             for line in dict.fromkeys(line for line in shown if line is not None):
                 if isinstance(self.scene.desk.last_link(line).left, Letter):
                     continue
@@ -100,9 +102,9 @@ class Eliminated(InStages):
                 return None
             return self.compared([line, *self.judge.known(target)], relation)
 
+        yield by_what_is_shown
         yield by_conditions
         yield by_ratios
-        yield by_what_is_shown
         yield by_ties
         yield by_all
         yield by_story

@@ -41,6 +41,7 @@ from restitution.planning.inequalities.angles_bounded import Bounded, write_boun
 from restitution.planning.inequalities.bounds_by_cotangents import write_by_cotangent
 from restitution.planning.inequalities.bounds_with_roots import collected
 from restitution.planning.inequalities.coming_to_walls import is_of_a_wall, write_towards
+from restitution.planning.inequalities.conditions_shown import write_shown
 from restitution.planning.inequalities.squares import (
     both_squared,
     solve_in_squares,
@@ -137,6 +138,8 @@ class Conditions:
             return write_between(self.worths, fact, wanted)
         if is_of_a_path(fact.relation):
             return write_first_hit(self.worths, fact, wanted)
+        if (shown := write_shown(self.worths, fact)) is not None:
+            return shown
         (link,) = fact.relation.only
         if not has_quantity(link.left) and has_quantity(self.worths.opened(link.right)):
             link = turned(link)

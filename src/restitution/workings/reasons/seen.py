@@ -83,7 +83,7 @@ def growth_said(
         return say("derived.slope", quantity=quantity, letter=letter, slope=relation), False
     if own is not None and own.form is not None:
         sides = layout(tree_of(own.value)), layout(tree_of(own.form, as_it_is=True))
-        quantity = lay.Relation(sides, ("=",))
+        quantity = lay.Relation(sides, ("=",)) if sides[0] != sides[1] else sides[0]
     id_ = "derived.increases" if sense > 0 else "derived.decreases"
     return say(id_, quantity=quantity, letter=letter), own is None or own.form is None
 
