@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from restitution.explaining.following.follower import follow
+from restitution.explaining.lines.derivation import Relation
 from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.planning.planner import plan
@@ -420,3 +423,34 @@ def test_what_shows_how_a_square_goes_is_not_said_to_be_itself() -> None:
         ).split()
     )
     assert "as (1 − e)² cos²α + 4 sin²α decreases as e increases" in told
+
+
+def test_a_multiple_by_the_square_of_a_ratio_rests_on_its_angle() -> None:
+    told = worked(
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i\n"
+        "show energy_lost <= 1/2 energy(0) cos^2(alpha)\n"
+    )
+    assert "½ cos²α × total kinetic energy before the impact = ¼mu² cos²α" in told
+
+
+ACUTE_TURN = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, at rest
+A hits B: along i
+given e < 1/2
+show deflection(A) < 90°
+"""
+
+
+def test_a_turn_of_less_than_a_right_angle_is_shown_by_the_sign_of_the_product() -> None:
+    told = " ".join(worked(ACUTE_TURN).split())
+    assert "𝐮_A · 𝐯_A > 0, as e < ½ DM1 So angle of deflection of A < 90° (as required)" in told
+    solution = solve(parse(ACUTE_TURN))
+    derivation = plan(solution)
+    oracle = Oracle(roles(solution.problem))
+    last = derivation.lines[-1]
+    assert isinstance(last.relation, Relation)
+    wide = Relation(((replace(last.relation.only[0], sign=">"),),))
+    lines = (*derivation.lines[:-1], replace(last, relation=wide))
+    reasons = {each.reason for each in follow(replace(derivation, lines=lines), oracle)}
+    assert "does-not-follow" in reasons

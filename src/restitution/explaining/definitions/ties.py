@@ -193,6 +193,19 @@ def is_no_product(step: Step, left: Expression, right: Expression) -> bool:
     return any(tree in products or _is_along(step, tree, left, right) for tree in zeros)
 
 
+def has_product(step: Step, left: Expression, right: Expression, sign: Sign) -> bool:
+    """Whether a line is cited by which the scalar product of two directions has a sign."""
+    products = [
+        settled(Quantity("dot", pair), step.setting.events)
+        for pair in ((left, right), (right, left))
+    ]
+    return sign in ("<", ">") and any(
+        (link.left, link.sign, link.right) == (product, sign, ZERO)
+        for link in whole_links(step)
+        for product in products
+    )
+
+
 def _is_along(step: Step, product: Expression, left: Expression, right: Expression) -> bool:
     """Whether a scalar product is that of one direction with a vector along the other one."""
     for moving, line in ((left, right), (right, left)):

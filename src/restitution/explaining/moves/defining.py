@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from restitution.explaining.definitions.common import ZERO, axis_of
 from restitution.explaining.definitions.senses import oriented
-from restitution.explaining.definitions.ties import tie_of
+from restitution.explaining.definitions.ties import has_product, past_a_right_angle, tie_of
 from restitution.explaining.lines.derivation import Event, Link, Meaning
 from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.angles_of_lines import is_angle_of_lines, is_tangent_of_a_line
@@ -45,6 +45,9 @@ def is_definition(step: Step, line: Link) -> bool:
     if step.move.record in _RESOLVED or _is_size(step, line.left):
         return _is_resolved(step, line)
     if step.move.record in ("perpendicular", "parallel") and is_angle_of_lines(step, line):
+        return True
+    past = past_a_right_angle(line) if step.move.record == "perpendicular" else None
+    if past is not None and has_product(step, *past):
         return True
     if step.move.record == "parallel" and is_tangent_of_a_line(step, line):
         return True

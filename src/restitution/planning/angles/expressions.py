@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    letters,
     walk,
 )
 from restitution.planning.angles.decimal_angles import write_decimal
@@ -114,7 +115,11 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         # Of one line there is nothing to put in.
         if isinstance(asked, Apply) and asked.function == "abs":
             return _size_of_a_number(scene, asked, refs[0], final), final
-        line = scene.desk.write(Move("rearrange"), refs, chain(asked, (final, None)))
+        own_form = chain(asked, (final, None))
+        # A ratio of an angle that is multiplied by may have to be none that vanishes.
+        known = scene.judge.known(letters(asked))
+        premises_ = scene.judge.enough(Move("rearrange"), tuple(refs[:1]), own_form, known)
+        line = scene.desk.write(Move("rearrange"), premises_ or refs, own_form)
         return line, final
     # What stands first is where the line starts from: of a quotient what is above.
     premises = sorted(dict.fromkeys((*refs, *ranges)), key=lambda ref: isinstance(ref, str))

@@ -74,6 +74,17 @@ def write_right_angle_of_two(scene: Scene, asked: Quantity) -> int | None:
     return write_right_angle(scene, asked) if oblique and value == 0 else None
 
 
+def write_product_as_it_stands(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
+    """The line of the scalar product of two velocities by its terms: their signs are seen."""
+    subject, tree, _, refs = _terms(scene, pair)
+    if len(list(outer_terms(tree))) < len(pair) or scene.desk.known(subject) is not None:
+        return None
+    move = Move("define", "product", _event(pair), _bodies(pair))
+    relation = chain(subject, (tree, None))
+    premises = scene.judge.needed(move, refs, relation)
+    return None if premises is None else scene.desk.write(move, premises, relation)
+
+
 def write_product_of_two(scene: Scene, pair: tuple[Moving, Moving]) -> int | None:
     """The line of the scalar product of two velocities, where both its terms are other than 0."""
     subject, tree, _, _ = _terms(scene, pair)

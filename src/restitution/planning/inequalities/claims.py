@@ -27,13 +27,14 @@ from restitution.planning.inequalities.gaps import has_root, is_plain, write_dif
 from restitution.planning.inequalities.signs_of_components import write_by_components
 from restitution.planning.inequalities.tangents_of_sums import write_tangent_of_a_sum
 from restitution.planning.inequalities.turned_at_walls import write_turn
-from restitution.planning.inequalities.wide_angles import write_by_cosine
+from restitution.planning.inequalities.wide_angles import write_by_a_product, write_by_cosine
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ONE, tree_of
 from restitution.planning.writing.inequalities import subject_of
 from restitution.solving.story.letters import roles
 
 _PROOFS = (
+    write_by_a_product,
     write_by_components,
     write_of_direction,
     write_of_angles,
