@@ -128,7 +128,7 @@ def test_walls_in_an_order_that_cannot_be() -> None:
         "find position(P)"
     )
     shown = working(text + "\nP hits F: e = 1/2\nfind speed(P)")
-    assert "𝐯₂ = (−𝐢 + 𝐣) m s⁻¹ A1ft So P moves away from F: what is described" in shown
+    assert "𝐯₂ = (−𝐢 + 𝐣) m s⁻¹ A1ft (ii) So P moves away from F: what is described" in shown
     assert "(i) position of P at the second impact = (6, 2) m A1" in shown
 
 
@@ -268,3 +268,39 @@ def test_nothing_asked_of_an_impact_that_cannot_happen() -> None:
     text = SPHERES.format(u="5i + 2j", k="k", v="at rest", e=", e = 1/2")
     text += "find velocity(B)\nA hits B: along i"
     assert "cannot happen" not in working(text)
+
+
+@pytest.mark.parametrize(
+    ("statement", "lines"),
+    [
+        (
+            (
+                "wall OA: from (0, 0) to (2, 0)\nsphere P: at (0, 2), velocity 2i - j\n"
+                "P hits OA: e = 1\nfind velocity(P), speed(P)"
+            ),
+            (
+                "x-coordinate of P at the impact = 2 × 2 = 4 m M1",
+                "So P does not meet OA between its ends: what is described cannot happen. B1",
+            ),
+        ),
+        (
+            (
+                "wall OA: from (0, 0) to (a, 0)\nsphere P: at (0, a), velocity 2u i - u j\n"
+                "P hits OA: e = 1\nfind velocity(P)"
+            ),
+            ("position of P at the impact = 2a𝐢", "So P does not meet OA between its ends: what"),
+        ),
+        (
+            (
+                "wall OA: from (0, 0) to (8, 0)\nwall OB: from (8, 0) to (8, 3)\n"
+                "sphere P: at (0, 2), velocity 2i - 2j\nP hits OA: e = 1\nP hits OB: e = 1/2\n"
+                "find velocity(P)"
+            ),
+            ("y-coordinate of P at the second impact = 8 − 2 = 6 m", "So P does not meet OB"),
+        ),
+    ],
+)
+def test_a_wall_that_is_missed(statement: str, lines: tuple[str, ...]) -> None:
+    """Where the sphere comes to the line of the wall is worked out."""
+    shown = working(statement)
+    assert all(line in shown for line in lines), shown

@@ -21,11 +21,16 @@ find velocity(P)
     [
         (
             "2",
-            "P does not meet W between its ends: it comes to the line of W at (4, 6), beyond them.",
+            "P does not meet W between its ends: it comes to the line of W at (4, 6), beyond them",
         ),
-        ("6", "P meets W only at its end (4, 6), and not between its ends."),
+        ("6", "P meets W only at its end (4, 6), and not between its ends"),
     ],
 )
 def test_the_place_on_its_line_is_said(end: str, reason: str) -> None:
-    text = " ".join(to_text(explain(solve(parse(MISSED.format(end=end)))), 80).split())
-    assert f"as {reason}" in text
+    solution = solve(parse(MISSED.format(end=end)))
+    error = solution["velocity(P)"].error
+    assert error is not None
+    assert reason in error.message
+    text = " ".join(to_text(explain(solution), 80).split())
+    assert "position of P at the impact = (4𝐢 + 6𝐣) m" in text
+    assert f"So {reason.partition(':')[0]}: what is described cannot happen." in text

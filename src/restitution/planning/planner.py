@@ -69,6 +69,7 @@ from restitution.planning.latest_forms import (
     with_latest_forms,
     with_squares_of_speeds,
 )
+from restitution.planning.missed_walls import write_missed_wall
 from restitution.planning.out_of_range import write_out_of_range
 from restitution.planning.routes.directions_of_others import write_velocities_of_others
 from restitution.planning.routes.items import write_item
@@ -268,6 +269,15 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
     return whole[0]
 
 
+_REFUSING = (
+    write_clash,
+    write_out_of_range,
+    write_unreached,
+    write_missed_wall,
+    write_idle_facts,
+)
+
+
 def _without_answers(
     solution: Solution, part: PartSolution, desk: Desk, names: list[str]
 ) -> Desk | None:
@@ -275,7 +285,7 @@ def _without_answers(
 
     ``names`` are those of the items.
     """
-    for write in (write_clash, write_out_of_range, write_unreached, write_idle_facts):
+    for write in _REFUSING:
         if (refuted := write(solution, part, desk, names)) is not None:
             return refuted
     if part.branches and not all(isinstance(item.error, MissingError) for item in part.items):

@@ -383,7 +383,8 @@ class _Writer:
             self.afresh()
             points = tuple(_because(mark) for mark in note.marks)
             item = self.ends.place_of(note.item)
-            label = self.ends.label_of(note.item, *(note.item for note in others))
+            items = dict.fromkeys((note.item, *(e.item for e in others), *self.notes.alike(note)))
+            label = self.ends.label_of(*items)
             if note.kind in ("unwritten", "standing") and note.claim is not None:
                 line = Line(0, note.item, Move("answer"), (), note.claim)
                 *rows, last = self.rows.of(line, (), True)

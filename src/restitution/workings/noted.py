@@ -58,6 +58,17 @@ class Notes:
             kept.append(note)
         return kept
 
+    def alike(self, note: Note) -> list[str]:
+        """The items of a part of which a note is said once for all."""
+        reason = note.part, note.kind, note.reason, note.premises
+        if note.kind != "contradiction" and not self._is_out_of_range(note):
+            return []
+        return [
+            each.item
+            for each in self._all
+            if note.lines and (each.part, each.kind, each.reason, each.premises) == reason
+        ]
+
     def places(self, label: str | None, items: Sequence[str | None]) -> dict[int, list[Note]]:
         """The notes of a part by the number of its lines above them.
 

@@ -301,7 +301,9 @@ def _ends(derivation: Derivation) -> Iterator[ItemEnd]:
     yield from derivation.items
     for note in derivation.notes:
         line = derivation.line(max(note.lines, default=0))
-        if note.kind == "impossible" and line is not None and line.item == note.item:
+        if note.kind != "impossible" or note.claim is not None:
+            continue  # with a claim it is a value by the way
+        if line is not None and line.item == note.item:
             assert isinstance(line.relation, Relation)
             yield ItemEnd(note.item, line.number, line.relation, note.part)
 
