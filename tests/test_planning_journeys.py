@@ -453,3 +453,21 @@ def test_a_time_that_is_asked_comes_of_the_whole_way_that_no_impact_changes() ->
 def test_a_place_between_that_is_asked_gives_the_time_of_the_last_way() -> None:
     lines = said(working(BY_A_WALL_TO_A_POINT.format(", position(P, 1)")))
     assert "time(2) - time(1) = (9 - 3)/3 = 2 [rearrange]" in lines
+
+
+def test_a_time_of_three_ways_is_that_of_the_whole_way_where_one_of_them_has_no_line() -> None:
+    lines = said(
+        working(
+            """
+            wall V: along i, through (0, 0)
+            wall W: along i, through (0, 4)
+            sphere P: at (0, 1), velocity 3i - 2j
+            P hits V: e = 1/2
+            P hits W: e = 1/2
+            P hits V: e = 1/2
+            find position(P, 2), position(P, 3), time(3)
+            """
+        )
+    )
+    assert "time(3) = 75/2/3 = 25/2 [rearrange]" in lines
+    assert not any("time(3) - time(1)" in line for line in lines)

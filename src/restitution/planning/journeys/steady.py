@@ -74,7 +74,9 @@ def time_at_one_pace(
         return None
     early = [known.value for number in between if (known := scene.desk.known(time_tree(number)))]
     in_lines = any(isinstance(ref, int) for end in ends if end is not None for ref in end.refs)
-    if early and not at_once and (in_lines or all(value.is_number for value in early)):
+    numbers = all(value.is_number for value in early)
+    short = _stand(scene, (since, *between, number)) if numbers else in_lines
+    if early and not at_once and short:
         return None  # the sum is as short
     if _are_added(scene, (since, *between, number)):
         return None
@@ -137,14 +139,22 @@ def _is_asked(scene: Scene, body: str, number: int) -> bool:
 
 def _are_added(scene: Scene, stages: Sequence[int]) -> bool:
     """Whether the times of all ways between events stand, and are multiples of one of them."""
-    values: list[sp.Expr] = []
-    for early, late in pairwise(stages):
-        trees = (duration_tree(late, early), *((time_tree(late),) if early == 0 else ()))
-        known = next((own for tree in trees if (own := scene.desk.known(tree))), None)
-        if known is None:
-            return False
-        values.append(sp.sympify(known.value, strict=True))
+    if not _stand(scene, stages):
+        return False
+    values = [value for pair in pairwise(stages) for value in _way(scene, *pair)]
     return all(tidy(value / values[0]).is_number for value in values)
+
+
+def _stand(scene: Scene, stages: Sequence[int]) -> bool:
+    """Whether the times of all ways between events are lines."""
+    return all(_way(scene, *pair) for pair in pairwise(stages))
+
+
+def _way(scene: Scene, early: int, late: int) -> list[sp.Expr]:
+    """The time of a way that a line gives; none where none does."""
+    trees = (duration_tree(late, early), *((time_tree(late),) if early == 0 else ()))
+    known = next((own for tree in trees if (own := scene.desk.known(tree))), None)
+    return [] if known is None else [sp.sympify(known.value, strict=True)]
 
 
 def write_steady_ways(scene: Scene, number: int) -> None:
