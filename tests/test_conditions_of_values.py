@@ -91,3 +91,21 @@ find beta
 def test_a_condition_has_its_reason(name: str, sentence: str) -> None:
     text = next(path.read_text() for path in FILES if path.stem == name)
     assert sentence in " ".join(to_text(explain(solve(parse(text)))).split())
+
+
+def test_a_condition_that_the_statement_gives_is_not_said_again() -> None:
+    text = """
+wall W: along i
+wall X: along j
+sphere P: mass m, velocity u at alpha to W
+P hits W
+P hits X
+{given}given energy_lost(1) > 3 energy_lost(2)
+find range of alpha
+"""
+    said, unsaid = (
+        to_text(explain(solve(parse(text.format(given=given)))))
+        for given in ("", "given 0 < e < 1\n")
+    )
+    assert "This holds for" in said
+    assert "This holds for" not in unsaid

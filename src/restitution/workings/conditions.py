@@ -40,6 +40,7 @@ from restitution.solving.equations.solution import Answer, ItemResult, PartSolut
 from restitution.solving.ranges.validity import always_exist
 from restitution.solving.story.letters import roles
 from restitution.workings.excluded_ends import excluded_end
+from restitution.workings.naming.in_force import inequalities
 
 
 def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sentence]:
@@ -58,6 +59,8 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
             if by_case or not ends or all(answer.condition_layout is None for answer in answers):
                 continue
             if _is_asked(solution, part, item) or _speaks_of_others(solution, item, answers):
+                continue
+            if _are_given(solution, derivation, label, answers):
                 continue
             if _is_of_itself(item, answers) or _is_derived(derivation, name, ends, answers):
                 continue
@@ -78,6 +81,18 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 if sentence is not None:
                     sentences[line] = sentence
     return sentences
+
+
+def _are_given(
+    solution: Solution, derivation: Derivation, label: str | None, answers: Sequence[Answer]
+) -> bool:
+    """Whether the statement itself gives the conditions of answers, in the part or for all."""
+    given = tuple(inequalities(derivation, label, lambda side: evaluate(side, sp.Symbol)))
+    return bool(given) and all(
+        _is_alike(Oracle(roles(solution.problem), given), answer, ())
+        for answer in answers
+        if answer.condition
+    )
 
 
 def is_same(one: Sentence, other: Sentence) -> bool:
