@@ -11,7 +11,15 @@ from fractions import Fraction
 
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
-from restitution.expression.tree import Apply, Binary, Negate, Number, has_quantity, is_zero
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Negate,
+    Number,
+    has_quantity,
+    is_zero,
+)
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import factors_above
 
@@ -114,9 +122,13 @@ def _is_multiplied_out(product: Line, form: Line) -> bool:
 
 def _from_a_form(derivation: Derivation, line: Line, first: int, oracle: Oracle) -> Derivation:
     """The working in which a line starts from the last form of its equation, if it follows."""
+    subject = _subject(line)
+    same = subject is not None and subject == _subject(derivation.line(first))
     for form in reversed(list(_forms(derivation, first, line.number))):
         if form in line.premises:
             return derivation
+        if same and _subject(derivation.line(form)) != subject:
+            continue  # the first line says what the letter is, into which values are put
         direct = replace(line, premises=(form, *line.premises[1:]))
         lines = tuple(direct if other == line else other for other in derivation.lines)
         whole = replace(derivation, lines=lines)
@@ -136,6 +148,14 @@ def _forms(derivation: Derivation, first: int, end: int) -> Iterator[int]:
         if len(above) == 1 and above[0] in own and _is_equation(line):
             own.add(line.number)
             yield line.number
+
+
+def _subject(line: Line) -> Expression | None:
+    """The left side of a line that is one equation."""
+    match line.relation:
+        case Relation((((Link(left, "="), *_)),)):
+            return left
+    return None
 
 
 def _is_equation(line: Line) -> bool:

@@ -484,14 +484,12 @@ class Rows:
                     signs.append(sign)
         in_letters = in_letters_with_figures(right) if end is None and not unit else None
         if in_letters is not None and links[-1].sign == "=" and _is_value(left):
-            sides.append(self._naming.layout(in_letters))
+            printed = self._as_printed(right, sides[-1]) or right
+            sides.append(self._naming.layout(in_letters_with_figures(printed) or in_letters))
             signs.append("≈")
             self._figures.note(right)
         elif end is None and unit and links[-1].sign == "=" and of_plain_angles(right):
-            # A component away from a wall is printed with the other sign.
-            own = self._naming.layout(right)
-            other = turned_side(own) or lay.negative(own)  # of a component in the other sense
-            tree = {own: right, other: negative(right)}.get(sides[-1])
+            tree = self._as_printed(right, sides[-1])
             figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
             if figures is not None:
                 sides.append(figures)
@@ -501,6 +499,15 @@ class Rows:
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
             sides[-1] = with_unit(sides[-1], unit)
+
+    def _as_printed(self, right: Expression, side: lay.Layout) -> Expression | None:
+        """A side as it is printed: that of a component away from a wall has the other sign.
+
+        None where it is printed in another form.
+        """
+        own = self._naming.layout(right)
+        other = turned_side(own) or lay.negative(own)
+        return {own: right, other: negative(right)}.get(side)
 
     def _bounded(self, trees: Sequence[Expression], sides: list[lay.Layout]) -> None:
         """Puts the unit of what a range is of behind the numbers that bound it."""

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import sympy as sp
+
 from restitution.explaining.following.follower import Reader, reader_of
 from restitution.explaining.following.trials import names_in
 from restitution.explaining.lines.derivation import (
@@ -173,9 +175,12 @@ def _below_roots(line: Line) -> set[str]:
 
 def _ranges(name: str, oracle: Oracle) -> tuple[Ref, ...]:
     role = oracle.roles.get(name)
-    if role is None or role.kind != "restitution":
-        return ()
-    return f"{name} >= 0", f"{name} <= 1"
+    if role is not None and role.kind == "restitution":
+        return f"{name} >= 0", f"{name} <= 1"
+    if role is not None and role.kind == "angle":
+        acute = (role.low, role.high, *role.closed) == (0, sp.pi / 2, False, False)
+        return (f"acute: {name}",) if acute else ()
+    return ()
 
 
 def _is_ratio(relation: Relation) -> bool:

@@ -534,13 +534,20 @@ def _power(generator: sp.Expr, exponent: int) -> Expression:
 def _steps(link: Link, name: str) -> int:
     """How many steps lead to the unknown, beside the last: brackets, terms, what stands below."""
     terms = [term for side in (link.left, link.right) for term in _terms(side)]
-    several = sum(_has(term, name) for term in terms) > 1
+    own = [term for term in terms if _has(term, name)]
+    several = len(own) > 1
     return (
         min(2, sum(_brackets(term, name) for term in terms))
         + several
+        + (several and any(_is_over_letters(term) for term in own))
         + any(_stands_below(term, name) for term in terms)
         + _is_of_several_quotients(terms, name)
     )
+
+
+def _is_over_letters(term: Expression) -> bool:
+    """Whether a term is a quotient with letters below: it is multiplied by these first."""
+    return isinstance(term, Binary) and term.op == "/" and bool(letters(term.right))
 
 
 def _is_of_several_quotients(terms: Sequence[Expression], name: str) -> bool:

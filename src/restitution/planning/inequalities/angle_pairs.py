@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from restitution.explaining.lines.derivation import Meaning, Move, Ref
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters, walk
+from restitution.planning.angles.angle_sums import write_tangent_of_two
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import (
     Term,
@@ -21,6 +22,7 @@ from restitution.planning.angles.wall_turns import sum_at_a_wall
 from restitution.planning.formulas.named_angles import ANGLES, free_letter, letter_of, tangent_line
 from restitution.planning.formulas.turns import turns_of
 from restitution.planning.writing.desk import NotPlannedError, chain
+from restitution.solving.story.letters import roles
 
 if TYPE_CHECKING:
     from restitution.planning.inequalities.worths import Worths
@@ -90,6 +92,29 @@ def tangent_of_two(
     number = by_tangents(scene, let, form, terms, Apply("tan", Letter(name)))  # type: ignore[arg-type]
     extent = "-90° < {} < 90°" if sign == "-" else "0° < {} < 180°"
     return None if number is None else (number, Letter(name), (extent.format(name), let))
+
+
+def is_tangent_of_letters(tree: Expression) -> bool:
+    """Whether an expression is the tangent of a sum or a difference of two letters."""
+    match tree:
+        case Apply("tan", Binary("+" | "-", Letter(), Letter())):
+            return True
+    return False
+
+
+def tangent_as_asked(scene: Scene, worths: Worths, asked: Expression) -> int | None:
+    """The line of such a tangent that stands, or a new one; None where it has none."""
+    for line in reversed(scene.desk.lines):
+        match line.relation:
+            case Relation(((Link(left, "="), *_),)) if left == asked:
+                own = scene.desk.last_link(line.number)
+                known = letters(own.right) <= set(roles(scene.problem))
+                if known and own.sign == "=" and scene.desk.holds(line.number):
+                    return line.number
+    for node in walk(worths.opened(asked)):
+        if isinstance(node, Quantity) and node.kind in ANGLES:
+            worths.determine(node)
+    return write_tangent_of_two(scene, asked)
 
 
 def extents(scene: Scene, names: Iterable[str]) -> tuple[Ref, ...]:

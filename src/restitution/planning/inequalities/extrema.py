@@ -26,8 +26,10 @@ from restitution.planning.formulas.turns import velocities_of
 from restitution.planning.inequalities.angle_pairs import (
     extents,
     is_of_two_angles,
+    is_tangent_of_letters,
     letters_under,
     made_of_two,
+    tangent_as_asked,
     tangent_of_two,
 )
 from restitution.planning.inequalities.angles_at_ends import AngleAtEnds, is_angle_of_motion
@@ -120,7 +122,8 @@ class _Extremum:
         self.symbol = roles(self.scene.problem)[over].symbol(over)
         self.angle = roles(self.scene.problem)[over].kind == "angle"
         self.least = kind == "minimum"
-        self.asked = claims.worths.opened(asked)
+        # A tangent of two letters is written by these.
+        self.asked = asked if is_tangent_of_letters(asked) else claims.worths.opened(asked)
         self.value = value
         self.support: tuple[Ref, ...] = ()
         self.lets: list[Ref] = []
@@ -369,7 +372,10 @@ class _Extremum:
                 raise NotPlannedError(f"{letter} by other letters")
             case Apply("tan", Quantity() as angle):
                 return self.claims.worths.angle(angle)
-        line = self.claims.worths.worth(self.asked)
+        if is_tangent_of_letters(self.asked):
+            line = tangent_as_asked(self.scene, self.claims.worths, self.asked)
+        else:
+            line = self.claims.worths.worth(self.asked)
         if line is None:
             raise NotPlannedError("an expression of several quantities")
         return line

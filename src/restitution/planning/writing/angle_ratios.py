@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Protocol
+from typing import Any, Protocol
 
 import sympy as sp
 
@@ -25,6 +25,8 @@ class Angles(Protocol):
     def ratio_facts(self) -> Mapping[str, Fact]: ...
 
     def scalar(self, tree: Expression) -> sp.Expr: ...
+
+    def put(self, value: Any) -> tuple[Any, tuple[Ref, ...]]: ...
 
 
 def range_of(scene: Angles, name: str) -> str:
@@ -114,8 +116,9 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         known = scene.desk.known(Apply(ratio, letter))
         if known is None or len(known.refs) != 1:
             continue
+        known, angle = _in_numbers(scene, Apply(ratio, letter), known, scene.model.final[symbol])
         kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != ratio]
-        trees = {own: ratio_of(own, scene.model.final[symbol]) for own in kinds}
+        trees = {own: ratio_of(own, angle) for own in kinds}
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         refs = known.refs
         nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
@@ -126,6 +129,19 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         for own in kinds:
             scene.desk.know(Apply(own, letter), trees[own], (number,))
         return
+
+
+def _in_numbers(
+    scene: Angles, tree: Apply, known: Source, angle: sp.Expr
+) -> tuple[Source, sp.Expr]:
+    """A ratio, and its angle, with the numbers put in that its letters are in this part."""
+    value, refs = scene.put(known.value)
+    if not refs or value.free_symbols or not known.value.free_symbols:
+        return known, angle
+    pool = (*known.refs, *refs)
+    number = scene.desk.write(Move("put"), pool, chain(tree, (tree_of(value), None)))
+    scene.desk.know(tree, value, (number,))
+    return Source(value, (number,)), scene.put(angle)[0]
 
 
 def _square_of_cosine(scene: Angles, letter: Letter, tangent: Source) -> int:

@@ -408,10 +408,17 @@ class Scene:
         if known is None and argument.name in self.complements and tree.function != "tan":
             write_complement(self, tree, *self.complements[argument.name])
             known = self.desk.known(tree)
-        if known is None and self._by_an_inverse(argument):
+        if (known is None and self._by_an_inverse(argument)) or self._is_number_now(known):
             write_other_ratio(self, argument, type(ratio).__name__)
             known = self.desk.known(tree)
         return known
+
+    def _is_number_now(self, known: Source | None) -> bool:
+        """Whether the letters in a ratio of an angle all have numbers in this part."""
+        if known is None or not known.value.free_symbols:
+            return False
+        letters_ = [self.desk.known(plain_letter(own.name)) for own in known.value.free_symbols]
+        return all(own is not None and own.value.is_number for own in letters_)
 
     def _by_an_inverse(self, symbol: sp.Basic) -> bool:
         """Whether an angle is known as the inverse of a ratio only."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import permutations
 
@@ -12,7 +12,15 @@ from restitution.errors import StatementError, UnsupportedError
 from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
-from restitution.expression.tree import Expression, Letter, has_quantity, letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    has_quantity,
+    letters,
+)
 from restitution.oracle.roles import REAL, Role
 from restitution.problem import Compare, Find, Impact, Show
 from restitution.solving.algebra.numbers import at
@@ -283,13 +291,7 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
     left_out = any(
         isinstance(step, Impact) and step.e is None for _, step in setting.problem.steps()
     )
-    shown = {
-        operand.name
-        for step in setting.shows
-        if isinstance(step.relation, Compare)
-        for operand in step.relation.operands
-        if isinstance(operand, Letter)
-    }
+    shown = {name for step in setting.shows for name, _ in _subjects(step)}
     equated = {
         operand.name
         for given, _ in setting.facts
@@ -348,12 +350,28 @@ def _wanted_in_answers(setting: Setting) -> set[str]:
     return listed | {
         name
         for step in setting.shows
-        if isinstance(step.relation, Compare)
-        and any(isinstance(operand, Letter) for operand in step.relation.operands)
-        for tree in step.relation.operands
+        for _, tree in _subjects(step)
         if not isinstance(tree, Letter) and not has_quantity(tree)
         for name in letters(tree)
     }
+
+
+def _subjects(step: Show) -> Iterator[tuple[str, Expression]]:
+    """The letters that a claim says something of, each with a side that says it.
+
+    A ratio of an angle, or a power of one, speaks of the angle: ``tan^2 alpha = e^3``.
+    """
+    if not isinstance(step.relation, Compare):
+        return
+    for own, other in permutations(step.relation.operands, 2):
+        match own:
+            case Letter(name):
+                yield name, other
+            case (
+                Apply("sin" | "cos" | "tan", Letter(name))
+                | Binary("^", Apply("sin" | "cos" | "tan", Letter(name)), Number())
+            ) if step.relation.operators == ("=",) and name not in letters(other):
+                yield name, other
 
 
 def _stated_of_quantities(setting: Setting) -> set[str]:

@@ -1,0 +1,97 @@
+"""Walls as examination questions have them: what a working says of them, and what it does not.
+
+Each working is followed line by line, and its answers are those of the solver.
+"""
+
+from __future__ import annotations
+
+import pytest
+from workings import planned
+
+from restitution.workings import to_text
+from restitution.workings.derived import explanation_of
+
+# A statement, what its working says (lines, or parts of them), and what it does not.
+CASES = {
+    "three walls of a table: the angle that is to be shown is the unknown of the last equation": (
+        """
+point M: (a/2, 0)
+wall BC: from (a, 0) to (a, b)
+wall CD: from (a, b) to (0, b)
+wall DA: from (0, b) to (0, 0)
+sphere P: at M, velocity u at theta
+P hits BC
+P hits CD
+P hits DA
+P reaches M
+show tan(theta) = 2 b e/(a(1+e))
+""",
+        (
+            "2(1 + e)eb − (2 + e)ea tan θ = a tan θ",
+            "tan θ = 2be/(a(1 + e))   (as required)",
+        ),
+        ("e + 1", "= 0"),
+    ),
+    "a number for a letter in a tangent that was shown goes into that first": (
+        """
+point D: (0, a)
+wall BC: from (2a, 0) to (2a, a)
+sphere P: at (0, 0), velocity u at theta
+P hits BC
+P reaches D
+part a
+show tan(theta) = e/(2(1+e))
+part b
+find range of tan(theta)
+part c
+given e = 3/5
+find time(2)
+""",
+        (
+            "e − 2e tan θ = 2 tan θ",
+            "tan θ = e/(2(1 + e))   (as required)   (2)",
+            "Since e = ⅗, from (2):\n    tan θ = 3/16\n    sin θ = 3/√265",
+            "t = a/(3u/√265) = √265 a/(3u)",
+        ),
+        ("√(4 + 8e + 5e²)",),
+    ),
+    "a component away from a wall is positive as a decimal too": (
+        """
+wall OA: along i
+wall OB: along 50°
+sphere P: mass m, velocity u at alpha from -i
+P hits OA: e = 1/2
+given tan(alpha) = 2/tan(50°)
+P hits OB: e = 1/3
+find speed(P) in terms of u, alpha
+""",
+        ("u/(3√(4 + tan² 50°)) ≈ 0.2227u",),
+        ("≈ −0.2227u",),
+    ),
+    "the greatest tangent of a difference of two letters": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/4
+let beta = angle(velocity(P), W)
+show tan(alpha - beta) = 3 tan(alpha)/(4 + tan^2 alpha)
+find maximum of tan(alpha - beta) over alpha
+""",
+        (
+            "Let S = 4/tan α + tan α.",
+            "greatest value of tan(α − β) = ¾, when tan α = 2, so α ≈ 63.4°",
+        ),
+        ("not written out",),
+    ),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_working_says_what_a_teacher_says(case: str) -> None:
+    statement, says, leaves_out = CASES[case]
+    problem, derivation = planned(statement)
+    text = to_text(explanation_of(derivation, problem))
+    for line in says:
+        assert line in text, f"{line} is not in\n{text}"
+    for line in leaves_out:
+        assert line not in text, f"{line} is in\n{text}"
