@@ -13,7 +13,16 @@ from restitution.language.slip_tables.motions import MOTIONS
 from restitution.language.slip_tables.patterns import NAME, Cure, Slip
 from restitution.language.slip_tables.properties import PROPERTIES
 from restitution.language.slip_tables.relations import RELATIONS
+from restitution.language.slip_tables.walls import WALLS
 
 __all__ = ["NAME", "SLIPS", "Cure"]
 
-SLIPS: tuple[Slip, ...] = (*MOTIONS, *BODIES, *PROPERTIES, *DIRECTIONS, *ASKED, *RELATIONS)
+SLIPS: tuple[Slip, ...] = (
+    *MOTIONS,
+    *BODIES,
+    *WALLS,
+    *PROPERTIES,
+    *DIRECTIONS,
+    *ASKED,
+    *RELATIONS,
+)

@@ -114,6 +114,9 @@ def write_formula(scene: Scene, own: Formula) -> int:
         relation = chain(own.left, (right, None), *between, (final, "rearrange"))
         if _by_pythagoras(scene, own) and not scene.judge.follows(own.move, refs, relation):
             relation = chain(own.left, (right, None), *between, (final, "identity"))
+            if own.value.is_number and not scene.judge.follows(own.move, refs, relation):
+                # No formula joins 40° and 20°, though it may be shorter in 20° alone.
+                relation = chain(own.left, (right, None))
         if _has_roots_of_letters(own.right):
             known = background(scene, letters(right))
             refs = scene.judge.enough(own.move, refs, relation, known) or refs

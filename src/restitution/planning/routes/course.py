@@ -11,7 +11,7 @@ from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Letter, Name, Quantity, plain_letter
+from restitution.expression.tree import Apply, Letter, Name, Quantity, plain_letter
 from restitution.planning.closing.bounded_speeds import bounded_speeds
 from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.closing.shapes import close, with_known, without
@@ -104,11 +104,25 @@ class Course:
             if known is None or symbol in self._letters or len(known.refs) != 1:
                 continue
             if sp.sympify(known.value, strict=True).has(sp.Function):
-                continue  # an angle goes by its ratio
+                self._loosen_ratio(symbol, value, known)
+                continue
             open_ = scene.unknown(known.value)
             if value.free_symbols & scene.model.final.keys() or not open_:
                 continue
             scene.desk.loosen(Letter(symbol.name), known)
+
+    def _loosen_ratio(self, angle: sp.Symbol, value: sp.Expr, known: Source) -> None:
+        """The ratio by which an angle is known is an equation, where that is degrees here."""
+        desk = self.scene.desk
+        if value.free_symbols or not (value * 180 / sp.pi).is_Integer:
+            return
+        for kind in ("sin", "cos", "tan"):
+            ratio = Apply(kind, Letter(angle.name))
+            own = desk.known(ratio)
+            if own is not None and len(own.refs) == 1 and self.scene.unknown(own.value):
+                desk.forget_value(Letter(angle.name), known)
+                desk.loosen(ratio, own)
+                return
 
     def resume(self, waiting: Mapping[sp.Symbol, Waiting]) -> None:
         """Takes up the components of which another solver of the part has written the laws."""
