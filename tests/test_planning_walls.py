@@ -68,6 +68,50 @@ find speed(P) in terms of u, alpha
         ("u/(3√(4 + tan² 50°)) ≈ 0.2227u",),
         ("≈ −0.2227u",),
     ),
+    "a wall that is struck at right angles takes the speed": (
+        """
+wall OA: along i
+wall OB: along theta
+sphere P: velocity u at alpha from -i
+P hits OA
+P hits OB: e = e
+given velocity(P, 1) perpendicular to OB
+show tan(alpha) tan(theta) = 1/e
+find speed(P) in terms of u, e, alpha
+""",
+        (
+            "P strikes OB at right angles, so its component before the impact is its speed:",
+            "𝐯₁ · 𝐧 = u√(cos²α + e² sin²α)",
+            "speed of P after the second impact = eu√(cos²α + e² sin²α)",
+        ),
+        ("sin θ =", "scalar product is zero:\n     𝐯₁ · 𝐭"),
+    ),
+    "an angle in degrees goes into the ratio that another part has for it": (
+        """
+wall W: along i
+sphere S: mass m, velocity u at alpha to W
+S hits W
+given impulse = m u
+part a
+find sin(alpha) in terms of e
+part b
+given alpha = 45°
+find e
+""",
+        ("√2/2 = 1/(1 + e)\n    1 + e = √2\n        e = √2 − 1",),
+        ("arcsin", "π"),
+    ),
+    "no formula joins the degrees of two angles: their sum has its decimal": (
+        """
+wall W: along i
+sphere B: mass 0.16, velocity 5 at 40° to W
+B hits W
+given deflection(B) = 70°
+find e, impulse
+""",
+        ("magnitude of the impulse = 0.16((5√3/3) cos 40° + 5 sin 40°)", "≈ 0.868 N s"),
+        ("cos 20°",),
+    ),
     "the greatest tangent of a difference of two letters": (
         """
 wall W: along i

@@ -150,9 +150,9 @@ def _forms(derivation: Derivation, first: int, end: int) -> Iterator[int]:
             yield line.number
 
 
-def _subject(line: Line) -> Expression | None:
+def _subject(line: Line | None) -> Expression | None:
     """The left side of a line that is one equation."""
-    match line.relation:
+    match line and line.relation:
         case Relation((((Link(left, "="), *_)),)):
             return left
     return None

@@ -246,8 +246,11 @@ def _is_whole_speed(step: Step, line: Link) -> bool:
         return False
     if not step.world.reduced(step.world.scalar(beside)).vanishes:
         return False
-    gap = step.world.scalar(speed) - step.world.scalar(line.right)
-    return step.world.reduced(gap).vanishes
+    forms = [speed]
+    while forms[-1] in values and len(forms) <= len(step.links):
+        forms.append(values[forms[-1]])  # what a chain comes to
+    right = step.world.scalar(line.right)
+    return any(step.world.reduced(step.world.scalar(form) - right).vanishes for form in forms)
 
 
 def _is_rest(step: Step, values: Mapping[Expression, Expression], velocity: Expression) -> bool:

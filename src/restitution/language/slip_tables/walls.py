@@ -105,13 +105,4 @@ WALLS: tuple[Slip, ...] = (
         r"[:,]\s*(?P<x>at\s+(?:the\s+)?(?:point\s+)?(?:\(|[A-Z]))",
         "where an impact is is a fact below it, as in 'given position(P) = (3, 0)'",
     ),
-    (
-        "find show given let",
-        rf"(?P<x>distance\s*\(\s*(?P<body>{NAME})\s*,\s*{NAME}\b)",
-        (
-            "how far P is from a wall through the origin is "
-            "'abs(across(position(P, at t), W))'; when it comes to a line is told by one more "
-            "wall and 'P reaches L'"
-        ),
-    ),
 )

@@ -41,6 +41,7 @@ from restitution.planning.formulas.scalar_products import (
     scalar_product,
 )
 from restitution.planning.formulas.settled import settled
+from restitution.planning.formulas.square_impacts import component_at_right_angles
 from restitution.planning.formulas.unknown_lines import law_by_vectors
 from restitution.planning.writing.circles import chord_from, from_centre
 from restitution.planning.writing.degrees import by_degrees, on_a_chord_by_degrees, share_by_degrees
@@ -283,6 +284,9 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
     direction = frame.direction(kind)
     shares = [tidy(own.direction(axis).dot(direction)) for axis in ("along", "across")]
     put = [_put(scene, part) for part in parts]
+    straight = component_at_right_angles(scene, kind, body, stage, frame, put)
+    if straight is not None:
+        return straight
     value = tidy(sum(a.value * b for a, b in zip(put, shares, strict=True)))
     if kind == "along" and frame.wall is not None and frame.number == stage + 1:
         velocity = Vector(*(part.value for part in put))

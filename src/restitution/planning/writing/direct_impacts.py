@@ -17,7 +17,7 @@ def with_direct_impacts(derivation: Derivation) -> Derivation:
     hidden: set[int] = set()
     for event in derivation.events:
         zeros = [line for line in derivation.lines if _is_nothing_along(line, event)]
-        early = [line for line in zeros if line.move.record == "component"]
+        early = [line for line in zeros if line.move.record != "unchanged"]
         if any(_comes_straight(derivation, event, line) for line in early):
             hidden |= {line.number for line in zeros}
     hidden -= {end.line for end in derivation.items}
@@ -34,7 +34,10 @@ def _is_nothing_along(line: Line, event: Event) -> bool:
     """Whether a line says that a component along a wall is zero, before an impact or after it."""
     if not event.wall or line.move.event != event.number or not isinstance(line.relation, Relation):
         return False
-    if line.move.record not in ("component", "unchanged") or len(line.relation.options) > 1:
+    if (
+        line.move.record not in ("component", "perpendicular", "unchanged")
+        or len(line.relation.options) > 1
+    ):
         return False
     links = line.relation.only
     left = links[0].left

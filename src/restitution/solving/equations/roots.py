@@ -367,9 +367,8 @@ def _subjects(step: Show) -> Iterator[tuple[str, Expression]]:
         match own:
             case Letter(name):
                 yield name, other
-            case (
-                Apply("sin" | "cos" | "tan", Letter(name))
-                | Binary("^", Apply("sin" | "cos" | "tan", Letter(name)), Number())
+            case Apply("sin" | "cos" | "tan", Letter(name)) | Binary(
+                "^", Apply("sin" | "cos" | "tan", Letter(name)), Number()
             ) if step.relation.operators == ("=",) and name not in letters(other):
                 yield name, other
 

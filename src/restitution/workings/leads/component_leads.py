@@ -165,7 +165,7 @@ class ComponentLeads(LinesAround):
     def _comes_straight(self, event: Event) -> bool:
         """Whether it is known that a body comes straight at a wall: no line has that component."""
         return event.wall and any(
-            line.move.record == "component"
+            line.move.record in ("component", "perpendicular")
             and line.move.event == event.number
             and line.shown == "silent"
             and isinstance(line.relation, Relation)
