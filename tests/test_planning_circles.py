@@ -412,7 +412,7 @@ def test_chords_that_end_elsewhere_make_no_right_angle() -> None:
                 "P hits A: e = 1/2\ngiven velocity(P, 1) perpendicular to B\nfind tan(alpha)\n"
                 "P hits B: e = 1/2\nfind velocity(P)"
             ),
-            "P strikes B at right angles. Component before the impact:",
+            "P strikes B at right angles, so its component before the impact is its speed:",
         ),
     ],
 )

@@ -6,7 +6,8 @@ Each working is followed line by line, and its answers are those of the solver.
 from __future__ import annotations
 
 import pytest
-from workings import planned
+import sympy as sp
+from workings import planned, solved
 
 from restitution.workings import to_text
 from restitution.workings.derived import explanation_of
@@ -112,6 +113,47 @@ find e, impulse
         ("magnitude of the impulse = 0.16((5√3/3) cos 40° + 5 sin 40°)", "≈ 0.868 N s"),
         ("cos 20°",),
     ),
+    "a place that is given at a wall closes for the angle of projection": (
+        """
+wall S: from (2a, 0) to (2a, 2a)
+wall L: from (2a, 2a) to (-2a, 2a)
+sphere P: at (0, 0), velocity u at alpha
+P hits S: e = 2/3
+P hits L
+given position(P, 2) = (0, 2a)
+find tan(alpha), time(2)
+""",
+        ("2a(5 tan α − 2)/(3 tan α) = 0", "tan α = ⅖"),
+        ("not written out", "arctan"),
+    ),
+    "a coordinate that is given at a time closes for the time": (
+        """
+wall W: along i, through (0, 0)
+sphere B: at (0, 2), velocity 3i - 4j
+B hits W: e = 1/2
+given along(position(B, at t), j) = 2
+find t
+""",
+        ("2t − 1 = 2", "t = 3/2"),
+        ("not written out",),
+    ),
+    "the squares of sine and cosine in letters have one denominator": (
+        """
+wall W1: along i
+wall W2: along i
+sphere P: velocity u at alpha to W1
+P hits W1
+P hits W2
+P hits W1
+given velocity(P) perpendicular to velocity(P, 0)
+part a
+show tan^2 alpha = 1/e^3
+part b
+find speed(P)/u in terms of e
+""",
+        ("sin²α = 1/(1 + e³)\n    cos²α = e³/(1 + e³)", "V/u = e√e"),
+        (),
+    ),
     "the greatest tangent of a difference of two letters": (
         """
 wall W: along i
@@ -139,3 +181,22 @@ def test_the_working_says_what_a_teacher_says(case: str) -> None:
         assert line in text, f"{line} is not in\n{text}"
     for line in leaves_out:
         assert line not in text, f"{line} is in\n{text}"
+
+
+def test_a_turn_through_a_multiple_of_an_angle_of_the_motion_fixes_the_coefficient() -> None:
+    """Equations that would have a sine and a cosine both zero are no solution."""
+    solution = solved(
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+let beta = angle(velocity(P), W)
+given deflection(P) = 3 beta
+find e in terms of beta
+"""
+    )
+    (answer,) = solution["e"].distinct
+    b = sp.Symbol("beta")
+    for size in (0.3, 0.6):
+        worth = sp.N(answer.value.subs(dict.fromkeys(answer.value.free_symbols, size)))
+        assert abs(worth - sp.N((sp.tan(b) / sp.tan(2 * b)).subs(b, size))) < 1e-9

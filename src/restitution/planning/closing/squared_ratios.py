@@ -203,7 +203,12 @@ def _squares(scene: Scene, symbol: sp.Symbol) -> dict[type[sp.Function], sp.Expr
     known = _squared_tangent(scene, Letter(symbol.name))
     assert known is not None
     tangent = tidy(scene.put(known.value)[0])
-    return {sp.sin: tidy(tangent / (1 + tangent)), sp.cos: tidy(1 / (1 + tangent))}
+    if tangent.is_number:
+        return {sp.sin: tidy(tangent / (1 + tangent)), sp.cos: tidy(1 / (1 + tangent))}
+    # In letters both have one denominator, which is no longer than it has to be.
+    above, below = sp.fraction(sp.together(tangent))
+    whole = min(sp.expand(above + below), sp.factor(above + below), key=lambda x: x.count_ops())
+    return {sp.sin: above / whole, sp.cos: below / whole}
 
 
 def _squared_tangent(scene: Scene, angle: Letter) -> Source | None:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
+import sympy as sp
+
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.expression.tree import AtTime, Name, Quantity, Unit
 from restitution.planning.journeys.instants import place_then
@@ -20,6 +24,12 @@ def write_given_place(scene: Scene, equation: GivenEquation) -> int:
             return _place_then(scene, equation, there, body, scene.vector(right))
         case Link(Quantity("position", (Name(body),), int(stage)), "=", right):
             place = scene.vector(right)
+        case Link(
+            Quantity("along", (Quantity("position", (Name(body),), AtTime()) as there, Unit(axis))),
+            "=",
+            right,
+        ):
+            return _coordinate_then(scene, equation, there, axis, scene.scalar(right))
         case _:
             raise NotPlannedError("a relation with places")
     for axis, given in zip(place_trees.AXES, place, strict=True):
@@ -41,13 +51,28 @@ def _place_then(
     """A place given at a time between events, by the coordinate with the fewest unknowns."""
     own = place_then(scene, there, body)
     coordinates = zip(place_trees.AXES, own.value, place, strict=True)
-    for axis, value, given in sorted(coordinates, key=lambda each: len(scene.unknown(each[1]))):
+    for axis, value, given in sorted(coordinates, key=lambda pair: len(scene.unknown(pair[1]))):
         if not scene.unknown(value):
             continue
-        coordinate_then = chain(Quantity("along", (there, Unit(axis))), (tree_of(value), None))
-        line = scene.desk.write(Move("rearrange"), own.refs, coordinate_then, "silent")
-        relation = chain(tree_of(value), (tree_of(given), None))
-        premises = scene.judge.enough(Move("put"), (line, *equation.refs), relation)
-        if premises is not None:
-            return scene.desk.write(Move("put"), premises, relation)
+        try:
+            return _coordinate_then(scene, equation, there, axis, given)
+        except NotPlannedError:
+            continue
     raise NotPlannedError("a place that is given at a time")
+
+
+def _coordinate_then(
+    scene: Scene, equation: GivenEquation, there: Quantity, axis: Literal["i", "j"], given: sp.Expr
+) -> int:
+    """One coordinate that is given at a time between events."""
+    (body,) = there.arguments
+    assert isinstance(body, Name)
+    own = place_then(scene, there, body.name)
+    value = dict(zip(place_trees.AXES, own.value, strict=True))[axis]
+    coordinate_then = chain(Quantity("along", (there, Unit(axis))), (tree_of(value), None))
+    line = scene.desk.write(Move("rearrange"), own.refs, coordinate_then, "silent")
+    relation = chain(tree_of(value), (tree_of(given), None))
+    premises = scene.judge.enough(Move("put"), (line, *equation.refs), relation)
+    if premises is None:
+        raise NotPlannedError("a place that is given at a time")
+    return scene.desk.write(Move("put"), premises, relation)

@@ -8,7 +8,7 @@ from itertools import combinations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.expression.tree import Name, Quantity
+from restitution.expression.tree import Name, Quantity, walk
 from restitution.planning.angles.deflections import turned_at_a_wall
 from restitution.planning.axes.given_momenta import write_masses
 from restitution.planning.closing.pairs import close_two
@@ -79,6 +79,9 @@ class Closing(ByLaws):
         """An equation with one unknown letter."""
         for own in left:
             open_ = self._essential(own)
+            if len(open_) > 1 and self._is_place(own):
+                # The laws at walls are written on the way to a place.
+                open_ -= self._after_walls()
             if len(open_) != 1:
                 continue
             (symbol,) = open_
@@ -88,6 +91,20 @@ class Closing(ByLaws):
             if number is not None and self._closes(number, symbol):
                 return (own,)
         return None
+
+    def _is_place(self, own: Candidate) -> bool:
+        """Whether a fact gives the place of a body."""
+        given = self.equations.givens.get(own.id)
+        return given is not None and any(
+            isinstance(node, Quantity) and node.kind == "position" for node in walk(given.link.left)
+        )
+
+    def _after_walls(self) -> frozenset[sp.Symbol]:
+        """The components after impacts with walls."""
+        frames = self.scene.model.frames
+        return frozenset(
+            symbol for symbol, (number, _) in self._letters.items() if frames[number].wall
+        )
 
     def _mass_by_impulse(self, own: Candidate, symbol: sp.Symbol) -> bool:
         """Whether an impulse that is given closes for the mass of the sphere it was not used of."""

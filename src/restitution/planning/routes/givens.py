@@ -163,6 +163,8 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if own.left.kind == "velocity":
             return _velocity(scene, each)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
+            if any(isinstance(e, Quantity) and e.kind == "position" for e in walk(own.left)):
+                return write_given_place(scene, each)
             return _component(scene, each)
         if own.left.kind == "impulse" and own.left.arguments:
             return write_impulse(scene, each)

@@ -9,7 +9,7 @@ from itertools import permutations
 import sympy as sp
 
 from restitution.errors import StatementError, UnsupportedError
-from restitution.exact.symbols import symbol_names
+from restitution.exact.symbols import operations_in, symbol_names
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
+from restitution.oracle import Oracle, Some, compared
 from restitution.oracle.roles import REAL, Role
 from restitution.problem import Compare, Find, Impact, Show
 from restitution.solving.algebra.numbers import at
@@ -231,6 +232,7 @@ def solve_equations(
             raise missing.too_many(
                 letters_.phrases.get(s.name, s.name) for s in unknowns
             ) from error
+        assignments = _without_contradictions(assignments, known)
         leftover = [value for one in assignments for value in one.leftover]
         if assignments and all(_is_undefined(values, one) for one in assignments):
             leftover = values  # of a direction in two letters only their ratio can be found
@@ -244,6 +246,29 @@ def solve_equations(
             return kept
         chosen = chosen | {letter}
     raise UnsupportedError("the facts fix more letters than can be sorted out")
+
+
+# A longer equation that is left over is not looked at by itself.
+_SHORT = 12
+
+
+def _without_contradictions(roots: list[Root], known: Mapping[str, Role]) -> list[Root]:
+    """The roots without those that leave over equations which cannot all hold.
+
+    No angle has a sine and a cosine of zero. Where all roots leave something over they are all
+    kept.
+    """
+    if all(root.leftover for root in roots) or not any(root.leftover for root in roots):
+        return roots
+    return [root for root in roots if not _is_contradictory(root.leftover, known)]
+
+
+def _is_contradictory(equations: Sequence[sp.Expr], known: Mapping[str, Role]) -> bool:
+    """Whether certainly not all of some short expressions are zero."""
+    plain = [value for value in equations if operations_in(value) <= _SHORT]
+    plain = [value for value in plain if symbol_names(value) <= set(known)]
+    claim = Some(tuple(compared(value, "!=", sp.Integer(0)) for value in plain))
+    return bool(plain) and Oracle(known).proves(claim)
 
 
 def _is_undefined(equations: Sequence[sp.Expr], root: Root) -> bool:
@@ -291,7 +316,9 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
     left_out = any(
         isinstance(step, Impact) and step.e is None for _, step in setting.problem.steps()
     )
-    shown = {name for step in setting.shows for name, _ in _subjects(step)}
+    subjects = [own for step in setting.shows for own in _subjects(step)]
+    shown = {own.name for own, _ in subjects if isinstance(own, Letter)}
+    of_ratios = {name for own, _ in subjects for name in letters(own)} - shown
     equated = {
         operand.name
         for given, _ in setting.facts
@@ -317,23 +344,25 @@ def to_fix(setting: Setting, present: frozenset[str], chosen: frozenset[str]) ->
         role = setting.roles[name]
         if name in shown:
             return 0, name
-        if name in stated:
-            return 8, name
-        if name == "e" and left_out:
+        if name in of_ratios:
             return 1, name
-        if name in equated:
+        if name in stated:
+            return 9, name
+        if name == "e" and left_out:
             return 2, name
-        if role.kind == "restitution":
+        if name in equated:
             return 3, name
-        if name in terms:
-            return 8, name
-        if name in in_shows:
+        if role.kind == "restitution":
             return 4, name
-        if role.kind == "angle":
+        if name in terms:
+            return 9, name
+        if name in in_shows:
             return 5, name
-        if role.kind == "real":
+        if role.kind == "angle":
             return 6, name
-        return 7, name
+        if role.kind == "real":
+            return 7, name
+        return 8, name
 
     chosen_letter: str = min(candidates, key=priority)
     return chosen_letter
@@ -356,8 +385,8 @@ def _wanted_in_answers(setting: Setting) -> set[str]:
     }
 
 
-def _subjects(step: Show) -> Iterator[tuple[str, Expression]]:
-    """The letters that a claim says something of, each with a side that says it.
+def _subjects(step: Show) -> Iterator[tuple[Expression, Expression]]:
+    """What a claim says something of, a letter or a ratio of it, with a side that says it.
 
     A ratio of an angle, or a power of one, speaks of the angle: ``tan^2 alpha = e^3``.
     """
@@ -365,12 +394,12 @@ def _subjects(step: Show) -> Iterator[tuple[str, Expression]]:
         return
     for own, other in permutations(step.relation.operands, 2):
         match own:
-            case Letter(name):
-                yield name, other
+            case Letter():
+                yield own, other
             case Apply("sin" | "cos" | "tan", Letter(name)) | Binary(
                 "^", Apply("sin" | "cos" | "tan", Letter(name)), Number()
             ) if step.relation.operators == ("=",) and name not in letters(other):
-                yield name, other
+                yield own, other
 
 
 def _stated_of_quantities(setting: Setting) -> set[str]:
