@@ -71,6 +71,7 @@ from restitution.planning.latest_forms import (
 )
 from restitution.planning.missed_walls import write_missed_wall
 from restitution.planning.out_of_range import write_out_of_range
+from restitution.planning.routes.back_through_walls import write_back_through_walls
 from restitution.planning.routes.directions_of_others import write_velocities_of_others
 from restitution.planning.routes.items import write_item
 from restitution.planning.routes.late_facts import write_with_facts
@@ -587,6 +588,7 @@ def _write_end(
             write_opposite_impulse(scene, asked)
             write_impulse_of_an_open_line(scene, asked)
         write_open_lines(scene)
+        write_back_through_walls(scene)
         write()
         if scene.sided:
             write_other_side(scene, result, name)

@@ -248,6 +248,7 @@ class _Writer:
                 if after is not None and self._stays_with(shown, index):
                     continue
                 together, self.stay = self.stay, []
+                given = tuple(e for own in together for e in self.leads.given_before(own))
                 step = self._unchanged(together)
             else:
                 if line.number in self.meetings:

@@ -41,6 +41,7 @@ from restitution.workings.leads.scalar_products import slope_title
 from restitution.workings.leads.titles import Leads
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.facts import fact_in_words, velocity_given
+from restitution.workings.naming.sources import is_vector
 
 # The sign of a component along **i**, of a direction beyond 90°.
 _BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
@@ -436,7 +437,7 @@ def _has_vector(tree: Expression) -> bool:
 
 def _has_vectors(line: Line) -> bool:
     """Whether vectors stand in a line."""
-    return isinstance(line.relation, Relation) and any(map(_has_vector, trees_of(line.relation)))
+    return isinstance(line.relation, Relation) and any(map(is_vector, trees_of(line.relation)))
 
 
 def _stage(fact: Fact) -> object:
