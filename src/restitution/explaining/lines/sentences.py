@@ -1334,7 +1334,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.apart": ("{one} moves perpendicular to the line of centres, and {other} along it. So"),
     "derived.along-line": "{body} moves parallel to {line}:",
     "derived.across-line": "{body} moves perpendicular to {line}:",
-    "derived.line-at": "The line of centres is at {angle} to 𝐢:",
+    "derived.line-at": "The line of centres is at {angle} to {axis}:",
     "derived.along-the-path": "The path is in the direction of the velocity:",
     "derived.turned-clockwise": (
         "The impulse on {body} acts along the line of centres, away from {other}, so {body} is "

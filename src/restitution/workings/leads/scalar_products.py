@@ -17,7 +17,7 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, Unit
 from restitution.planning.angles.lines_between import cosine_of
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.unit_vectors import short_direction
@@ -39,7 +39,8 @@ def slope_title(naming: Naming, line: Line) -> Sentence | None:
         return None
     match line.move.record, line.relation:
         case "parallel", Relation(((Link(Apply("tan", Letter() as angle), "="), *_),)):
-            return say("derived.line-at", angle=naming.layout(angle))
+            axis = naming.layout(Unit("i"))
+            return say("derived.line-at", angle=naming.layout(angle), axis=axis)
         case "turned", Relation(((Link(_, "=", Binary(op)), *_),)):
             (body,) = line.move.bodies
             (other,) = (e for e in naming.events[line.move.event or 0].bodies if e != body)
