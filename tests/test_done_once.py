@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from fractions import Fraction
+from operator import is_
 from typing import Any
 
 import pytest
 
 from restitution import examples
+from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.data.facts import facts_of
 from restitution.explaining.lines.derivation import Meaning
 from restitution.expression.tree import Binary, Name, Number, Quantity
 from restitution.language import parse
 from restitution.planning import planner
 from restitution.planning.writing import checking
+from restitution.planning.writing.gathering import numbered_anew
 from restitution.planning.writing.scene import Scene
 from restitution.solving import solve
 
@@ -55,3 +59,12 @@ def test_what_a_tree_is_worth_in_letters_is_kept(monkeypatch: pytest.MonkeyPatch
     twice = Binary("*", Number(Fraction(2)), Quantity("velocity", (Name("P"),), 2))
     (scene,) = scenes
     assert scene.vector(twice) is scene.vector(twice)
+
+
+def test_lines_that_stay_what_they_are_are_not_made_anew() -> None:
+    derivation = planner.plan(solve(parse(CORNER)))
+    first = list(derivation.lines[:-1])
+    shorter = numbered_anew(replace(derivation, items=(), notes=(), cases=()), first)
+    assert all(map(is_, shorter.lines, first))
+    marked = awarded(derivation)
+    assert all(map(is_, awarded(marked).lines, marked.lines))

@@ -151,7 +151,7 @@ def remembered(maxsize: int) -> Callable[[_F], _F]:
         def wrapper(*arguments: Any) -> Any:
             state.fresh = False
             value, used = kept(*arguments)
-            if not state.fresh:
+            if used and not state.fresh:
                 spend(used)
             return value
 

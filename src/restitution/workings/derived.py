@@ -530,7 +530,8 @@ class _Writer:
         if decimals is not None:
             rows.append(decimals)
         end = self.ends.of(line)
-        rows[-1] = replace(rows[-1], answer=end is not None and not end.shown)
+        if end is not None and not end.shown:
+            rows[-1] = replace(rows[-1], answer=True)
         item = self.ends.place(line)
         if resolved is not None:
             # Components under one heading belong together, whatever items need them.

@@ -90,7 +90,11 @@ def awarded(
     notes = tuple(awarding.noted(proposed))
     return replace(
         derivation,
-        lines=tuple(replace(line, marks=proposed[line.number]) for line in derivation.lines),
+        lines=tuple(
+            line if line.marks == own else replace(line, marks=own)
+            for line in derivation.lines
+            for own in (proposed[line.number],)
+        ),
         notes=notes,
     )
 

@@ -171,16 +171,13 @@ def setting_of(
     derivation: Derivation, oracle: Oracle, names: Mapping[str, str] | None = None
 ) -> Setting:
     """What all lines of a working share; ``names`` are `names_of` its facts, where known."""
-    values = {
-        line.relation.only[0].left.name: line.relation.only[-1].right
-        for line in derivation.lines
-        if isinstance(line.relation, Relation)
-        and len(line.relation.options) == 1
-        and isinstance(line.relation.only[0].left, Letter)
-        and line.relation.only[0].left.name in derivation.meanings
-        and line.relation.only[0].sign == "="
-        and whole_of(line.relation.only) is not None
-    }
+    values: dict[str, Expression] = {}
+    for line in derivation.lines:
+        match line.relation:
+            case Relation(((Link(Letter(name), "="), *_) as links,)) if (
+                name in derivation.meanings and whole_of(links) is not None
+            ):
+                values[name] = links[-1].right
     own = names_of(derivation.events, derivation.facts) if names is None else names
     either = on_either_side(derivation)
     bounces = tuple(_bounces(derivation))

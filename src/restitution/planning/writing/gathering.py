@@ -463,7 +463,10 @@ def numbered_anew(derivation: Derivation, order: list[Line]) -> Derivation:
 
     def renumbered(line: Line) -> Line:
         premises = tuple(numbers[e] if isinstance(e, int) else e for e in line.premises)
-        return replace(line, number=numbers[line.number], premises=premises)
+        number = numbers[line.number]
+        if number == line.number and premises == line.premises:
+            return line
+        return replace(line, number=number, premises=premises)
 
     return replace(
         derivation,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import Literal
 
@@ -89,6 +90,7 @@ def is_displacement(tree: Expression) -> bool:
     return False
 
 
+@lru_cache(maxsize=4096)
 def is_vector(tree: Expression) -> bool:
     """Whether a side of an equation is written as a vector."""
     match tree:

@@ -116,7 +116,8 @@ def _step(step: Step, width: int, margin: int) -> list[_Line]:
         intro = f"{named} {intro}" if intro else named
     if intro:
         lines += _plain(wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0)))
-        lines[-1] = replace(lines[-1], mark=step.mark)
+        if step.mark:
+            lines[-1] = replace(lines[-1], mark=step.mark)
     lines += _rows(step.rows, width, margin)
     return lines
 
@@ -127,7 +128,7 @@ def _labelled(lines: Sequence[_Line], label: str, margin: int) -> Iterator[_Line
         text = " " * margin + line.text if line.text else line.text
         if label and number == 0:
             text = label + text[columns(label) :]
-        yield replace(line, text=text)
+        yield line if text == line.text else replace(line, text=text)
 
 
 def inline(words: Words) -> str:
@@ -248,15 +249,15 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     if note and columns(lines[-1]) + columns(gap) + columns(note) <= room_behind:
         lines[-1] = f"{lines[-1]}{gap}{note}"
         note = ""
-    rows = _plain(lines)
-    rows[-1] = replace(rows[-1], strong=row.answer)
+    rows = [*_plain(lines[:-1]), _Line(lines[-1], strong=row.answer)]
     if note:
         # Words go on below the right side where they have room there.
         words = note.removeprefix(",").lstrip()
         right = columns(start) + 1 + max(map(columns, row.signs), default=0) + 1
         indent = right if right + columns(words) <= own else _INDENT + 2
         rows += _plain([" " * indent + each for each in wrapped(words, own - indent)])
-    rows[-1] = replace(rows[-1], mark=row.mark)
+    if row.mark:
+        rows[-1] = replace(rows[-1], mark=row.mark)
     return rows
 
 
