@@ -454,3 +454,22 @@ def test_a_turn_of_less_than_a_right_angle_is_shown_by_the_sign_of_the_product()
     lines = (*derivation.lines[:-1], replace(last, relation=wide))
     reasons = {each.reason for each in follow(replace(derivation, lines=lines), oracle)}
     assert "does-not-follow" in reasons
+
+
+def test_a_component_by_a_law_with_a_squared_tangent_is_followed() -> None:
+    told = worked(
+        "sphere A: mass m, velocity 2u at alpha\nsphere B: mass m, velocity u at 180° - beta\n"
+        "A hits B: along i\ngiven deflection(B) = 90°, alpha = 60°\nfind e in terms of beta\n"
+    )
+    assert "As sin²β + cos²β = 1:\n    v = −u(1 − cos β)/cos β" in told
+
+
+def test_a_fact_that_a_part_has_closed_is_not_worked_out_again() -> None:
+    told = worked(
+        "sphere A: mass m, velocity p i + q j\nsphere B: mass 2m, at rest\nA hits B: along i\n"
+        "given p > 0, q > 0, speed(A) = 2 speed(B)\npart a\nfind q^2/p^2\n"
+        "part b\nfind energy_lost/energy(0) in terms of e\n"
+    )
+    (_, after) = told.split("(b)\n")
+    assert "q² = (1 + 4e)p²/3" in after
+    assert "speed of A" not in after

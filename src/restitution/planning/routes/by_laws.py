@@ -151,9 +151,11 @@ class ByLaws(ByFacts):
                 close(self.scene, number, symbol)
                 return (own,)
             value = tidy(_solved(own_residual, symbol))
-            line = self.scene.desk.write(
-                Move("rearrange"), (number,), chain(Letter(symbol.name), (tree_of(value), None))
-            )
+            subject = chain(Letter(symbol.name), (tree_of(value), None))
+            moves = (Move("rearrange"), Move("identity", "pythagoras"))
+            line = self.scene.judge.write(moves, (number,), subject)
+            if line is None:
+                line = self.scene.desk.write(Move("rearrange"), (number,), subject)
             self.scene.desk.know(Letter(symbol.name), value, (line,))
             return (own,)
         return None

@@ -27,6 +27,7 @@ from restitution.planning.formulas.impacts import (
 from restitution.planning.formulas.settled import settled
 from restitution.planning.formulas.velocity_formulas import body_and_stage, speed_formula
 from restitution.planning.journeys import paths, rounds
+from restitution.planning.routes.closed_before import closed_before
 from restitution.planning.routes.equations import SHOWN, Equations, Law
 from restitution.planning.routes.givens import write_given
 from restitution.planning.routes.laws_solved import put_into_restitution
@@ -355,6 +356,9 @@ class Course:
         given = self.equations.givens.get(own.id)
         law = self.equations.law(own)
         if given is not None:
+            before = closed_before(self.scene, given, self._open(own))
+            if before is not None:
+                return before
             try:
                 return write_given(self.scene, given)
             except NotPlannedError as error:

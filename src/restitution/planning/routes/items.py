@@ -41,6 +41,7 @@ from restitution.planning.formulas.related_velocities import write_related
 from restitution.planning.formulas.separations import event_of_relative
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.aimed_velocities import write_by_its_way
+from restitution.planning.routes.closed_before import write_from_above
 from restitution.planning.routes.given_shares import write_given_share
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
@@ -421,7 +422,10 @@ def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
         return
     if several and not rest and scene.judge.follows(Move("rearrange"), (first,), relation):
         move = Move("rearrange")
-    scene.desk.end(name, scene.desk.write(move, (first,), relation), relation)
+    line_ = write_from_above(scene, move, first, relation)
+    if line_ is None:
+        line_ = scene.desk.write(move, (first,), relation)
+    scene.desk.end(name, line_, relation)
 
 
 def _letters_in(tree: Expression) -> Iterator[Expression]:
