@@ -586,3 +586,33 @@ show deflection(A) + 2 alpha <= 180°
 """
     shown = " ".join(to_text(explain(solve(parse(text)))).split())
     assert "δ + 2α = 180° + α − arctan((tan α)/e)" in shown
+
+
+def test_an_angle_asked_above_all_impacts_is_no_right_one() -> None:
+    """A is not deflected yet, and what is asked below the impact is worked out all the same."""
+    text = "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\n"
+    text += "show tan(deflection(A)) <= 1\nA hits B: along i\n"
+    text += "show energy_lost/energy(0) <= 1/2 m u^2"
+    assert "fraction lost = ½(1 − e²) cos²α" in to_text(explain(solve(parse(text))))
+
+
+def test_an_angle_of_an_earlier_part_is_open_in_a_later_one() -> None:
+    """With tan α = e the loss is mu²(1 − e²)/(1 + e²), or mu²(1 − 2 sin²α)."""
+    text = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: velocity u at 180° - alpha
+A hits B: along i
+part a
+find velocity(A), velocity(B)
+part b
+given velocity(A) perpendicular to velocity(B)
+find alpha
+part c
+given velocity(A) perpendicular to velocity(B)
+unknown e
+find range of alpha
+find maximum of energy_lost over e
+"""
+    solution = solve(parse(text))
+    assert "mu²(1 − 2 sin²α)" in to_text(explain(solution))

@@ -150,7 +150,7 @@ def _asked(problem: Problem) -> frozenset[Quantity]:
 def _is_square(scene: Scene, quantity: Quantity) -> bool:
     """Whether a deflection is a right angle, which the scalar product tells."""
     match quantity:
-        case Quantity("deflection", (Name(body),), int(event)):
+        case Quantity("deflection", (Name(body),), int(event)) if event > 0:
             early, late = (scene.velocity(body, number) for number in (event - 1, event))
             return scene.model.identically_zero(scene.model.in_data(early.dot(late)))
     return False

@@ -111,12 +111,12 @@ def write_complement(scene: Angles, own: Apply, fact: Fact, other: str) -> None:
 
 def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
     """A sine, cosine or tangent of an angle of which another is known, or the angle itself."""
-    letter = Letter(symbol.name)
+    letter, worth = Letter(symbol.name), scene.model.final.get(symbol)
     for ratio in ("tan", "sin", "cos"):
         known = scene.desk.known(Apply(ratio, letter))
-        if known is None or len(known.refs) != 1:
-            continue
-        known, angle = _in_numbers(scene, Apply(ratio, letter), known, scene.model.final[symbol])
+        if worth is None or known is None or len(known.refs) != 1:
+            continue  # one of another part is open in this one
+        known, angle = _in_numbers(scene, Apply(ratio, letter), known, worth)
         kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != ratio]
         trees = {own: ratio_of(own, angle) for own in kinds}
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
