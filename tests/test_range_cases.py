@@ -287,6 +287,16 @@ def holds(condition: str, put: dict[sp.Symbol, float]) -> bool:
     return all(signs[s](a, b) for s, a, b in zip(rest[::2], sides, sides[1:], strict=False))
 
 
+def test_a_form_whose_end_has_no_value_is_not_all() -> None:
+    """With e = 1 no energy is lost, and every u is possible; else mu²(1 − e²)/4 < 500."""
+    text = DIRECT.replace("k m", "m") + "given energy_lost < 500\nfind range of u"
+    ((_, item),) = solved(text).items()
+    assert [(each.condition, each.value.end == sp.oo) for each in item.answers] == [
+        (("e < 1",), False),
+        (("e = 1",), True),
+    ]
+
+
 def test_a_greatest_angle_is_one_inverse_tangent() -> None:
     text = OBLIQUE + "find maximum of deflection(A) over alpha"
     ((_, item),) = solved(text).items()

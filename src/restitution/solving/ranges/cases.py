@@ -17,7 +17,7 @@ import sympy as sp
 from restitution.errors import RestitutionError, UnsupportedError
 from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
-from restitution.oracle import BeyondError, Formula, Oracle, Proof, Verdict
+from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
 from restitution.oracle.roles import Role
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.intervals import End, Piece, inside_of, to_set
@@ -74,8 +74,10 @@ class Case:
 def cases(region: Family) -> list[Case]:
     """The forms of a range, each proved; none, where that is not possible.
 
-    For the values of the data that no case has, nothing is possible.
+    For the values of the data that no case has, nothing is possible. Forms whose ends have values
+    for all data come before others: u < 1/(1 − e) says nothing for e = 1.
     """
+    partial: list[Case] = []
     groups = [_finite_ends(region, critical) for critical in region.critical_groups]
     names = symbol_names(*(end for ends in groups for end in ends))
     names &= set(region.data())
@@ -88,9 +90,19 @@ def cases(region: Family) -> list[Case]:
                 cases_ = _along(region, name, borders)
             except (RestitutionError, BeyondError, UndefinedError):
                 continue
-            if cases_:
+            if cases_ and all(_always_exists(region, case) for case in cases_):
                 return cases_
-    return []
+            partial = partial or cases_
+    return partial
+
+
+def _always_exists(region: Family, case: Case) -> bool:
+    """Whether the ends of a form have values wherever it holds."""
+    inside = inside_of(region.roles[case.letter].symbol(case.letter), [case.where])
+    oracle = Oracle(region.roles, (*region.given, inside))
+    powers = {power for piece in case.pieces for end in piece for power in end.value.atoms(sp.Pow)}
+    below = [power.base for power in powers if power.exp.is_negative and power.base.free_symbols]
+    return all(oracle.decide(Relation(base, "!=")) for base in below)
 
 
 def _finite_ends(region: Family, critical: Sequence[sp.Expr]) -> list[sp.Expr]:
