@@ -304,3 +304,15 @@ def test_a_wall_that_is_missed(statement: str, lines: tuple[str, ...]) -> None:
     """Where the sphere comes to the line of the wall is worked out."""
     shown = working(statement)
     assert all(line in shown for line in lines), shown
+
+
+def test_a_line_by_which_no_item_can_be_is_the_answer_of_none() -> None:
+    text = (
+        "wall W: along i, through (0, 0)\nwall V: along j, through (8, 0)\n"
+        "sphere P: at (1, 2), velocity 2i - 2j\n"
+        "P hits W: e = 1/2\nP hits V: e = 1/2\nP hits W: e = 1/2\n"
+        "find position(P, 1), position(P, 2), position(P, 3), speed(P)\n"
+    )
+    shown = " ".join(to_text(explain(solve(parse(text)))).split())
+    assert "The velocity, from its components: 𝐯₂ = (−𝐢 + 𝐣) m s⁻¹" in shown
+    assert "(i), (ii), (iii), (iv) So P moves away from W" in shown

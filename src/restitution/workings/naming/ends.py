@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -299,12 +300,15 @@ def claim_of_meeting(relation: Meets, naming: Naming) -> Sentence:
 def _ends(derivation: Derivation) -> Iterator[ItemEnd]:
     """The last lines of items, also of one of which the value is impossible."""
     yield from derivation.items
+    items = Counter(max(note.lines, default=0) for note in derivation.notes)
     for note in derivation.notes:
         line = derivation.line(max(note.lines, default=0))
         if note.kind != "impossible" or note.claim is not None:
             continue  # with a claim it is a value by the way
         if line is not None and line.item == note.item:
             assert isinstance(line.relation, Relation)
+            if items[line.number] > 1 and isinstance(line.relation.options[0][0].left, Quantity):
+                continue  # how a body moves: several items fail by it, and it is the value of none
             yield ItemEnd(note.item, line.number, line.relation, note.part)
 
 
