@@ -713,6 +713,38 @@ def test_what_solves_is_loaded_before_the_statement_is_there():
     assert late <= {"restitution.examples", "restitution.examples.topics", "restitution.mending"}
 
 
+def test_what_both_processes_need_is_loaded_before_they_part():
+    """Else each of them loads it for itself."""
+    begin = (
+        "import sys\n"
+        "from restitution.cli.worker import load_shared\n"
+        "load_shared()\n"
+        "assert 'sympy' not in sys.modules\n"
+        "loaded = set(sys.modules)\n"
+    )
+    reading = (
+        "from restitution import examples\n"
+        "from restitution.cli.files import parse\n"
+        "parse(examples.text('corner').encode())\n"
+    )
+    solving = "from restitution.export.job import prepare\nprepare()\n"
+    end = "print(*(set(sys.modules) - loaded))\n"
+    late = []
+    for work in (reading, solving):
+        done = subprocess.run(
+            [sys.executable, "-c", begin + work + end],
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=100,
+        )
+        assert not done.returncode, done.stderr
+        late.append(set(done.stdout.split()))
+    assert late[1]
+    both = {name for name in set.intersection(*late) if name.startswith(("restitution", "lark"))}
+    assert both == set()
+
+
 def test_the_asking_process_loads_no_algebra(folder):
     code = (
         "import sys; sys.argv = ['restitution', 'solve', 'good.impact', '-f', 'json']\n"

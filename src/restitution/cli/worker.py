@@ -11,11 +11,19 @@ if TYPE_CHECKING:
 
 def new_worker() -> Worker:
     """The process that solves, which begins at once to load what it needs."""
-    # What both need is loaded before they part, and nothing else: so both go on at the same time.
-    import restitution.export.job  # noqa: F401
     from restitution.killable import Worker
 
+    load_shared()
+
     return Worker(_serve, _prepare, _rehearse)
+
+
+def load_shared() -> None:
+    """Load what both processes need before they part, and nothing else: so both go on at once."""
+    import restitution.export.job
+    import restitution.expression.reading
+    import restitution.language.checking
+    import restitution.language.measuring  # noqa: F401
 
 
 def _prepare() -> None:
