@@ -10,7 +10,9 @@ import pytest
 from workings import planned
 
 from restitution.explaining.lines.notation import write_relation
-from restitution.workings import to_text
+from restitution.language import parse
+from restitution.solving import solve
+from restitution.workings import explain, to_text
 from restitution.workings.derived import explanation_of
 
 # A statement, and what its working says: lines, or parts of them.
@@ -125,3 +127,16 @@ given velocity(B) in the direction of velocity(A)
 find f
 """)
     assert write_relation(derivation.items[0].answer) == "f = 2/3"
+
+
+def test_who_moves_along_a_line_across_that_of_centres_has_no_component_along_it() -> None:
+    text = """
+sphere A: mass 1, velocity 5i + j
+sphere B: mass 2, velocity i + 2j
+A hits B: along i - j
+given velocity(A) parallel to i + j
+find e
+"""
+    told = " ".join(to_text(explain(solve(parse(text)), check=True)).split())
+    assert "so A has no component along the line of centres:" in told
+    assert "e = ⅕" in told

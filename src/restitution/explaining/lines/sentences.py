@@ -661,6 +661,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.along-the-line": (
         "It is given that {fact}, so {body} has no component perpendicular to the line of centres:"
     ),
+    "given.off-the-line": (
+        "It is given that {fact}, so {body} has no component along the line of centres:"
+    ),
     "given.proportion": "It is given that {fact}, so their components are in proportion:",
     "given.approach": "{one} and {other} approach each other before {event}:",
     "given.towards-wall": "{body} moves towards {wall} before {event}:",

@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import (
     Fact,
     Line,
     Link,
+    Meaning,
     Relation,
 )
 from restitution.explaining.lines.saying import Sentence, say
@@ -221,7 +222,17 @@ class GivenLeads(Leads):
         (body,) = line.move.bodies
         if event.wall:
             return (say("given.straight-on", fact=fact, body=body, wall=event.bodies[-1]),)
-        return (say("given.along-the-line", fact=fact, body=body),)
+        assert isinstance(line.relation, Relation)
+        inside = letters(line.relation.only[0].left)
+        along = any(
+            isinstance(let := other.relation, Meaning)
+            and let.letter in inside
+            and isinstance(let.quantity, Quantity)
+            and let.quantity.kind == "along"
+            for other in self._derivation.lines
+        )
+        name: SentenceId = "given.off-the-line" if along else "given.along-the-line"
+        return (say(name, fact=fact, body=body),)
 
     def _wall_without_what_stays(self, line: Line) -> str | None:
         """The wall at which energies differ by one component, where no line says which stays."""
