@@ -47,14 +47,14 @@ def with_values(
     pool = (*own.premises, *worths.judge.known(letters(put) | letters(link.right)))
     for move in moves:
         for by in _BY if own.move.id in ("rearrange", "put") else _BY[::-1]:
-            made = replace(move, record=own.move.record) if by == "identity" else move
+            step = replace(move, record=own.move.record) if by == "identity" else move
             relation = chain(link.left, (put, None), (link.right, by))
             if len(relation.only) == 1:
                 return last
-            refs = judge.needed(made, pool, relation, lines)
+            refs = judge.needed(step, pool, relation, lines)
             if refs is not None:
                 desk.lines.pop()
-                return desk.write(made, refs, relation)
+                return desk.write(step, refs, relation)
     return last
 
 
