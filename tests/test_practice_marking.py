@@ -1168,3 +1168,41 @@ def test_a_wrong_number_may_stand_beside_the_same_number_that_is_right() -> None
     working = "perp before: ucos60 = 0.5u\nperp after: 0.5u\nI = m(0.5u + 0.5u) = mu"
     verdicts = [line.verdict for line in restitution.mark(solution, working).lines]
     assert verdicts == ["false", "true", "follows"]
+
+
+TAPPED = """wall W: along j
+sphere P: mass 3, velocity 3i + 2j
+P hits W: e = 1/3
+find speed(P), energy_lost"""
+SECOND = """sphere A: mass m, velocity 6u i
+sphere B: mass 2m, at rest
+sphere C: mass m, at rest
+A hits B: along i, e = 1/2
+part a
+find speed(A), speed(B)
+B hits C: along i, e = 1/3
+part b
+find speed(B), speed(C)"""
+
+
+def test_what_follows_from_a_wrong_law_is_no_right_answer() -> None:
+    working = "v after = -3i + ⅔j\nspeed √(9+4/9) = 3.07\nlost ½·3(13 - 9.44) = 5.33J"
+    marks = restitution.mark(restitution.parse(TAPPED), working).marks
+    assert [p.state for p in marks.points if p.point.item is not None] == ["lost", "lost"]
+    solution = restitution.solve(restitution.parse(SECOND))
+    letters = {"b": "along(velocity(B), i)", "c": "along(velocity(C), i)"}
+    working = "6u=2b+c\nc - b = ⅓·6u = 2u\n3b = 4u, b = 4u/3, c = 10u/3"
+    assert restitution.mark(solution, working, part="b", letters=letters).marks.earned == 4
+
+
+def test_a_right_value_beside_one_that_follows_is_right() -> None:
+    working = "10 = 12 - 4v, v=0.5\n12 + 2 = 4(0.5) + 2w\nw = 6\nA: 0.5i+j; B: 6i - j"
+    marks = restitution.mark(restitution.parse(BY_IMPULSE), working, letters=ALONG_I).marks
+    assert [p.state for p in marks.points if p.point.item is not None] == ["earned", "lost"]
+
+
+def test_a_root_behind_a_sphere_is_its_speed_where_it_is_wrong_too() -> None:
+    statement = "sphere A: mass 2, velocity 4i + j\nsphere B: mass 5, velocity -3i + 2j\n"
+    problem = restitution.parse(f"{statement}A hits B: along i, e = 3/5\nfind speed(A)")
+    assert [x.verdict for x in restitution.mark(problem, "A √(2²+3²) = √13").lines] == ["false"]
+    assert [x.verdict for x in restitution.mark(problem, "A √(4²+1²) = √17").lines] == ["true"]

@@ -49,6 +49,7 @@ class OwnNumbers:
     def __init__(self, factors: Iterable[Fraction] = ()) -> None:
         self._factors = (*_FACTORS, *(factor for factor in factors if factor not in _SMALL))
         self._known: dict[Fraction, tuple[tuple[Expression, ...], int]] = {}
+        self._behind: dict[Fraction, Expression | None] = {}
         self._terms: dict[Expression, tuple[tuple[Expression, ...], int]] = {}
 
     def __bool__(self) -> bool:
@@ -69,10 +70,13 @@ class OwnNumbers:
         if isinstance(value, Binary) and value.op in ("*", "/") and _letters_in(value) > 1:
             own = _in_meanings(meant, meanings)
             self._terms[value] = tuple(dict.fromkeys((own, *others)))[:_MEANT], line
-        value, meant = _without_letters(*_without_root(value, meant))
+        value, meant = _without_root(value, meant)
+        behind = value.right if isinstance(value, Binary) and value.op == "*" else None
+        value, meant = _without_letters(value, meant)
         size = _size(value)
         if size is None or size in _SMALL:
             return
+        self._behind[size] = behind
         trees = dict.fromkeys((_in_meanings(meant, meanings), *others))
         negative = _is_negative(value)
         known = tuple(Negate(tree) if negative else tree for tree in trees)
@@ -119,15 +123,19 @@ class OwnNumbers:
             yield replace(claim, left=left, right=right), lines
 
     def _put_once(self, claim: Claim, size: Fraction) -> Iterator[Put]:
-        """A claim with what a number stands for in one of its places: it is right in another."""
+        """A claim with what a number stands for in one of its places: it is right in another.
+
+        Before the same letter, or before none, as it was worked out.
+        """
         trees, line = self._known[size]
+        behind = self._behind.get(size)
         places = [*_places(claim.left, size), *_places(claim.right, size)]
         if len(places) < _FEWEST:
             return
         for tree in (own for meant in trees for own in (meant, Negate(meant))):
-            for left in _with_one(claim.left, size, tree):
+            for left in _with_one(claim.left, size, tree, behind):
                 yield replace(claim, left=left), (line,)
-            for right in _with_one(claim.right, size, tree):
+            for right in _with_one(claim.right, size, tree, behind):
                 yield replace(claim, right=right), (line,)
 
     def _made_of(self, number: Fraction) -> Meant | None:
@@ -209,19 +217,27 @@ def _places(tree: Expression, size: Fraction) -> Iterator[Fraction]:
     return (number for number in _sizes(tree) if number == size)
 
 
-def _with_one(tree: Expression, size: Fraction, other: Expression) -> Iterator[Expression]:
-    """A tree with another one in a single place of a number; exponents stay."""
+def _with_one(
+    tree: Expression, size: Fraction, other: Expression, behind: Expression | None
+) -> Iterator[Expression]:
+    """A tree with another one in a single place of a number; exponents and factors stay.
+
+    ``behind`` is the letter that stands behind the number there.
+    """
     if isinstance(tree, Number | Degrees):
-        if tree.value == size:
+        if tree.value == size and behind is None:
             yield other
+    elif isinstance(tree, Binary) and tree.op == "*" and _size(tree.left) == size:
+        if tree.right == behind:
+            yield replace(tree, left=other)
     elif isinstance(tree, Binary):
-        for left in _with_one(tree.left, size, other):
+        for left in _with_one(tree.left, size, other, behind):
             yield replace(tree, left=left)
         if tree.op != "^":
-            for right in _with_one(tree.right, size, other):
+            for right in _with_one(tree.right, size, other, behind):
                 yield replace(tree, right=right)
     elif isinstance(tree, Negate):
-        for operand in _with_one(tree.operand, size, other):
+        for operand in _with_one(tree.operand, size, other, behind):
             yield Negate(operand)
 
 

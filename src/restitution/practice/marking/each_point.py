@@ -351,7 +351,10 @@ class EachPoint(Grounds):
                 continue
             if match is None:
                 continue
-            if line.verdict == "true" and match == "true":
+            right = line.verdict == "follows" and self.values.is_right_beside(point, line)
+            if right:
+                last = self._earned(point, line, "")
+            elif line.verdict == "true" and match == "true":
                 last = self._earned(point, line, "")
                 if not line.grounded and not self._is_his_own(point, self.lines[:place]):
                     last = PointMark(point, "lost", line.line.number, _UNGROUNDED)

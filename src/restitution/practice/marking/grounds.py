@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import takewhile
 
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import walk
 from restitution.practice.judgement import JudgedLine, Judgement
 from restitution.practice.marking.lines import is_plain
@@ -49,17 +50,36 @@ class Grounds:
         return point.follows and lines[-1].his_own and self._has_cost(false, point)
 
     def _has_cost(self, roots: Sequence[JudgedLine], point: MarkPoint) -> bool:
-        """Whether mistakes have lost an A or a B above a point, and no method of a law."""
+        """Whether mistakes have lost an answer or a B above a point, and no law.
+
+        The equation in which a mistake stands is no answer.
+        """
         numbers = {root.line.number for root in roots}
         above = takewhile(lambda other: other.id != point.id, self.scheme.points)
         marks = [self.states[other.id] for other in above if other.id in self.states]
         lost = [
             mark for mark in marks if mark.state == "lost" and self._rests_on(mark.line, numbers)
         ]
-        laws = (mark for mark in lost if mark.point.letter == "M")
-        if any(law.point.principle in LAWS for law in laws):
+        if any(mark.point.principle in LAWS and self._is_of_law(mark) for mark in lost):
             return False
-        return any(mark.point.letter in "AB" for mark in lost)
+        return any(mark.point.letter in "AB" and not mark.point.equation for mark in lost)
+
+    def _has_lost_law(self, line: JudgedLine) -> bool:
+        """Whether a line has lost a point for a law, which is then one of this part."""
+        return any(
+            mark.state == "lost" and mark.line == line.line.number and mark.point.principle in LAWS
+            for mark in self.states.values()
+        )
+
+    def _is_of_law(self, mark: PointMark) -> bool:
+        """Whether a lost mark is for a law itself: its method, or a component by a wrong one."""
+        if mark.point.letter == "M":
+            return True
+        line = self._line(mark.line)
+        named = None if line is None or line.mistake is None else line.mistake.id
+        mistake = MISCONCEPTIONS.get(named or "")
+        rule = None if mistake is None else mistake.mark_of(mark.point.principle)
+        return mark.point.principle == "restitution" and (rule or "").startswith("M0")
 
     def _rests_on(self, number: int | None, roots: set[int]) -> bool:
         """Whether a line is one of some false lines, or follows from one of them."""
@@ -70,7 +90,7 @@ class Grounds:
 
     def _is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a letter, in its first line, a value and no more."""
-        if not is_plain(line):
+        if not is_plain(line) or self._has_lost_law(line):
             return False
         lefts = {link.readings[0].left for link in line.line.links}
         above = [other for other in self.lines if other.line.number < line.line.number]

@@ -293,7 +293,8 @@ class _Examiner(EachPoint):
                 continue
             if point.letter != "A" or not point.follows or point.equation or own.implied:
                 continue
-            if not self._follows_through(point, line):
+            right = self.values.is_right_beside(point, line)
+            if not right and not self._follows_through(point, line):
                 why = "follows from an earlier slip"
                 self.states[point.id] = PointMark(point, "lost", own.line, why)
 

@@ -55,6 +55,7 @@ _CONVERTED = 0.05
 _END, _ZERO = 0.006, 1e-9
 # Of a decimal that is an answer.
 _FIGURES = 3
+_SEVERAL = 2
 # What is said of a line that rests on several laws.
 _OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
@@ -300,6 +301,18 @@ class Values(LineContents):
             return None
         sound = all(line.verdict == "true" for line in lines if self._squares(link.left, line))
         return "own" if not sound else self._match(lines[-1])
+
+    def is_right_beside(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line of several relations, of which others only follow, gives a true value."""
+        link = point.link
+        if link is None or point.shown or link.sign != "=" or len(list(chains(line))) < _SEVERAL:
+            return False
+        value = self.value_of(link.left, line)
+        if value is None or self.his_own:
+            return False
+        return self._is_worth(value, link.left, line) or (
+            is_fine(value) and self._has_figures_of(value, link.left, line)
+        )
 
     def _match(self, line: JudgedLine) -> Match:
         return "true" if line.verdict == "true" or self.his_own else "own"

@@ -38,6 +38,7 @@ _WORD = re.compile(r"[A-Za-z]{3,}")
 _FUNCTION = re.compile(r"sin|cos|tan|sqrt")
 SPEEDS = re.compile(r"^\s*speeds?(?:\s+after)?\s*:\s*(?=[A-Z]\s*[√(\d]).*$")
 _OF_A_BODY = re.compile(r"(^|[,;]\s*|\band\s+)([A-Z])\s*(?=[√(\d])")
+ROOT_OF_A_BODY = re.compile(r"(^\s*|[,;]\s*|\band\s+)([A-Z])\s+(?=√)")
 AT_A_WALL = re.compile(
     r"^\s*at\s+(?:the\s+)?wall\s*:?\s*(?=\([^(),]*,[^(),]*\)\s*$)", re.IGNORECASE
 )
@@ -81,6 +82,12 @@ def speeds_of_bodies(match: re.Match[str], problem: Problem) -> str:
     if not {own[2] for own in _OF_A_BODY.finditer(listed)} <= spheres:
         return match[0]
     return _OF_A_BODY.sub(r"\1speed of \2 = ", listed)
+
+
+def root_of_a_body(match: re.Match[str], problem: Problem) -> str:
+    """The speed that a root behind the name of a sphere is: ``A √(4 + 9)``."""
+    spheres = {sphere.name for sphere in problem.spheres}
+    return f"{match[1]}speed of {match[2]} = " if match[2] in spheres else match[0]
 
 
 def at_a_wall(match: re.Match[str], problem: Problem) -> str:

@@ -274,6 +274,7 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (shares.SHARE_OF_ENERGY, shares.share_of_energy),
     (shares.LOST, shares.lost),
     (shares.SPEEDS, shares.speeds_of_bodies),
+    (shares.ROOT_OF_A_BODY, shares.root_of_a_body),
     (shares.AT_A_WALL, shares.at_a_wall),
     (_CHANGE, lambda match, _: f"change in velocity{f' of {match[1]}' if match[1] else ''}"),
 )
