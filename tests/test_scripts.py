@@ -96,6 +96,7 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
         ("eighteenth", 163, 86),
         ("nineteenth", 128, 52),
         ("twentieth", 134, 63),
+        ("twentyfirst", 41, 19),
     ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
