@@ -154,6 +154,28 @@ find speed(P)/u in terms of e
         ("sin²α = 1/(1 + e³)\n    cos²α = e³/(1 + e³)", "V/u = e√e"),
         (),
     ),
+    "a complement and a double angle have a line each": (
+        """
+wall W: along j
+sphere P: velocity u at 2alpha to W
+P hits W
+given angle(velocity(P), W) = 90° - alpha
+show e = (1 - tan^2 alpha)/(2 tan^2 alpha)
+""",
+        ("1/tan α = e tan 2α", "1/tan α = e(2 tan α/(1 − tan²α))"),
+        (),
+    ),
+    "a component along a wall is not worked out again below the velocity": (
+        """
+wall W: along 4i + 3j
+sphere B: mass 1/2, velocity 7i - j
+B hits W: e = 1/2
+find velocity(B), energy_lost
+show deflection(B) = arctan 3
+""",
+        ("stays 5 m s⁻¹.",),
+        ("𝐯_B · 𝐭 = (4",),
+    ),
     "the greatest tangent of a difference of two letters": (
         """
 wall W: along i

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from restitution.explaining.following.follower import reader_of
-from restitution.explaining.lines.derivation import Derivation, Line, Move
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Move
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     RIGHT_ANGLE,
@@ -37,6 +37,13 @@ def without_complements(scene: Scene, number: int) -> int:
         (Move("identity", "complement"),), (number,), chain(left, (right, None))
     )
     return number if written is None else written
+
+
+def has_complement(link: Link) -> bool:
+    """Whether an equation has a ratio of 90° less an angle."""
+    return any(
+        _of_the_angle(node) is not None for side in (link.left, link.right) for node in walk(side)
+    )
 
 
 def with_complements(derivation: Derivation, oracle: Oracle) -> Derivation:

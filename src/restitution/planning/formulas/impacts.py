@@ -418,9 +418,19 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
         size = tree_of(tidy(given[1].dot(frame.direction(kind)))) if along else None
         return _of_vector(scene, kind, body, frame, Source(given[1], given[2], form=size))
     known = scene.desk.known(velocity)
-    if known is None or (kind == "across" and _is_by_momentum(scene, known, frame)):
+    if known is None or (
+        kind == "across"
+        and (_is_by_momentum(scene, known, frame) or _stands_before(scene, body, frame))
+    ):
         return None  # what stays is known from before
     return _of_vector(scene, kind, body, frame, known)
+
+
+def _stands_before(scene: Scene, body: str, frame: Frame) -> bool:
+    """Whether the component along a slanting wall has a line before the impact."""
+    before_ = frame.component("across", body, scene.last_event(body, frame.number - 1))
+    known = scene.desk.known(before_)
+    return frame.wall is not None and known is not None and known.value.is_number
 
 
 def _is_by_momentum(scene: Scene, velocity: Source, frame: Frame) -> bool:

@@ -32,6 +32,7 @@ from restitution.planning.angles.angle_sums import write_tangent_of_two
 from restitution.planning.angles.angles_by_letters import write_by_equal_letters
 from restitution.planning.angles.deflections import cosine_of_deflection
 from restitution.planning.angles.turning import angle_line, is_angle, write_ratio
+from restitution.planning.closing.complements import has_complement, without_complements
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
@@ -417,6 +418,8 @@ class ShownEquation:
         return last
 
     def _last(self, pool: Sequence[Ref]) -> int | None:
+        if pool and isinstance(pool[0], int) and not has_complement(self.link):
+            pool = (without_complements(self.scene, pool[0]), *pool[1:])
         mark = self.claims.worths.mark()
         halves = self._by_double_angle(pool)
         if halves is not None:
