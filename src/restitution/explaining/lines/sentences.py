@@ -1212,6 +1212,11 @@ SENTENCES: Mapping[SentenceId, str] = {
     "turned-wall.title": "Angle of deflection",
     "loss-spheres.title": "Kinetic energy lost, by the components that change",
     "energy-ratio.title": "Ratio of the kinetic energies, in which half the mass cancels",
+    "energy-ratio.why": (
+        "The kinetic energy of one body is half its mass times the square of its speed. In the "
+        "ratio of two of its energies half the mass cancels, and the squares of its speeds are "
+        "left."
+    ),
     "fraction-lost.title": "Fraction of the kinetic energy that is lost, in which the mass cancels",
     "fraction-lost.percentage": (
         "Percentage of the kinetic energy that is lost, in which the mass cancels"

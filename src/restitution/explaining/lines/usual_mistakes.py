@@ -112,6 +112,7 @@ _OF_TOPICS: Mapping[str, tuple[str, ...]] = {
     "momentum-of": ("sizes-for-vectors",),
     "distance": ("speeds-subtracted", "time-from-start"),
     "change-of-energy": ("energy-of-difference",),
+    "energy-ratio": ("energy-ratio-as-speed", "energy-component-missing"),
     "derived-energy": (
         "energy-component-missing",
         "energy-no-half",
