@@ -141,16 +141,16 @@ def _are_added(scene: Scene, stages: Sequence[int]) -> bool:
     """Whether the times of all ways between events stand, and are multiples of one of them."""
     if not _stand(scene, stages):
         return False
-    values = [value for pair in pairwise(stages) for value in _way(scene, *pair)]
+    values = [value for pair in pairwise(stages) for value in _time_of_way(scene, *pair)]
     return all(tidy(value / values[0]).is_number for value in values)
 
 
 def _stand(scene: Scene, stages: Sequence[int]) -> bool:
     """Whether the times of all ways between events are lines."""
-    return all(_way(scene, *pair) for pair in pairwise(stages))
+    return all(_time_of_way(scene, *pair) for pair in pairwise(stages))
 
 
-def _way(scene: Scene, early: int, late: int) -> list[sp.Expr]:
+def _time_of_way(scene: Scene, early: int, late: int) -> list[sp.Expr]:
     """The time of a way that a line gives; none where none does."""
     trees = (duration_tree(late, early), *((time_tree(late),) if early == 0 else ()))
     known = next((own for tree in trees if (own := scene.desk.known(tree))), None)

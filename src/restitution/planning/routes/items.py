@@ -420,7 +420,9 @@ def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
         line = scene.desk.write(Move("put"), premises, relation)
         scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
         return
-    if several and not rest and scene.judge.follows(Move("rearrange"), (first,), relation):
+    is_size = isinstance(asked, Apply) and asked.function == "abs"
+    can_be_moved = several and not rest and not is_size
+    if can_be_moved and scene.judge.follows(Move("rearrange"), (first,), relation):
         move = Move("rearrange")
     line_ = write_from_above(scene, move, first, relation)
     if line_ is None:
