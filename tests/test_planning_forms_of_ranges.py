@@ -61,7 +61,11 @@ CASES = {
     ),
     "a coefficient that divides": (
         WALL.format(given="deflection(P) > 90°", asked="alpha"),
-        ["tan²α > 1/e", "tan α > 1/√e, as α is acute", "This holds for e > 0 only."],
+        [
+            "tan²α > 1/e",
+            "tan α > 1/√e, as α is acute",
+            "This holds for e > 0 only, as there is no such α otherwise.",
+        ],
     ),
     "the lesser of two": (
         WALL.format(given="deflection(P) <= 90°", asked="e"),

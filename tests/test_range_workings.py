@@ -55,7 +55,11 @@ from restitution.workings import explain
             given speed(P) = v
             find range of v in terms of u, e
             """,
-            ["v² − e²u² = u²(1 − e²) cos²α", "u² − v² = u²(1 − e²) sin²α", "only."],
+            [
+                "v² − e²u² = u²(1 − e²) cos²α",
+                "u² − v² = u²(1 − e²) sin²α",
+                "for e < 1 only: if e = 1, v = u.",
+            ],
         ),
         (
             """

@@ -19,7 +19,10 @@ def test_a_square_of_a_cosine_is_at_most_one() -> None:
         "A hits B: along i, e = 1/2\ngiven velocity(A) perpendicular to velocity(B)\n"
         "find tan(alpha)"
     )
-    assert "cos²α = 16/11 ≈ 1.45 A1 This cannot be, as cos²α is at most 1." in shown
+    assert (
+        "cos²α = 16/11 ≈ 1.45 This cannot be, as cos²α is at most 1. "
+        "So what is described cannot happen. A1"
+    ) in shown
 
 
 def test_a_quadratic_without_roots_has_a_negative_discriminant() -> None:

@@ -165,7 +165,7 @@ wall W: along i, through (0, 0)
 sphere P: at (0, 3), velocity 4i - 3j
 P hits W
 P reaches T
-find e, time(2)
+find time(1), position(P, 1)
 """
 APART = """
 sphere A, B: radius 1/4

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
 from restitution.expression.tree import Letter, Number
-from restitution.problem import Compare, Given
+from restitution.problem import Compare, Extremum, Given
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solving import solve
@@ -54,7 +54,8 @@ def excluded_end(
         return None
     result = there.parts[part.part.label].items[part.items.index(item)]
     if isinstance(result.error, ContradictionError | ImpossibleError):
-        return ExcludedEnd(end, None)
+        # That there is no greatest value says nothing of what is described.
+        return None if isinstance(item.item, Extremum) else ExcludedEnd(end, None)
     (only, *others) = result.distinct or (None,)
     if only is None or others or only.layout is None or only.condition:
         return None
