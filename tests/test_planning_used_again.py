@@ -434,7 +434,7 @@ def test_a_multiple_by_the_square_of_a_ratio_rests_on_its_angle() -> None:
 
 
 ACUTE_TURN = """
-sphere A: mass m, velocity u at alpha
+sphere A: mass m, velocity u i + 2u j
 sphere B: mass 2m, at rest
 A hits B: along i
 given e < 1/2

@@ -420,14 +420,16 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
     known = scene.desk.known(velocity)
     if known is None or (
         kind == "across"
-        and (_is_by_momentum(scene, known, frame) or _stands_before(scene, body, frame))
+        and (_is_by_momentum(scene, known, frame) or _stands_before(scene, known, body, frame))
     ):
         return None  # what stays is known from before
     return _of_vector(scene, kind, body, frame, known)
 
 
-def _stands_before(scene: Scene, body: str, frame: Frame) -> bool:
-    """Whether the component along a slanting wall has a line before the impact."""
+def _stands_before(scene: Scene, velocity: Source, body: str, frame: Frame) -> bool:
+    """Whether the component along a slanting wall of a velocity in numbers has a line before it."""
+    if any(part.free_symbols for part in velocity.value):
+        return False
     before_ = frame.component("across", body, scene.last_event(body, frame.number - 1))
     known = scene.desk.known(before_)
     return frame.wall is not None and known is not None and known.value.is_number

@@ -198,7 +198,9 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "assemble", Quantity("position", _, _):
                 name = "derived-place.title"
-            case "impulse-vector", _ if self._by_components(line):
+            case "impulse-vector", _ if (
+                event is not None and event.kind == "impact" and self._by_components(line)
+            ):
                 name = RECORDS["impulse"].title(event)  # a component times its unit vector
             case "product", _ if wall := self._along_which(line):
                 return say("derived-product.along", wall=wall)
