@@ -479,7 +479,7 @@ A hits B: offset d, e = 1/2
 given angle(line_of_centres, velocity(A, 0)) = 45°
 find d, speed(B)
 """,
-        ("d/(2r) = 1/√2", "d = √2 r", "has sine √2/2 and cosine\n√2/2"),
+        ("d/(2r) = √2/2", "d = √2 r", "has sine √2/2 and cosine\n√2/2"),
         ("d²", "does not follow"),
     ),
     "two roots by the formula, in one order": (

@@ -12,6 +12,7 @@ from restitution.explaining.lines.derivation import (
     Line,
     Link,
     Meaning,
+    Ref,
     Relation,
 )
 from restitution.explaining.lines.saying import Sentence, say
@@ -214,6 +215,12 @@ class GivenLeads(Leads):
         offset = self._sine_of_an_offset(line)
         return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
 
+    def _is_of_both_velocities(self, ref: Ref) -> bool:
+        """Whether a fact is about two velocities, as those before and after an impact."""
+        fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+        sides = () if fact is None else (fact.relation.only[0].left, fact.relation.only[-1].right)
+        return bool(sides) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in sides)
+
     def _straight_on(self, line: Line, fact: Sentence | lay.Layout) -> tuple[Sentence, ...] | None:
         """That a body keeps to one line in an impact, so that it has no component across."""
         event = self._naming.events.get(line.move.event or 0)
@@ -221,7 +228,9 @@ class GivenLeads(Leads):
             return None
         (body,) = line.move.bodies
         if event.wall:
-            return (say("given.straight-on", fact=fact, body=body, wall=event.bodies[-1]),)
+            both = any(self._is_of_both_velocities(ref) for ref in line.premises)
+            straight = say("given.straight-on", fact=fact, body=body, wall=event.bodies[-1])
+            return (straight,) if both else None
         assert isinstance(line.relation, Relation)
         inside = letters(line.relation.only[0].left)
         along = any(
