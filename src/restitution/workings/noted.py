@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import groupby
 
@@ -174,7 +175,7 @@ class Notes:
             ahead = self._ahead(note.claim)
             if ahead is not None:
                 return say("note.unreached-ahead", reason=note.reason, **ahead)
-            return say("note.unreached", reason=note.reason)
+            return self._unreached(note)
         value, *bounds = note.premises
         relation = self._relation(value)
         if self._is_out_of_range(note):
@@ -250,6 +251,16 @@ class Notes:
         one, other = names
         direction = self._naming.layout(axis if sign == ">" else Negate(axis))
         return {"one": one, "other": other, "way": direction}
+
+    def _unreached(self, note: Note) -> Sentence:
+        """Why two bodies do not meet: by the line just above, or by one further up, said again."""
+        cited = [ref for ref in note.premises if isinstance(ref, int)]
+        last = self._derivation.lines[-1].number if self._derivation.lines else 0
+        if not cited or max(cited) == last:
+            return say("note.unreached", reason=note.reason)
+        links = self._relation(max(cited)).only
+        value = Relation(((replace(links[-1], left=links[0].left),),))
+        return say("note.unreached-as", value=self._naming.relation(value), reason=note.reason)
 
     @staticmethod
     def _is_out_of_range(note: Note) -> bool:

@@ -882,6 +882,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "note.no-root": "This cannot be, as {reasons:and}. So what is described cannot happen.",
     "note.unreached": "So {reason}: what is described cannot happen.",
+    "note.unreached-as": "As {value}, {reason}: what is described cannot happen.",
     "note.unreached-ahead": (
         "{one} moves in the direction of {way} and hits {other}, so {other} is ahead of it. So "
         "{reason}: what is described cannot happen."
