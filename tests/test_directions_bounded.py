@@ -347,7 +347,7 @@ show {claim}
             "e > 1/2",
             "deflection(A) > 90°",
             "dot(velocity(A, 0), velocity(A, 1)) < 0",
-            "The scalar product is negative, so the angle is obtuse:",
+            "𝐮_A · 𝐯_A < 0, as e > ½ DM1 So angle of deflection of A > 90°",
         ),
     ],
 )

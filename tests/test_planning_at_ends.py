@@ -33,7 +33,7 @@ P hits W
 given beta >= 35°
 show deflection(P) >= 35°
 """,
-        ("δ ≥ β", "δ ≥ 35°, as β ≥ 35°"),
+        ("δ = β + θ", "δ ≥ 35°, as 0° ≤ θ ≤ 90° and β ≥ 35°"),
     ),
     "a deflection at a slanting wall by the angle after": (
         """

@@ -206,13 +206,8 @@ def test_an_angle_is_bounded_at_the_greatest_coefficient_and_then_over_the_other
         TWO.format(a="2m", u="u at theta", b="m", v="at rest", e="") + "show deflection(A) <= 30°"
     )
     (most,) = (n for n, each in enumerate(own) if each.startswith("tan δ ≤ 2 tan θ/(1 + 3 tan²θ)"))
-    (least,) = (n for n, each in enumerate(own) if each.startswith("tan δ ≥ tan θ/(2 + 3 tan²θ)"))
-    assert (
-        most
-        < own.index("tan δ ≤ √3/3")
-        < least
-        < own.index("tan δ > 0, as θ is acute, so δ is acute")
-    )
+    acute = own.index("tan δ > 0, as θ is acute and 0 ≤ e ≤ 1, so δ is acute")
+    assert most < own.index("tan δ ≤ √3/3") < acute
     assert own[-1] == "δ ≤ 30° (as required)"
 
 

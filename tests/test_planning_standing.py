@@ -259,7 +259,7 @@ given energy(P) < 1/2 energy(P, 0)
 find range of e
 """)
     assert "> 0" not in text
-    assert "e² < ½ as kinetic energy of P after the second impact <" in text
+    assert "½e²mu² < mu²/4 DM1 e² < ½" in text
 
 
 @pytest.mark.parametrize("asked", ["show tan(theta) = 3e/(2 + e)", "find tan(theta)"])

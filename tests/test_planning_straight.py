@@ -200,7 +200,7 @@ def test_an_offset_by_a_deflection_has_the_root_of_an_acute_angle() -> None:
     assert lines[-1] == "d = a sqrt((9 + sqrt(73))/7)"
 
 
-def test_of_two_velocities_before_that_is_kept_by_which_the_spheres_approach() -> None:
+def test_a_velocity_before_is_along_the_way_to_the_place_of_the_impact() -> None:
     lines = said(
         working(
             """
@@ -215,5 +215,4 @@ def test_of_two_velocities_before_that_is_kept_by_which_the_spheres_approach() -
         )
     )
     # A goes from (1, 1) to (5, 3) - (4, 3)/5 = (21/5, 12/5): along 16i + 7j at 5 m/s.
-    assert "b = 7sqrt(305)/61" in lines
-    assert lines[-1] == "velocity(A, 0) = 16sqrt(305)/61 i + 7sqrt(305)/61 j"
+    assert "= 16sqrt(305)/61 i + 7sqrt(305)/61 j" in lines[-1]

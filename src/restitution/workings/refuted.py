@@ -353,26 +353,31 @@ def _differ(
 
     The squares of two numbers do, or the square of the difference of two vectors is positive.
     """
+    try:
+        (one, other), oracle = _in_letters(naming, facts, claimed, value)
+        if isinstance(one, Vector) and isinstance(other, Vector):
+            apart = Vector(one.x - other.x, one.y - other.y)
+            return oracle.proves(compared(sp.factor(apart.dot(apart)), ">", sp.Integer(0)))
+        gap = sp.factor(sp.sympify(one, strict=True) ** 2 - sp.sympify(other, strict=True) ** 2)
+    except (RestitutionError, TypeError, ValueError):
+        return False
+    return any(oracle.proves(compared(gap, sign, sp.Integer(0))) for sign in (">", "<"))
+
+
+def _in_letters(
+    naming: Naming, facts: tuple[Link, ...], *trees: Expression
+) -> tuple[tuple[Any, ...], Oracle]:
+    """What trees are in the letters of the statement, and the oracle of these under ``facts``."""
     known = roles(naming.problem)
 
     def symbol(name: str) -> sp.Symbol:
         return known.get(name, REAL).symbol(name)
 
-    try:
-        bounds = tuple(
-            compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
-            for link in facts
-        )
-        one, other = (evaluate(tree, symbol) for tree in (claimed, value))
-        if isinstance(one, Vector) and isinstance(other, Vector):
-            apart = Vector(one.x - other.x, one.y - other.y)
-            oracle = Oracle(known, bounds)
-            return oracle.proves(compared(sp.factor(apart.dot(apart)), ">", sp.Integer(0)))
-        gap = sp.factor(sp.sympify(one, strict=True) ** 2 - sp.sympify(other, strict=True) ** 2)
-    except (RestitutionError, TypeError, ValueError):
-        return False
-    oracle = Oracle(known, bounds)
-    return any(oracle.proves(compared(gap, sign, sp.Integer(0))) for sign in (">", "<"))
+    bounds = tuple(
+        compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
+        for link in facts
+    )
+    return tuple(evaluate(tree, symbol) for tree in trees), Oracle(known, bounds)
 
 
 def difference_of(
@@ -382,17 +387,8 @@ def difference_of(
 
     None of vectors, and where the sign is not certain.
     """
-    known = roles(naming.problem)
-
-    def symbol(name: str) -> sp.Symbol:
-        return known.get(name, REAL).symbol(name)
-
     try:
-        bounds = tuple(
-            compared(evaluate(link.left, symbol), link.sign, evaluate(link.right, symbol))
-            for link in facts
-        )
-        one, other = (evaluate(tree, symbol) for tree in (value, claimed))
+        (one, other), oracle = _in_letters(naming, facts, value, claimed)
         if isinstance(one, Vector) or isinstance(other, Vector):
             return None
         sides = [sp.sympify(end, strict=True) for end in (one, other)]
@@ -400,7 +396,6 @@ def difference_of(
         if has_root:
             sides = [sp.expand(end**2) for end in sides]
         gap = min(_as_factors(sides[0] - sides[1]), key=sp.count_ops)
-        oracle = Oracle(known, bounds)
         signs: tuple[Sign, ...] = (">", "<")
         sign = next((e for e in signs if oracle.proves(compared(gap, e, sp.Integer(0)))), None)
         trees = [tree_of(tidy(end)) for end in sides] if has_root else [value, claimed]

@@ -341,7 +341,10 @@ def with_the_sum_of_squares(scene: Scene, line: int, symbol: sp.Symbol) -> int |
     own = _of_one_angle(scene, line, symbol)
     if own is None:
         return None
-    return _with_the_sum_of_squares(scene, line, _in_both_ratios(own, symbol), symbol)
+    mixed = _in_both_ratios(own, symbol)
+    # A common factor of letters is cancelled.
+    mixed = sp.Poly(mixed.primitive()[1].as_expr(), *mixed.gens)
+    return _with_the_sum_of_squares(scene, line, mixed, symbol)
 
 
 def _of_one_angle(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr | None:

@@ -218,8 +218,9 @@ class GivenLeads(Leads):
     def _is_of_both_velocities(self, ref: Ref) -> bool:
         """Whether a fact is about two velocities, as those before and after an impact."""
         fact = self._derivation.fact(ref) if isinstance(ref, str) else None
-        sides = () if fact is None else (fact.relation.only[0].left, fact.relation.only[-1].right)
-        return bool(sides) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in sides)
+        trees = () if fact is None else trees_of(fact.relation)
+        nodes = {node for tree in trees for node in walk(tree)}
+        return sum(isinstance(e, Quantity) and e.kind == "velocity" for e in nodes) > 1
 
     def _straight_on(self, line: Line, fact: Sentence | lay.Layout) -> tuple[Sentence, ...] | None:
         """That a body keeps to one line in an impact, so that it has no component across."""
