@@ -91,7 +91,7 @@ SAYS = {
         + "part b\ngiven e = 1/2, tan(alpha) = 1/2\nfind direction(A)",
         [
             "= 2 tan α/(1 − e), and θ = 90° if e = 1",
-            "Since tan α = ½ and e = ½, from (4):",
+            "Since e = ½ and tan α = ½, from (4):",
             "tan θ = 2",
             "θ = arctan 2",
         ],

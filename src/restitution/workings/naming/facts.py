@@ -114,9 +114,12 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
 def velocity_given(naming: Naming, fact: Fact) -> lay.Layout:
     """A velocity that is given as a vector: *𝐯 = (2𝐢 + 3𝐣) m s⁻¹*."""
     (link,) = fact.relation.only
-    value = naming.layout(link.right)
-    value = with_unit(value, naming.unit(link.left)) if is_plain(value) else value
-    return lay.Relation((naming.layout(link.left), value), ("=",))
+    left, value = naming.layout(link.left), naming.layout(link.right)
+    unit = naming.unit(link.left) if is_plain(value) else ""
+    if unit and isinstance(value, lay.Sum) and len(value.terms) > 1:
+        value = lay.Brackets(value)
+    # A unit is no part of a formula.
+    return with_unit(lay.Relation((left, value), ("=",)), unit)
 
 
 def _measured(
