@@ -375,6 +375,11 @@ def has_quantity(node: Expression) -> bool:
         return has_one
 
 
+def unsigned(tree: Expression) -> Expression:
+    """A tree without the minus sign in front of it."""
+    return tree.operand if isinstance(tree, Negate) else tree
+
+
 def is_zero(node: Expression) -> bool:
     """Whether a node is the number 0, perhaps of a vector."""
     return isinstance(node, Number) and not node.value

@@ -26,12 +26,12 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Polar,
     Quantity,
     Unit,
     has_quantity,
+    unsigned,
 )
 
 _TIES: Mapping[Expression, Sign] = {
@@ -84,7 +84,7 @@ def _without_what_stays(event: Event, left: Expression, right: Expression) -> It
 
     Along the line of centres each velocity changes, as the bodies approach.
     """
-    early, late = sorted((_unsigned(left), _unsigned(right)), key=lambda own: _stage(own) or 0)
+    early, late = sorted((unsigned(left), unsigned(right)), key=lambda own: _stage(own) or 0)
     match early, late:
         case (
             Quantity("velocity", (Name() as body,), int(before)),
@@ -92,10 +92,6 @@ def _without_what_stays(event: Event, left: Expression, right: Expression) -> It
         ) if body == same and before == event.number - 1 and event.kind == "impact":
             for own in (early, late):
                 yield Link(Quantity("across", (own, axis_of(event))), "=", ZERO)
-
-
-def _unsigned(tree: Expression) -> Expression:
-    return tree.operand if isinstance(tree, Negate) else tree
 
 
 def _stage(tree: Expression) -> int | None:

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Number,
+    unsigned,
     walk,
 )
 from restitution.oracle import Oracle, compared
@@ -42,15 +43,11 @@ def is_decimal(step: Step, relation: Relation) -> bool:
     if printed is None or value.free_symbols:
         return False
     number, unit = printed
-    if isinstance(_unsigned(link.right), Degrees):
+    if isinstance(unsigned(link.right), Degrees):
         value = value * 180 / sp.pi
     gap = sp.Abs(value - sp.Rational(number.numerator, number.denominator))
     half = sp.Rational(unit.numerator, unit.denominator * 2)
     return Oracle({}).proves(compared(gap, "<=", half))
-
-
-def _unsigned(tree: Expression) -> Expression:
-    return tree.operand if isinstance(tree, Negate) else tree
 
 
 def _parted(tree: Expression) -> tuple[Expression, Expression | None]:
@@ -68,7 +65,7 @@ def _parted(tree: Expression) -> tuple[Expression, Expression | None]:
 def _decimal(tree: Expression) -> tuple[Fraction, Fraction] | None:
     """A decimal and the unit of its last place."""
     negative = isinstance(tree, Negate)
-    own = _unsigned(tree)
+    own = unsigned(tree)
     if not isinstance(own, Number | Degrees):
         return None
     value, places = own.value, 0

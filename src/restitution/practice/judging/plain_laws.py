@@ -118,14 +118,21 @@ def is_energy_of_components(entry: Entry, world: World) -> bool:
     return False
 
 
+def _velocity_of_one(entry: Entry) -> tuple[Quantity, str] | None:
+    """The velocity that a line is meant to be, and whose it is."""
+    match meant_by(entry):
+        case Quantity("velocity", (Name(body),)) as velocity:
+            return velocity, body
+    return None
+
+
 def is_across_exchanged(entry: Entry, world: World) -> bool:
     """Whether a velocity after two spheres meet has the other one's component across."""
-    velocity, typed = meant_by(entry), entry.claim.right
-    match velocity:
-        case Quantity("velocity", (Name(body),)):
-            pass
-        case _:
-            return False
+    of_one = _velocity_of_one(entry)
+    if of_one is None:
+        return False
+    velocity, body = of_one
+    typed = entry.claim.right
     for number, pair in _pairs(world):
         if body not in pair or velocity.stage not in (None, number):
             continue
@@ -141,12 +148,11 @@ def is_across_exchanged(entry: Entry, world: World) -> bool:
 
 def is_restitution_parallel(entry: Entry, world: World) -> bool:
     """Whether a velocity after a wall has e in its component along the wall, the other turned."""
-    velocity, typed = meant_by(entry), entry.claim.right
-    match velocity:
-        case Quantity("velocity", (Name(body),)):
-            pass
-        case _:
-            return False
+    of_one = _velocity_of_one(entry)
+    if of_one is None:
+        return False
+    velocity, body = of_one
+    typed = entry.claim.right
     for number, own in _walls(world):
         if own != body or velocity.stage not in (None, number):
             continue

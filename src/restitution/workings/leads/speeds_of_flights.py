@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    unsigned,
 )
 from restitution.workings.naming.measured import vector_worth, worth
 from restitution.workings.naming.quantities import Naming
@@ -65,7 +66,7 @@ def _normal(naming: Naming, line: Line) -> Expression | None:
     """**i** or **j** where that is square to the wall to which a body comes."""
     event = naming.events.get(line.move.event or 0)
     normal = naming.unit_of(event, "along")
-    return None if event is None or not event.wall or normal is None else _unsigned(normal)
+    return None if event is None or not event.wall or normal is None else unsigned(normal)
 
 
 def _in_the_direction(naming: Naming, line: Line, axis: Unit) -> Sentence:
@@ -168,17 +169,13 @@ def _sides_of(naming: Naming, line: Line, bodies: tuple[str, ...]) -> Iterator[S
             body in bodies
         ):
             unit = axis
-            if not isinstance(_unsigned(axis), Unit):
+            if not isinstance(unsigned(axis), Unit):
                 unit = naming.unit_of(naming.event_of_axis(axis), kind) or axis
             match unit:
                 case Unit():
                     yield unit, value
                 case Negate(Unit() as opposite):
                     yield opposite, Negate(value)
-
-
-def _unsigned(axis: Expression) -> Expression:
-    return axis.operand if isinstance(axis, Negate) else axis
 
 
 def _worth(value: Expression | sp.Expr) -> sp.Expr | None:
