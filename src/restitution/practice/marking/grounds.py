@@ -52,17 +52,20 @@ class Grounds:
     def _has_cost(self, roots: Sequence[JudgedLine], point: MarkPoint) -> bool:
         """Whether mistakes have lost an answer or a B above a point, and no law.
 
-        The equation in which a mistake stands is no answer.
+        The equation in which a mistake stands is no answer. An answer that is written nowhere is
+        lost to the mistake as well: it could not have been right.
         """
         numbers = {root.line.number for root in roots}
         above = takewhile(lambda other: other.id != point.id, self.scheme.points)
         marks = [self.states[other.id] for other in above if other.id in self.states]
-        lost = [
-            mark for mark in marks if mark.state == "lost" and self._rests_on(mark.line, numbers)
-        ]
-        if any(mark.point.principle in LAWS and self._is_of_law(mark) for mark in lost):
+        lost = [mark for mark in marks if mark.state == "lost"]
+        by_these = [mark for mark in lost if self._rests_on(mark.line, numbers)]
+        if any(mark.point.principle in LAWS and self._is_of_law(mark) for mark in by_these):
             return False
-        return any(mark.point.letter in "AB" and not mark.point.equation for mark in lost)
+        unseen = [mark for mark in lost if mark.line is None and mark.point.letter == "A"]
+        return any(
+            mark.point.letter in "AB" and not mark.point.equation for mark in [*by_these, *unseen]
+        )
 
     def _has_lost_law(self, line: JudgedLine) -> bool:
         """Whether a line has lost a point for a law, which is then one of this part."""
