@@ -363,6 +363,32 @@ def test_which_way_a_sphere_turns_rests_on_the_velocity_of_the_other() -> None:
         assert follow(replace(derivation, lines=lines), oracle_of(problem))
 
 
+@pytest.mark.parametrize(
+    ("angle", "more"),
+    [
+        ("45°", "given e <= 1/3\nshow deflection(A) <= 45°"),
+        ("theta", "given deflection(A) = 60°, e = 1/3\nfind theta"),
+    ],
+)
+def test_a_turn_rests_on_what_does_not_change_across_the_line_of_centres(
+    angle: str, more: str
+) -> None:
+    text = f"""
+sphere A: mass m, velocity u at {angle}
+sphere B: mass 3m, at rest
+A hits B: along i, e = e
+{more}
+"""
+    problem = parse(text)
+    derivation = plan(solve(problem))
+    (turn,) = (line for line in derivation.lines if line.move.record == "difference")
+    (kept,) = (line for line in derivation.lines if line.move.record == "unchanged")
+    assert kept.number in turn.premises
+    less = replace(turn, premises=tuple(ref for ref in turn.premises if ref != kept.number))
+    lines = tuple(less if line == turn else line for line in derivation.lines)
+    assert follow(replace(derivation, lines=lines), oracle_of(problem))
+
+
 def test_to_which_side_a_sphere_goes_along_the_line_of_centres_may_be_open() -> None:
     text = """
 sphere A: mass m, velocity u at theta

@@ -41,7 +41,7 @@ def turnings(step: Step, event: Event | None) -> Iterator[Link]:
 
     Both velocities are seen from the line of centres. They point the same way along it or not, and
     lie on one side of it or on both, as the components tell: so the angles to it are added, or
-    taken from each other, or from 180°. A velocity stays on its side in an impact.
+    taken from each other, or from 180°. That a velocity stays on its side has to be cited too.
     """
     if event is None or not set(step.move.bodies) <= set(event.bodies):
         return
@@ -89,7 +89,7 @@ def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression
     p, q = (_to_the_line(event, each, *own) for each, own in ((one, (a, b)), (other, (c, d))))
     square = _RIGHT in (p, q)
     onward = 1 if square else _sign(step, a * c)
-    beside = 1 if _NONE in (p, q) or one[0] == other[0] else _sign(step, b * d)
+    beside = 1 if _NONE in (p, q) else _sign(step, b * d)
     if onward is None or beside is None:
         return None
     if onward == 1 and beside == -1:
@@ -129,6 +129,7 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
         c, d = (_component(step, event, "along", each) for each in (one, other))
         falls = None if c is None or d is None else _sign(step, c - d)
         falls = falls or _pushed_back(step, event, one)
+        falls = falls if _is_on_one_side(step, event, one, other) else None
     else:
         falls = _further_back(step, event, one, other)
     if falls is None:
@@ -138,6 +139,12 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
         for body, stage in (one, other)
     )
     return Binary("-", late, early) if falls == sense else Binary("-", early, late)
+
+
+def _is_on_one_side(step: Step, event: Event, one: Moving, other: Moving) -> bool:
+    """Whether two velocities are certain to point to the same side of the line of centres."""
+    b, d = (_component(step, event, "across", each) for each in (one, other))
+    return b is not None and d is not None and _sign(step, b * d) == 1
 
 
 def _further_back(step: Step, event: Event, one: Moving, other: Moving) -> int | None:
