@@ -16,6 +16,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import Solution, solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain
 from restitution.workings.derived import explanation_of
 from restitution.workings.rendering.text import to_text
 
@@ -403,3 +404,37 @@ def test_what_a_square_is_divided_by_stands_beside_it_before_it_is_shown() -> No
         "(1 - e^2) sin^2(theta) = 1/3",
         "sin^2(theta) = 1/(3(1 - e^2))",
     ]
+
+
+@pytest.mark.parametrize(
+    ("asked", "link"),
+    [
+        ("impulse", "= m(u + 2√10 u sin α) = m(u + 2u) = 3mu"),
+        ("energy_lost", "= ½m((2√10 u sin α)² − u²) = ½m((2u)² − u²) = 3mu²/2"),
+    ],
+)
+def test_a_component_before_a_wall_of_which_no_line_has_the_value_stands_as_the_data_have_it(
+    asked: str, link: str
+) -> None:
+    text = f"""
+wall W
+sphere P: mass m, velocity 2 sqrt(10) u at alpha to W
+P hits W: e = 1/2
+given tan(alpha) = 1/3
+find {asked}
+"""
+    assert link in " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+
+
+def test_who_rests_stays_where_it_touched_the_other() -> None:
+    text = """
+sphere A: mass 1 kg, radius 1/4 m, at (0, 0), velocity 3i
+sphere B: mass 2 kg, radius 1/4 m, at (3, 0), at rest
+wall W: along j through (7, 0)
+A hits B: e = 1/2
+B hits W: e = 2/3
+find distance(A, B)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "A is at rest, so it stays where it touched B:" in working
+    assert "= 3𝐢 − ½𝐢 = (5/2)𝐢 m" in working

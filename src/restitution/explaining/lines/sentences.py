@@ -1266,6 +1266,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "flight.speed-there": "speed in that direction",
     "flight.at-once": "{bodies:and} are at one place at the start",
     "flight.rest": "{body} is at rest, so it stays where it is",
+    "flight.rest-beside": "{body} is at rest, so it stays where it touched {other}",
     "flight.origin-taken": (
         "Position = velocity × time, for {body}, with the origin where {body} is at the impact"
     ),

@@ -91,6 +91,10 @@ def records_of(step: Step) -> Iterator[Link]:
             yield replace(link, right=Negate(link.right))
 
 
+# Definitions in which components stand as the data have them.
+_OF_COMPONENTS = frozenset({"chord", "energy-lost", "energy-change"})
+
+
 def _is_template(step: Step, line: Link, link: Link) -> bool:
     if step.move.record == "moves-off":
         chosen = step.under(opaque=step.opaque | {link.left})
@@ -110,7 +114,7 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
             _note_approach(step, rules)
         if part is None:
             expected = expected_residual(step, link, rules)
-            if step.move.id == "law" or step.move.record == "chord":
+            if step.move.id == "law" or step.move.record in _OF_COMPONENTS:
                 # A chain begins with the ratio of an angle, of which it then puts in the value.
                 return matches_with(step, line, expected, rules, link.sign)
             return matches(step, line, expected, link.sign)
@@ -130,13 +134,15 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
             return True  # the size of an impulse, in whichever sense
     # A sense takes long to decide: it is asked only where either would make the line.
     if not may_match(step, line, (left - right, left + right)):
-        return False
+        worth = step.residual(line, rules)  # with the ratio of an angle, whose value is cited too
+        if all(step.multiple(worth, each) is None for each in (left - right, left + right)):
+            return False
     sign = oriented(step, above)
     if sign is None and isinstance(link.left, Quantity):
         sign = 1  # the size of an impulse, where the axis points as bodies approach
     if sign is None:
         return False
-    return matches(step, line, left + right if sign == -1 else left - right)
+    return matches_with(step, line, left + right if sign == -1 else left - right, rules, "=")
 
 
 def _is_size_of(step: Step, line: Link, quantity: Quantity, value: Quotient) -> bool:

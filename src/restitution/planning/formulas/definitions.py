@@ -41,7 +41,8 @@ class Formula:
     """A definition with values put in: ``left`` is the quantity, a power or a ratio of it.
 
     ``value`` is what the right side is worth; ``of`` makes the left side of any tree that stands
-    for the quantity. ``between`` is a form of a vector on the way from one to the other.
+    for the quantity. ``between`` is a form on the way from one to the other: of a vector, or that
+    of a number in which ratios of angles have their values.
     """
 
     move: Move
@@ -111,6 +112,8 @@ def write_formula(scene: Scene, own: Formula) -> int:
             right = final
         elif _is_figure(own.value) and isinstance(right, Apply):
             final = right  # what follows is its decimal: no other form of it is plainer
+        if own.between is not None:
+            between = ((swept(own.between), "put"), *between)
         relation = chain(own.left, (right, None), *between, (final, "rearrange"))
         if _by_pythagoras(scene, own) and not scene.judge.follows(own.move, refs, relation):
             relation = chain(own.left, (right, None), *between, (final, "identity"))

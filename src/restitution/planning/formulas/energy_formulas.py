@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.formulas.angle_formulas import velocity_as_a_line
+from restitution.planning.formulas.components_of_data import before_a_wall
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import (
@@ -369,14 +370,17 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         if by_speeds is not None and _follows(scene, by_speeds):
             return by_speeds
     terms: list[Expression] = []
+    first: Expression | None = None  # at a wall, with the component before as the data have it
     values: list[Any] = []
     refs: list[Any] = [*frame.names_axis("along")]
     for body in scene.spheres(event):
         early, late = (in_direction(scene, "along", body, k, frame) for k in (event - 1, event))
         mass = scene.mass(body)
         squared = [square(tree_of(source.value)) for source in (early, late)]
-        change = difference(*squared)
-        terms.append(half(tree_of(mass.value), change))
+        terms.append(half(tree_of(mass.value), difference(*squared)))
+        by_data = before_a_wall(scene, body, frame, early)
+        if by_data is not None:
+            first = half(tree_of(mass.value), difference(square(by_data), squared[1]))
         values.append(mass.value * (early.value**2 - late.value**2) / 2)
         own = () if values[-1] == 0 else mass.refs
         refs += [*own, *early.whole, *late.whole]
@@ -388,8 +392,10 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         bare = tuple(ref for ref in pool if ref not in axis)
         if scene.judge.follows(move, bare, chain(quantity, (swept(total(terms)), None))):
             pool = bare
-    value = tidy(expanded(sum(values)))
-    return Formula(move, itself, quantity, total(terms), value, pool)
+    value, whole = tidy(expanded(sum(values))), total(terms)
+    if first is not None:
+        return Formula(move, itself, quantity, first, value, pool, whole)
+    return Formula(move, itself, quantity, whole, value, pool)
 
 
 def _lost_by_velocities(scene: Scene, quantity: Quantity, event: int) -> Formula:

@@ -9,7 +9,6 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import (
     Meaning,
     Move,
@@ -32,6 +31,11 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.formulas.assembling import put_together
+from restitution.planning.formulas.components_of_data import (
+    by_its_ratio,
+    is_polar,
+    with_its_ratio,
+)
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.next_walls import component_by_angle
 from restitution.planning.formulas.scalar_products import (
@@ -112,7 +116,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             return by_scalar_product(scene, tree, initial, frame, direction, form)
         source = _put(scene, Source(value, initial.refs, frame.refs, form))
         if form is None and kind == "along":
-            return replace(source, form=_with_its_ratio(value, source.value))
+            return replace(source, form=with_its_ratio(value, source.value))
         return source
     vector = scene.desk.known(Quantity("velocity", (Name(body),), last))
     if last not in scene.model.frames:
@@ -196,32 +200,6 @@ def _sought(scene: Scene, body: str, direction: Vector) -> Source | None:
     return Source(own.value * (direction.x + direction.y), own.refs)
 
 
-def is_polar(scene: Scene, body: str) -> bool:
-    """Whether a velocity at the start is given by its size and an angle."""
-    fact = scene.facts.get(f"velocity {body}")
-    if fact is None:
-        return False
-    (link,) = fact.relation.only
-    return any(isinstance(node, Polar) for node in walk(link.right))
-
-
-def _with_its_ratio(value: sp.Expr, put: sp.Expr) -> Expression | None:
-    """A component as a speed times the number of its cosine, ``(5u/4)(4/5)``.
-
-    None where one sees that in what it comes to, as the speed is no fraction.
-    """
-    ratios = value.atoms(sp.sin, sp.cos)
-    if len(ratios) != 1 or value.is_Add or put.has(*ratios):
-        return None
-    size = tidy(value / next(iter(ratios)))
-    share = tidy(put / size)
-    number, rest = size.as_coeff_Mul()
-    if not share.is_Rational or not number.is_Rational or number.is_Integer or rest == 1:
-        return None
-    own = product(tree_of(abs(number) * rest), tree_of(abs(share)))
-    return negative(own) if (number < 0) != (share < 0) else own
-
-
 def _put(scene: Scene, source: Source) -> Source:
     value, refs = scene.put(source.value)
     form = source.form if not refs else None
@@ -231,30 +209,6 @@ def _put(scene: Scene, source: Source) -> Source:
 def tree_in_law(source: Source) -> Expression:
     """A component as a law has it: as it comes of the data, or as what it is worth."""
     return tree_of(source.value) if source.form is None else source.form
-
-
-def _by_ratio(
-    scene: Scene, kind: str, body: str, frame: Frame, source: Source
-) -> Expression | None:
-    """A component at the start by what has a value in it: ``5 sin α``, ``u sin 60°``.
-
-    None where the velocity is not given by its size and an angle, or where the component keeps
-    the ratio, or stands in a line of its own.
-    """
-    if scene.last_event(body, frame.number - 1) or not is_polar(scene, body):
-        return None
-    if source.form is not None or scene.desk.known(frame.component(kind, body, 0)) is not None:
-        return None
-    value = neat(scene.initial(body).value.dot(frame.direction(kind)))
-    form = by_degrees(scene, kind, body, frame, value)
-    if form is not None:
-        # The angle is a number, and the speed has been found.
-        own = symbol_names(source.value)
-        return form if letters(form) - own else None
-    ratios = value.atoms(sp.sin, sp.cos)
-    if value.is_Add or len(ratios) != 1 or not any(ratio.free_symbols for ratio in ratios):
-        return None
-    return None if source.value.has(*ratios) else tree_of(value)
 
 
 def _product_of_units(a: Vector, b: Vector, value: sp.Expr) -> Expression:
@@ -541,7 +495,7 @@ def _as_first_written(
     scene: Scene, kind: str, body: str, frame: Frame, source: Source
 ) -> tuple[Expression, MoveId]:
     """A component before an impact as it comes of the data, and the move to what it is worth."""
-    ratio = _by_ratio(scene, kind, body, frame, source)
+    ratio = by_its_ratio(scene, kind, body, frame, source)
     return (tree_in_law(source), "rearrange") if ratio is None else (ratio, "put")
 
 

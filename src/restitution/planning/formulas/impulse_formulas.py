@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Quantity,
     walk,
 )
+from restitution.planning.formulas.components_of_data import before_a_wall
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import velocity_source
@@ -109,12 +110,22 @@ def impulse_on(
     change = late.value - early.value
     mass = scene.mass(body)
     first, last = tree_of(early.value), tree_of(late.value)
+    forms = [(first, last)]
+    by_data = before_a_wall(scene, body, frame, early)
+    if by_data is not None:
+        forms.insert(0, (by_data, last))
     if model.sign(model.in_data(change)) < 0:
-        first, last, change = last, first, -change
+        forms, change = [(end, begin) for begin, end in forms], -change
     # At a wall the two point opposite ways: sizes are added.
     walled = frame.wall is not None
-    change_tree = total((last, negative(first))) if walled else difference(last, first)
-    tree, value = product(tree_of(mass.value), change_tree), tidy(mass.value * change)
+    trees = [
+        product(
+            tree_of(mass.value),
+            total((end, negative(begin))) if walled else difference(end, begin),
+        )
+        for begin, end in forms
+    ]
+    tree, value = trees[0], tidy(mass.value * change)
     if not scene.unknown(value) and not model.decide(change, ">=", 0):
         # Which way the body comes is open.
         tree, value = Apply("abs", tree), sp.Abs(value)
@@ -125,6 +136,7 @@ def impulse_on(
         tree,
         value,
         together(mass.refs, early.whole, late.whole, frame.names_axis("along")),
+        trees[1] if by_data is not None and tree == trees[0] else None,
     )
 
 

@@ -20,7 +20,8 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.planning.formulas.impacts import in_direction, is_polar
+from restitution.planning.formulas.components_of_data import is_polar
+from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
     frame_after,

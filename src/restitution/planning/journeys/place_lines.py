@@ -11,11 +11,16 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.formulas.whereabouts import (
+    contact_of,
+    offset_at,
+    partner_of,
+    standing,
     velocity,
 )
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import (
     product,
+    swept,
     tree_of,
     vector,
 )
@@ -66,6 +71,30 @@ def both_radii(scene: Scene, between: Expression, apart: Vector) -> Expression:
                 tree_of(size), tree if length == 1 else Binary("/", tree, tree_of(length))
             )
     return tree_of(apart)
+
+
+def stays_where_it_touched(
+    scene: Scene, move: Move, near: int, quantity: Expression, refs: Sequence[Ref], value: Vector
+) -> int | None:
+    """Writes the place of who rests by that of whom it touched at an event: ``4i - i``.
+
+    None where a line has its own place, where it moves, and where the centres were not apart.
+    """
+    (body,) = move.bodies
+    other = partner_of(scene, body, near)
+    theirs = None if other is None else standing(scene, place_tree(other, near))
+    own = next(contact_of(scene, near), None)
+    if theirs is None or own is None or own.left != place_tree(body, near):
+        return None
+    if standing(scene, own.left) is not None or any(velocity_then(scene, body, near).value):
+        return None
+    apart, _ = scene.put(Vector(*(offset_at(scene, body, near, axis) for axis in AXES)))
+    if not any(apart) or not isinstance(own.right, Binary):
+        return None
+    between = both_radii(scene, own.right.right, apart)
+    touched = swept(Binary(own.right.op, tree_of(theirs.value), between))
+    relation = chain(quantity, (touched, None), (tree_of(value), "rearrange"))
+    return scene.desk.write(move, refs, relation)
 
 
 def velocity_then(scene: Scene, body: str, stage: int) -> Source:

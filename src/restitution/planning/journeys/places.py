@@ -54,6 +54,7 @@ from restitution.planning.journeys.place_lines import (
     know_place,
     nearest,
     open_line,
+    stays_where_it_touched,
     velocity_then,
     write_place,
 )
@@ -292,8 +293,9 @@ def place_moved(scene: Scene, body: str, stage: int) -> Source:
         value = Vector(
             *(tidy(a + b * length) for a, b in zip(first.value, pace.value, strict=True))
         )
-    number = write_place(
-        scene, Move("define", "straight-line", stage, (body,)), quantity, refs, tree, value
+    move = Move("define", "straight-line", stage, (body,))
+    number = stays_where_it_touched(scene, move, near, quantity, refs, value) or write_place(
+        scene, move, quantity, refs, tree, value
     )
     hide_place_of_rest(scene, body, since, number)
     return know_place(scene, body, stage, value, number)

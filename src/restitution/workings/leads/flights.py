@@ -54,6 +54,8 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
         )
     if isinstance(left, Quantity) and left.kind == "position":
         if is_of_a_body_at_rest(derivation, line):
+            if other := _touched(derivation, line):
+                return say("flight.rest-beside", body=body, other=other)
             return say("flight.rest", body=body)
         if _from_the_origin(derivation, line):
             if derivation.fact("origin") is not None:
@@ -133,6 +135,19 @@ def _axis_from_zero(derivation: Derivation, line: Line, left: Expression) -> str
         case Quantity("along", (Quantity("position"), Unit("i" | "j" as axis))):
             if _from_the_origin(derivation, line):
                 return "x" if axis == "i" else "y"
+    return None
+
+
+def _touched(derivation: Derivation, line: Line) -> str | None:
+    """The body beside which another one rests, where its place is by that of the other."""
+    assert isinstance(line.relation, Relation)
+    if len(line.relation.only) < 2:
+        return None  # where it is stands in a line
+    for ref in line.premises:
+        number = str(ref).removeprefix("contact ")
+        if number != str(ref):
+            event = next(e for e in derivation.events if str(e.number) == number)
+            return next((body for body in event.bodies if body != line.move.bodies[0]), None)
     return None
 
 
