@@ -6,7 +6,7 @@ units are read from it. How it is worked out from a story stands in ``solving.st
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -29,11 +29,13 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    Stage,
     has_quantity,
     letters,
 )
 
 Nature = Literal["scalar", "vector", "angle"]
+Definition = Callable[[tuple[Expression, ...], Stage], Expression | None]
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,13 @@ class Kind:
     ``at_time`` a time; with ``stage_needed`` it cannot do without. One ``of_an_event`` has none
     at the start. ``names`` are the bodies whose names may be arguments. ``in_statements`` is
     False where only the lines of a working speak of it.
+
+    ``noun`` is what people call it, of one body, and ``nouns`` of several; ``short`` among
+    mathematics, where that is another; ``of_all`` what it is called without arguments. ``letters``
+    are those that people take for it, in the order in which they do.
+
+    ``definition`` says it by other quantities, of its arguments and its stage: as it is read, that
+    takes its place, so that nothing else has to know it. It gives None where it is itself.
     """
 
     word: str
@@ -64,6 +73,27 @@ class Kind:
     of_an_event: bool = False
     names: frozenset[str] = frozenset({"sphere"})
     in_statements: bool = True
+    noun: str = ""
+    nouns: str = ""
+    short: str = ""
+    of_all: str = ""
+    letters: tuple[str, ...] = ()
+    definition: Definition | None = None
+
+    def called(self, number: int = 1) -> str:
+        """What it is called, of so many bodies."""
+        one = self.noun or self.word.replace("_", " ")
+        return one if number == 1 else self.nouns or f"{one}s"
+
+    @property
+    def in_formulas(self) -> str:
+        """What it is called among mathematics, of a body."""
+        return self.short or self.called()
+
+    @property
+    def in_formulas_of_all(self) -> str:
+        """What it is called among mathematics, without a body."""
+        return self.of_all or self.word.replace("_", " ")
 
     @property
     def stands_alone(self) -> bool:
@@ -87,6 +117,8 @@ KINDS: Mapping[str, Kind] = {
             SPEED,
             staged=True,
             before=True,
+            nouns="velocities",
+            letters=("v", "w"),
         ),
         Kind(
             "speed",
@@ -97,6 +129,8 @@ KINDS: Mapping[str, Kind] = {
             SPEED,
             staged=True,
             before=True,
+            # In a working v and w are components along the line of centres.
+            letters=("V", "U"),
         ),
         Kind(
             "direction",
@@ -108,6 +142,9 @@ KINDS: Mapping[str, Kind] = {
             staged=True,
             before=True,
             names=frozenset({"sphere", "wall"}),
+            noun="direction of motion",
+            nouns="directions of motion",
+            short="direction",
         ),
         Kind(
             "along",
@@ -117,6 +154,7 @@ KINDS: Mapping[str, Kind] = {
             "scalar",
             None,
             names=frozenset({"wall"}),
+            letters=("p", "q", "r", "s"),
         ),
         Kind(
             "across",
@@ -126,6 +164,7 @@ KINDS: Mapping[str, Kind] = {
             "scalar",
             None,
             names=frozenset({"wall"}),
+            letters=("p", "q", "r", "s"),
         ),
         Kind(
             "angle",
@@ -135,6 +174,8 @@ KINDS: Mapping[str, Kind] = {
             "angle",
             NONE,
             names=frozenset({"wall"}),
+            # Those that angles have in a working.
+            letters=("beta", "theta", "phi", "psi", "gamma"),
         ),
         Kind(
             "deflection",
@@ -145,6 +186,9 @@ KINDS: Mapping[str, Kind] = {
             NONE,
             staged=True,
             of_an_event=True,
+            noun="angle of deflection",
+            nouns="angles of deflection",
+            letters=("delta", "phi", "psi"),
         ),
         Kind(
             "impulse",
@@ -156,6 +200,9 @@ KINDS: Mapping[str, Kind] = {
             alone="scalar",
             staged=True,
             of_an_event=True,
+            short="impulse on",
+            of_all="magnitude of the impulse",
+            letters=("I", "J", "Q"),
         ),
         Kind(
             "energy",
@@ -166,6 +213,10 @@ KINDS: Mapping[str, Kind] = {
             ENERGY,
             staged=True,
             before=True,
+            noun="kinetic energy",
+            nouns="kinetic energies",
+            of_all="total kinetic energy",
+            letters=("E", "K"),
         ),
         Kind(
             "energy_lost",
@@ -176,6 +227,8 @@ KINDS: Mapping[str, Kind] = {
             ENERGY,
             staged=True,
             of_an_event=True,
+            of_all="kinetic energy lost",
+            letters=("L", "E", "K"),
         ),
         Kind(
             "total_energy_lost",
@@ -185,6 +238,8 @@ KINDS: Mapping[str, Kind] = {
             "scalar",
             ENERGY,
             staged=True,
+            of_all="total kinetic energy lost",
+            letters=("L", "E", "K"),
         ),
         Kind(
             "momentum",
@@ -195,6 +250,9 @@ KINDS: Mapping[str, Kind] = {
             IMPULSE,
             staged=True,
             before=True,
+            nouns="momenta",
+            of_all="total momentum",
+            letters=("p", "q"),
         ),
         Kind(
             "line_of_centres",
@@ -205,8 +263,18 @@ KINDS: Mapping[str, Kind] = {
             NONE,
             staged=True,
             of_an_event=True,
+            letters=("n", "c"),
         ),
-        Kind("mass", "the mass of A", "mass(A)", (1, 1), "scalar", MASS),
+        Kind(
+            "mass",
+            "the mass of A",
+            "mass(A)",
+            (1, 1),
+            "scalar",
+            MASS,
+            nouns="masses",
+            letters=("m", "M"),
+        ),
         Kind(
             "position",
             "where the centre of A is",
@@ -217,6 +285,7 @@ KINDS: Mapping[str, Kind] = {
             staged=True,
             before=True,
             at_time=True,
+            letters=("r", "s", "p"),
         ),
         Kind(
             "time",
@@ -228,6 +297,7 @@ KINDS: Mapping[str, Kind] = {
             staged=True,
             stage_needed=True,
             of_an_event=True,
+            letters=("T", "t"),
         ),
         Kind(
             "distance",
@@ -239,8 +309,18 @@ KINDS: Mapping[str, Kind] = {
             staged=True,
             at_time=True,
             names=frozenset({"sphere", "point"}),
+            letters=("d", "D", "s", "h"),
         ),
-        Kind("dot", "the scalar product", "dot(V, W)", (2, 2), "scalar", None, names=frozenset()),
+        Kind(
+            "dot",
+            "the scalar product",
+            "dot(V, W)",
+            (2, 2),
+            "scalar",
+            None,
+            names=frozenset(),
+            letters=("p", "q", "k"),
+        ),
         # A statement gives e with the impact.
         Kind(
             "restitution",

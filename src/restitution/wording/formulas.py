@@ -35,29 +35,8 @@ from restitution.wording.words import listed, words
 
 # Beyond this a phrase is a formula: a sum of two quantities is 3.
 _MOST = 3
-# The letters that people take for a quantity, in the order in which they do. A speed is V: in a
-# working v and w are components along the line of centres. Angles have the letters that they have
-# there.
-_LETTERS = {
-    "speed": ("V", "U"),
-    "velocity": ("v", "w"),
-    "along": ("p", "q", "r", "s"),
-    "across": ("p", "q", "r", "s"),
-    "angle": ("beta", "theta", "phi", "psi", "gamma"),
-    "deflection": ("delta", "phi", "psi"),
-    "energy": ("E", "K"),
-    "energy_lost": ("L", "E", "K"),
-    "total_energy_lost": ("L", "E", "K"),
-    "impulse": ("I", "J", "Q"),
-    "momentum": ("p", "q"),
-    "mass": ("m", "M"),
-    "position": ("r", "s", "p"),
-    "time": ("T", "t"),
-    "distance": ("d", "D", "s", "h"),
-    "dot": ("p", "q", "k"),
-    "line_of_centres": ("n", "c"),
-    "fraction": ("q", "k"),
-}
+# The letters that people take for a quotient of two quantities, and for other angles.
+_FRACTION = ("q", "k")
 _ANGLES = ("theta", "phi", "psi", "beta", "gamma", "delta")
 
 
@@ -198,7 +177,7 @@ def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:
 def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
     """Letters that nothing else has."""
     taken = scene.letters | set(scene.denoted.values())
-    bases = _LETTERS.get(kind, _ANGLES)
+    bases = (KINDS[kind].letters if kind in KINDS else _FRACTION) or _ANGLES
     if len(group) == 1 or (kind not in ("time", "speed") and len(group) == 2):
         free = [base for base in bases if base not in taken]
         if len(free) >= len(group):

@@ -5,21 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from restitution.expression.quantities import KINDS
 from restitution.wording.scene import INITIALLY
 from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, names, words
 
-# What is said of one body, in the singular and of several.
-_OF_BODY = {
-    "velocity": ("velocity", "velocities"),
-    "speed": ("speed", "speeds"),
-    "direction": ("direction of motion", "directions of motion"),
-    "deflection": ("angle of deflection", "angles of deflection"),
-    "energy": ("kinetic energy", "kinetic energies"),
-    "momentum": ("momentum", "momenta"),
-    "mass": ("mass", "masses"),
-    "position": ("position", "positions"),
-}
 INITIAL = "initial "
 
 
@@ -78,9 +68,8 @@ def kinds_of(kinds: Sequence[str], body: str) -> Words:
 
 def called(kind: str, number: int) -> str:
     """``speed``, ``initial speeds``."""
-    one, several = _OF_BODY[kind.removeprefix(INITIAL)]
     initial = INITIAL if kind.startswith(INITIAL) else ""
-    return initial + (one if number == 1 else several)
+    return initial + KINDS[kind.removeprefix(INITIAL)].called(number)
 
 
 def of_its_body(one: Noun, other: Noun) -> Words:

@@ -8,6 +8,7 @@ from fractions import Fraction as Ratio
 from functools import lru_cache
 
 from restitution.expression import tree as trees
+from restitution.expression.quantities import KINDS
 from restitution.render.layout.algebra import plain_number
 from restitution.render.layout.builders import bracketed, function, letter, power, product, total
 from restitution.render.layout.nodes import (
@@ -26,27 +27,6 @@ from restitution.render.layout.nodes import (
     Sum,
     Words,
 )
-
-_OF_BODY = {
-    "speed": "speed",
-    "direction": "direction",
-    "deflection": "angle of deflection",
-    "momentum": "momentum",
-    "mass": "mass",
-    "position": "position",
-    "energy": "kinetic energy",
-    "impulse": "impulse on",
-}
-_OF_ALL = {
-    "impulse": "magnitude of the impulse",
-    "energy": "total kinetic energy",
-    "energy_lost": "kinetic energy lost",
-    "total_energy_lost": "total kinetic energy lost",
-    "momentum": "total momentum",
-    "line_of_centres": "line of centres",
-    "time": "time",
-}
-_BOLD = {"velocity": "v", "momentum": "p", "position": "r", "impulse": "I"}
 
 
 @dataclass(frozen=True)
@@ -223,7 +203,7 @@ def _quantity(kind: str, written: tuple[trees.Expression, ...], arguments: list[
     if kind == "velocity" and named:
         return Bold("v", _name(written[0]))
     if kind == "line_of_centres" or not arguments:
-        return Words(_OF_ALL.get(kind, kind.replace("_", " ")))
+        return Words(KINDS[kind].in_formulas_of_all)
     if kind == "abs":
         return Brackets(arguments[0], "||")
     if kind == "dot":
@@ -242,7 +222,7 @@ def _quantity(kind: str, written: tuple[trees.Expression, ...], arguments: list[
     if kind in ("angle", "distance"):
         noun = "angle between" if kind == "angle" else "distance between"
         return Phrase((Words(noun), arguments[0], Words("and"), arguments[1]))
-    noun = _OF_BODY.get(kind, kind.replace("_", " "))
+    noun = KINDS[kind].in_formulas
     link = noun if noun.endswith(" on") else f"{noun} of"
     return Phrase((Words(link), *arguments))
 
@@ -262,16 +242,8 @@ def _stage(node: trees.Quantity, events: EventNames) -> tuple[Layout, ...] | Non
         case 0:
             return (Words("at the start"),)
         case number:
-            lasting = {
-                "velocity",
-                "speed",
-                "energy",
-                "momentum",
-                "direction",
-                "position",
-            }
             names, word = events.during, "in event"
-            if node.kind in lasting:
+            if KINDS[node.kind].before:
                 names, word = events.after, "after event"
             elif node.kind == "time":
                 names, word = {}, "of event"
