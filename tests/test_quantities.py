@@ -8,9 +8,12 @@ from functools import cache
 import pytest
 
 import restitution
-from restitution.expression.quantities import KINDS, QUANTITIES, dimension_of
+from restitution.expression.defined import quantity_of
+from restitution.expression.dimensions import SPEED
+from restitution.expression.quantities import KINDS, QUANTITIES, Kind, dimension_of
 from restitution.expression.reading import read_expression
-from restitution.expression.tree import Quantity
+from restitution.expression.tree import Binary, Expression, Name, Quantity, Stage
+from restitution.practice.letters.wordings import words_of
 from restitution.workings import to_text
 
 STORY = """
@@ -66,3 +69,84 @@ def test_a_quantity_has_a_working(form: str) -> None:
     working = restitution.explain(solution(form), check=True)
     text = to_text(working)
     assert "written out" not in text
+
+
+@pytest.mark.parametrize(
+    ("text", "same"),
+    [
+        ("energy_lost(A)", "energy(A, before) - energy(A)"),
+        ("energy_lost(B, 2)", "energy(B, 1) - energy(B, 2)"),
+        ("2 energy_lost(A)/energy(A)", "2 (energy(A, before) - energy(A))/energy(A)"),
+    ],
+)
+def test_what_others_define_is_read_as_its_definition(text: str, same: str) -> None:
+    assert read_expression(text, names=NAMES) == read_expression(same, names=NAMES)
+
+
+def test_what_all_lose_is_no_other_quantity() -> None:
+    assert read_expression("energy_lost(2)") == Quantity("energy_lost", (), 2)
+
+
+def _approach(bodies: tuple[Expression, ...], early: Stage, late: Stage) -> Expression:
+    one, other = (Quantity("speed", (body,), early) for body in bodies)
+    return Binary("+", one, other)
+
+
+@pytest.fixture
+def approach(monkeypatch: pytest.MonkeyPatch) -> Kind:
+    """A quantity that stands in the registry for the time of a test."""
+    kind = Kind(
+        "approach",
+        "at which spheres on one line approach",
+        "approach(A, B) or approach(A, B, n)",
+        (2, 2),
+        "scalar",
+        SPEED,
+        staged=True,
+        of_an_event=True,
+        noun="speed of approach",
+        definition=_approach,
+    )
+    monkeypatch.setitem(KINDS, kind.word, kind)  # type: ignore[arg-type]
+    return kind
+
+
+BOTH = (Name("A"), Name("B"))
+
+
+@pytest.mark.parametrize(
+    ("text", "stage"),
+    [
+        ("speed(A, before) + speed(B, before)", None),
+        ("speed(A, 0) + speed(B, 0)", 1),
+        ("speed(A, 4) + speed(B, 4)", 5),
+    ],
+)
+def test_what_others_define_is_known_by_its_definition(
+    approach: Kind, text: str, stage: int | None
+) -> None:
+    tree = read_expression(text, names=NAMES)
+    assert quantity_of(tree) == Quantity(approach.word, BOTH, stage)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "speed(A, 0) + speed(B, 1)",
+        "speed(A, before) - speed(B, before)",
+        "speed(A) + energy(B)",
+        "speed(A)",
+        "speed(A, 0) + speed(B, before)",
+    ],
+)
+def test_nothing_else_is_taken_for_it(approach: Kind, text: str) -> None:
+    assert quantity_of(read_expression(text, names=NAMES)) is None
+
+
+@pytest.mark.usefixtures("approach")
+def test_its_noun_is_asked_for_and_said_to_students() -> None:
+    problem = restitution.parse(STORY.format("speed(A, 0) + speed(B, 0)"))
+    asked = " ".join(str(restitution.question(problem)).split())
+    assert asked.endswith("Find the speed of approach of A and B.")
+    tree = read_expression("speed(A, 0) + speed(B, 0)", names=NAMES)
+    assert words_of(tree, problem) == "speed of approach of A and B"

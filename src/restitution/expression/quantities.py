@@ -35,7 +35,8 @@ from restitution.expression.tree import (
 )
 
 Nature = Literal["scalar", "vector", "angle"]
-Definition = Callable[[tuple[Expression, ...], Stage], Expression | None]
+Definition = Callable[[tuple[Expression, ...], Stage, Stage], Expression | None]
+"""By its arguments, the stage before the event of which it is and that after it."""
 
 
 @dataclass(frozen=True)
@@ -52,11 +53,12 @@ class Kind:
     False where only the lines of a working speak of it.
 
     ``noun`` is what people call it, of one body, and ``nouns`` of several; ``short`` among
-    mathematics, where that is another; ``of_all`` what it is called without arguments. ``letters``
+    mathematics, where that is another; ``link`` is the word before its bodies, and ``of_all`` what
+    it is called without. ``letters``
     are those that people take for it, in the order in which they do.
 
-    ``definition`` says it by other quantities, of its arguments and its stage: as it is read, that
-    takes its place, so that nothing else has to know it. It gives None where it is itself.
+    ``definition`` says it by other quantities: as it is read these take its place, so nothing else
+    has to know it. It gives None where it is no other.
     """
 
     word: str
@@ -76,6 +78,7 @@ class Kind:
     noun: str = ""
     nouns: str = ""
     short: str = ""
+    link: str = "of"
     of_all: str = ""
     letters: tuple[str, ...] = ()
     definition: Definition | None = None
@@ -87,12 +90,12 @@ class Kind:
 
     @property
     def in_formulas(self) -> str:
-        """What it is called among mathematics, of a body."""
-        return self.short or self.called()
+        """What it is called among mathematics, with the word before its bodies."""
+        return f"{self.short or self.called()} {self.link}"
 
     @property
-    def in_formulas_of_all(self) -> str:
-        """What it is called among mathematics, without a body."""
+    def called_of_all(self) -> str:
+        """What it is called without a body."""
         return self.of_all or self.word.replace("_", " ")
 
     @property
@@ -100,9 +103,29 @@ class Kind:
         """Whether it may be written without arguments."""
         return self.arguments[0] == 0 and not self.stage_needed
 
+    def written_out(
+        self, arguments: tuple[Expression, ...], stage: Stage, events: int
+    ) -> Expression | None:
+        """What it is by its definition, after some events; None where it has none."""
+        if self.definition is None:
+            return None
+        if not self.of_an_event:
+            return self.definition(arguments, stage, stage)
+        if stage is None and arguments:
+            return self.definition(arguments, "before", None)
+        late = stage if isinstance(stage, int) else events
+        return self.definition(arguments, late - 1, late)
+
     def nature_of(self, arguments: tuple[Expression, ...]) -> Nature:
         """What its value is, with these arguments."""
         return self.nature if arguments or self.alone is None else self.alone
+
+
+def _energy_lost_by(bodies: tuple[Expression, ...], early: Stage, late: Stage) -> Expression | None:
+    """What one body loses is the fall of its energy; what all lose is a quantity of its own."""
+    if not bodies:
+        return None
+    return Binary("-", Quantity("energy", bodies, early), Quantity("energy", bodies, late))
 
 
 KINDS: Mapping[str, Kind] = {
@@ -174,6 +197,7 @@ KINDS: Mapping[str, Kind] = {
             "angle",
             NONE,
             names=frozenset({"wall"}),
+            link="between",
             # Those that angles have in a working.
             letters=("beta", "theta", "phi", "psi", "gamma"),
         ),
@@ -200,7 +224,7 @@ KINDS: Mapping[str, Kind] = {
             alone="scalar",
             staged=True,
             of_an_event=True,
-            short="impulse on",
+            link="on",
             of_all="magnitude of the impulse",
             letters=("I", "J", "Q"),
         ),
@@ -220,15 +244,16 @@ KINDS: Mapping[str, Kind] = {
         ),
         Kind(
             "energy_lost",
-            "the kinetic energy lost in the latest event",
-            "energy_lost or energy_lost(n)",
-            (0, 0),
+            "the kinetic energy that A, or all spheres, lose in the latest event",
+            "energy_lost, energy_lost(n), energy_lost(A) or energy_lost(A, n)",
+            (0, 1),
             "scalar",
             ENERGY,
             staged=True,
             of_an_event=True,
             of_all="kinetic energy lost",
             letters=("L", "E", "K"),
+            definition=_energy_lost_by,
         ),
         Kind(
             "total_energy_lost",
@@ -309,6 +334,7 @@ KINDS: Mapping[str, Kind] = {
             staged=True,
             at_time=True,
             names=frozenset({"sphere", "point"}),
+            link="between",
             letters=("d", "D", "s", "h"),
         ),
         Kind(

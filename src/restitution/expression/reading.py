@@ -172,7 +172,7 @@ def _fold(reading: Reading, tree: Any, builders: Mapping[str, Builder]) -> Span:
     while pending:
         node, ready = pending.pop()
         if isinstance(node, Token):
-            done.append(Span(_leaf(node), node, node))
+            done.append(Span(_leaf(reading, node), node, node))
         elif not ready:
             pending.append((node, True))
             pending.extend((child, False) for child in reversed(node.children))
@@ -192,7 +192,7 @@ def _fold(reading: Reading, tree: Any, builders: Mapping[str, Builder]) -> Span:
     return done[0]
 
 
-def _leaf(token: Token) -> Any:
+def _leaf(reading: Reading, token: Token) -> Any:
     """The value of a token: an expression where it is one, else the token itself."""
     place = Place(token.line or 1, token.column or 1)
     text = str(token)
@@ -219,7 +219,7 @@ def _leaf(token: Token) -> Any:
                 raise StatementError(
                     f"'{text}' needs brackets: {KINDS[text].usage}", place.line, place.column
                 )
-            return Quantity(text, place=place)
+            return _written_out(reading, Quantity(text, place=place))
     return token
 
 
@@ -407,7 +407,36 @@ def _quantity(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
         raise reading.error(f"'{kind}' takes no 'before': it is written {record.usage}", place)
     if isinstance(stage, AtTime) and not record.at_time:
         raise reading.error(f"'{kind}' takes no time: it is written {record.usage}", place)
-    return Quantity(kind, tuple(span.value for span in given), stage, place=place)
+    arguments = tuple(span.value for span in given)
+    return _written_out(reading, Quantity(kind, arguments, stage, place=place))
+
+
+def _written_out(reading: Reading, quantity: Quantity) -> Expression:
+    """A quantity, or what it is by its definition."""
+    record, place = KINDS[quantity.kind], quantity.place or Place(1, 1)
+    defined = record.written_out(quantity.arguments, quantity.stage, reading.events)
+    if defined is None:
+        return quantity
+    if record.of_an_event and quantity.stage == 0:
+        raise reading.error(f"events are numbered from 1: there is no {quantity.kind} at 0", place)
+    if record.of_an_event and quantity.stage is None and not (quantity.arguments or reading.events):
+        raise reading.error("no event is told before this line", place)
+    return _at(defined, place)
+
+
+def _at(tree: Expression, place: Place) -> Expression:
+    """A tree that stands at a place; names have their own."""
+    match tree:
+        case Binary(op, left, right):
+            return Binary(op, _at(left, place), _at(right, place), place=place)
+        case Apply(function, argument):
+            return Apply(function, _at(argument, place), place=place)
+        case Negate(operand):
+            return Negate(_at(operand, place), place=place)
+        case Quantity(kind, arguments, stage) if tree.place is None:
+            inner = tuple(_at(argument, place) for argument in arguments)
+            return Quantity(kind, inner, stage, place=place)
+    return tree
 
 
 def _measured(reading: Reading, node: Tree[Token], spans: list[Span]) -> Any:

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
+from restitution.expression.defined import quantity_of
 from restitution.expression.quantities import KINDS, dimension_of_any, is_vector_quantity
 from restitution.expression.tree import (
     Apply,
@@ -57,6 +58,7 @@ def cost(scene: Scene, tree: Expression) -> float:
     """How much there is to follow in an expression, if it were told in words: a quantity is 1."""
     if not has_quantity(tree):
         return 0
+    tree = quantity_of(tree) or tree
     inner = [cost(scene, child) for child in children(tree)]
     match tree:
         case Quantity(_, arguments):

@@ -10,7 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
+from restitution.expression.defined import quantity_of
 from restitution.expression.dimensions import TIME
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -81,9 +83,13 @@ def noun(scene: Scene, tree: Expression) -> Noun:
         return Noun(
             (Named(tree.name),) if isinstance(tree, Name) else words(values.layout_of(tree))
         )
+    defined = quantity_of(tree)
+    if defined is not None:
+        return noun(scene, defined)
     match tree:
-        case Quantity():
-            return _QUANTITIES.get(tree.kind, _of_body)(scene, tree)
+        case Quantity(kind):
+            usual = _of_an_event if KINDS[kind].of_an_event else _of_bodies
+            return _QUANTITIES.get(kind, usual)(scene, tree)
         case Negate(Binary("*" | "/" as op, factor, rest)) if not has_quantity(factor):
             return noun(scene, Binary(op, Negate(factor), rest))
         case Negate(operand):
@@ -371,9 +377,32 @@ def at_time(scene: Scene, stage: AtTime) -> Words:
     return words("at time ", values.value(scene.style, stage.time, TIME), " after ", start)
 
 
-def _of_body(scene: Scene, tree: Quantity) -> Noun:
-    body = name_of(tree.arguments[0]) or ""
-    return at_moment(tree.kind, body, () if tree.kind == "mass" else moment(scene, tree, body))
+def _of_bodies(scene: Scene, tree: Quantity) -> Noun:
+    """What is said of bodies at a moment, or of all of them."""
+    named = [name_of(argument) or "" for argument in tree.arguments]
+    body = named[0] if named else None
+    when = moment(scene, tree, body) if KINDS[tree.kind].staged else ()
+    if len(named) == 1:
+        return at_moment(tree.kind, named[0], when)
+    initial, when = (INITIAL, ()) if when == INITIALLY else ("", when)
+    return Noun(_of_several(tree.kind, initial, named), when)
+
+
+def _of_an_event(scene: Scene, tree: Quantity) -> Noun:
+    """What is said of bodies in an event."""
+    named = [name_of(argument) or "" for argument in tree.arguments]
+    where = in_event(scene, event_number(scene, tree, named[0] if named else None))
+    if len(named) == 1:
+        return Noun(of_bodies(tree.kind, named), where, tree.kind, named[0])
+    return Noun(_of_several(tree.kind, "", named), where)
+
+
+def _of_several(kind: str, initial: str, bodies: Sequence[str]) -> Words:
+    """``the distance between A and B``, ``the total momentum``: one quantity of them together."""
+    record = KINDS[kind]
+    if not bodies:
+        return (f"the {initial}{record.called_of_all}",)
+    return words(f"the {initial}{record.called()} {record.link} ", names(bodies))
 
 
 def _direction(scene: Scene, tree: Quantity) -> Noun:
@@ -382,16 +411,6 @@ def _direction(scene: Scene, tree: Quantity) -> Noun:
         return Noun(words("the direction of ", Named(name)))
     moving = at_moment("direction", name, moment(scene, tree, name))
     return led(("the angle anticlockwise from ", values.EAST, " to "), moving)
-
-
-def _deflection(scene: Scene, tree: Quantity) -> Noun:
-    body = name_of(tree.arguments[0]) or ""
-    return Noun(
-        of_bodies("deflection", (body,)),
-        in_event(scene, event_number(scene, tree, body)),
-        "deflection",
-        body,
-    )
 
 
 def _impulse(scene: Scene, tree: Quantity) -> Noun:
@@ -411,7 +430,7 @@ def _impulse(scene: Scene, tree: Quantity) -> Noun:
 
 def _energy(scene: Scene, tree: Quantity) -> Noun:
     if tree.arguments:
-        return _of_body(scene, tree)
+        return _of_bodies(scene, tree)
     when = moment(scene, tree, None)
     initial, when = (INITIAL, ()) if when == INITIALLY else ("", when)
     return Noun(_energy_of_all(scene, initial), when)
@@ -436,15 +455,6 @@ def _total_energy_lost(scene: Scene, tree: Quantity) -> Noun:
     return Noun(
         words("the total kinetic energy lost up to and including ", event_name(scene, number))
     )
-
-
-def _momentum(scene: Scene, tree: Quantity) -> Noun:
-    if tree.arguments:
-        return _of_body(scene, tree)
-    when = moment(scene, tree, None)
-    if when == INITIALLY:
-        return Noun(("the initial total momentum",))
-    return Noun(("the total momentum",), when)
 
 
 def _line_of_centres(scene: Scene, tree: Quantity) -> Noun:
@@ -674,12 +684,10 @@ def _vector(scene: Scene, tree: Expression) -> Noun:
 
 _QUANTITIES: Mapping[str, Callable[[Scene, Quantity], Noun]] = {
     "direction": _direction,
-    "deflection": _deflection,
     "impulse": _impulse,
     "energy": _energy,
     "energy_lost": _energy_lost,
     "total_energy_lost": _total_energy_lost,
-    "momentum": _momentum,
     "line_of_centres": _line_of_centres,
     "angle": _angle,
     "along": _along,

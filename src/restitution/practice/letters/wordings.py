@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from restitution.expression.defined import quantity_of
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     Apply,
@@ -21,13 +23,14 @@ from restitution.problem import Event, Impact, Problem, bodies_of
 
 def words_of(tree: Expression, problem: Problem) -> str:
     """A quantity in words, without an article; any other expression as it is written."""
+    tree = quantity_of(tree) or tree
     match tree:
         case Negate(Quantity("along" | "across" as kind, arguments, stage)):
             return _component(kind, arguments, problem, turned=True)
         case Negate(Quantity() as inner):
             return f"minus the {words_of(inner, problem)}"
         case Quantity(kind, arguments):
-            return _WORDS.get(kind, _plain)(tree, problem)
+            return _WORDS.get(kind, _named)(tree, problem)
         case Binary("-", Degrees() as whole, Quantity("angle", (Quantity() as moving, side))):
             if whole == RIGHT_ANGLE:
                 return _angle(moving, f"the perpendicular to {_line(side, problem)}", problem)
@@ -46,10 +49,6 @@ def words_of(tree: Expression, problem: Problem) -> str:
     return write_expression(tree)
 
 
-def _plain(tree: Quantity, problem: Problem) -> str:
-    return write_expression(tree)
-
-
 def _names(arguments: tuple[Expression, ...]) -> str:
     return (
         " and ".join(argument.name for argument in arguments if isinstance(argument, Name))
@@ -57,38 +56,18 @@ def _names(arguments: tuple[Expression, ...]) -> str:
     )
 
 
-def _of_body(noun: str) -> Callable[[Quantity, Problem], str]:
-    def worded(tree: Quantity, problem: Problem) -> str:
-        return f"{noun} of {_names(tree.arguments)}{_when(tree.stage, problem)}"
-
-    return worded
-
-
-def _energy(tree: Quantity, problem: Problem) -> str:
-    if tree.arguments:
-        return _of_body("kinetic energy")(tree, problem)
-    return f"total kinetic energy{_when(tree.stage, problem)}"
-
-
-def _energy_lost(tree: Quantity, problem: Problem) -> str:
-    if tree.kind == "total_energy_lost":
-        return "total kinetic energy lost"
-    return f"kinetic energy lost{_during(tree.stage, problem)}"
-
-
-def _impulse(tree: Quantity, problem: Problem) -> str:
-    where = _during(tree.stage, problem)
-    if tree.arguments:
-        return f"impulse on {_names(tree.arguments)}{where}"
-    return f"magnitude of the impulse{where}"
-
-
-def _deflection(tree: Quantity, problem: Problem) -> str:
-    return f"angle of deflection of {_names(tree.arguments)}{_during(tree.stage, problem)}"
-
-
-def _mass(tree: Quantity, problem: Problem) -> str:
-    return f"mass of {_names(tree.arguments)}"
+def _named(tree: Quantity, problem: Problem) -> str:
+    """A quantity of bodies by its noun; one without bodies by that of all."""
+    record, when = KINDS[tree.kind], ""
+    if record.of_an_event:
+        when = _during(tree.stage, problem)
+    elif record.before:
+        when = _when(tree.stage, problem)
+    if not tree.arguments:
+        return f"{record.called_of_all}{when}"
+    if not all(isinstance(argument, Name) for argument in tree.arguments):
+        return write_expression(tree)
+    return f"{record.in_formulas} {_names(tree.arguments)}{when}"
 
 
 def _restitution(tree: Quantity, problem: Problem) -> str:
@@ -235,16 +214,6 @@ def _during(stage: object, problem: Problem) -> str:
 
 
 _WORDS: Mapping[str, Callable[[Quantity, Problem], str]] = {
-    "velocity": _of_body("velocity"),
-    "speed": _of_body("speed"),
-    "direction": _of_body("direction"),
-    "momentum": _of_body("momentum"),
-    "energy": _energy,
-    "energy_lost": _energy_lost,
-    "total_energy_lost": _energy_lost,
-    "impulse": _impulse,
-    "deflection": _deflection,
-    "mass": _mass,
     "restitution": _restitution,
     "time": _time,
     "position": _place,

@@ -203,7 +203,7 @@ def _quantity(kind: str, written: tuple[trees.Expression, ...], arguments: list[
     if kind == "velocity" and named:
         return Bold("v", _name(written[0]))
     if kind == "line_of_centres" or not arguments:
-        return Words(KINDS[kind].in_formulas_of_all)
+        return Words(KINDS[kind].called_of_all)
     if kind == "abs":
         return Brackets(arguments[0], "||")
     if kind == "dot":
@@ -219,12 +219,8 @@ def _quantity(kind: str, written: tuple[trees.Expression, ...], arguments: list[
                 arguments[1],
             )
         )
-    if kind in ("angle", "distance"):
-        noun = "angle between" if kind == "angle" else "distance between"
-        return Phrase((Words(noun), arguments[0], Words("and"), arguments[1]))
-    noun = KINDS[kind].in_formulas
-    link = noun if noun.endswith(" on") else f"{noun} of"
-    return Phrase((Words(link), *arguments))
+    between = [item for argument in arguments for item in (argument, Words("and"))][:-1]
+    return Phrase((Words(KINDS[kind].in_formulas), *between))
 
 
 def _name(node: trees.Expression) -> str:
