@@ -22,7 +22,7 @@ import restitution.examples
 from restitution.errors import StatementError
 from restitution.explaining.data.facts import facts_of
 from restitution.explaining.following.follower import follow
-from restitution.explaining.lines.derivation import Derivation, Relation
+from restitution.explaining.lines.derivation import Derivation, Relation, numbers_in
 from restitution.explaining.lines.notation import read_relation, write_relation
 from restitution.expression.writing import write_expression
 from restitution.language.reading import parse
@@ -265,6 +265,16 @@ def test_the_ends_of_what_grows_are_its_bounds(line: str, refused: bool) -> None
     text = (FOLDER / "brought-to-rest.txt").read_text().replace("u/2 <= v <= 2u", line)
     statement, _, lines = text.partition("\n---\n")
     assert ("line 7: does not follow" in complaints(statement, lines)) == refused
+
+
+def test_premises_are_cited_by_number_and_by_name() -> None:
+    _, derivation = read_derivation(FOLDER / "corner.txt")
+    line, fact = derivation.lines[0], derivation.facts[0]
+    refs = [line.number, fact.id, "0 <= e"]
+    assert [derivation.cited(ref) for ref in refs] == [line, fact, None]
+    assert (derivation.lines_in(refs), derivation.facts_in(refs)) == ([line], [fact])
+    assert derivation.line(fact.id) is None and derivation.fact(line.number) is None
+    assert numbers_in(refs) == [line.number]
 
 
 def test_every_case_is_reached() -> None:

@@ -26,6 +26,11 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_binary,
+    is_function,
+    is_quantity,
+    negated,
+    unsigned,
 )
 
 NAMES = {"A": "sphere", "P": "sphere", "W": "wall", "AB": "wall", "N": "point"}
@@ -363,6 +368,20 @@ def test_places_count_from_where_the_text_begins() -> None:
 
 def test_names_are_letters_where_nothing_is_declared() -> None:
     assert read_expression("AB") == mul(Letter("A"), Letter("B"))
+
+
+@pytest.mark.parametrize(("text", "bare", "other"), [("-2u", "2u", "2u"), ("v", "v", "-v")])
+def test_a_tree_is_told_from_its_sign(text, bare, other) -> None:
+    tree = read_expression(text)
+    assert unsigned(tree) == read_expression(bare)
+    assert negated(tree) == read_expression(other)
+
+
+def test_a_node_is_of_a_kind() -> None:
+    tree = read_expression("2 sin alpha")
+    assert is_binary(tree, "*", "/") and not is_binary(tree, "+")
+    assert is_function(tree.right, "sin") and not is_function(tree, "sin")
+    assert is_quantity(Quantity("speed"), "speed") and not is_quantity(tree, "speed")
 
 
 @pytest.mark.parametrize(

@@ -141,6 +141,27 @@ def test_values_are_called_by_what_they_are():
     assert wrong == []
 
 
+# What has a function of its own is not written out: `unsigned` and `negated`, `is_quantity`,
+# `is_binary` and `is_function` of a tree, `line` and `fact` of what is cited.
+WRITTEN_OUT = re.compile(
+    r"isinstance\(([\w.]+), (?:Quantity|Binary|Apply)\) and \1\.(?:kind|op|function) == "
+    r"|([\w.]+)\.operand if isinstance\(\2, Negate\) else (?:\2\b|Negate)"
+    r"|derivation\.(?:line|fact)\((\w+)\) if isinstance\(\3, "
+)
+WHERE_THEY_STAND = {"expression/tree.py", "explaining/lines/derivation.py"}
+
+
+def test_what_has_a_function_is_not_written_out():
+    package = ROOT / "src" / "restitution"
+    wrong = [
+        f"{path.relative_to(package)}: {match.group()}"
+        for path in SOURCES
+        if str(path.relative_to(package)) not in WHERE_THEY_STAND
+        for match in WRITTEN_OUT.finditer(path.read_text(encoding="utf-8"))
+    ]
+    assert wrong == []
+
+
 def imports_of(path: Path, modules: set[str]) -> set[str]:
     """The modules that one imports, also where only type checkers or a function see it."""
     imported = set()

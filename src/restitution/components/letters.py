@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-from restitution.expression.tree import (
-    Letter,
-    Name,
-    Quantity,
-    Unit,
-    walk,
-)
+from restitution.expression.tree import Letter, Name, Unit, is_quantity, walk
 from restitution.problem import Find, Impact, Let, Part, Problem, Show, trees
 
 # Letters for unknown components, in the order in which textbooks take them.
@@ -75,12 +69,11 @@ def _named_by_let(problem: Problem, spheres: set[str]) -> dict[tuple[int, str], 
                 latest[body] = number, step
         elif isinstance(step, Let):
             tree = step.expression
-            if not isinstance(tree, Quantity) or tree.kind != "along":
+            if not is_quantity(tree, "along"):
                 continue
             inner, axis = tree.arguments
             if (
-                isinstance(inner, Quantity)
-                and inner.kind == "velocity"
+                is_quantity(inner, "velocity")
                 and inner.stage is None
                 and isinstance(inner.arguments[0], Name)
                 and isinstance(axis, Unit)

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_quantity,
     walk,
 )
 from restitution.problem import (
@@ -295,7 +296,7 @@ class _Reader:
             return self.letter(_GREEK)
         now = len(self.motion.story.happenings)
         for quantity, letter in self.letters.items():
-            if isinstance(quantity, Quantity) and quantity.kind == "angle":
+            if is_quantity(quantity, "angle"):
                 place = self.place_of_angle(quantity, now)
                 if place is not None and place[0] == key and _alike(place[1], reference):
                     return lay.letter(letter)
@@ -305,7 +306,7 @@ class _Reader:
         """The velocity that has an angle, what it is measured from, and whether that is a line."""
         for one, other in (node.arguments, node.arguments[::-1]):
             key = self.key(one, now) if isinstance(one, Quantity) else None
-            if key is None or not isinstance(one, Quantity) or one.kind != "velocity":
+            if key is None or not is_quantity(one, "velocity"):
                 continue
             if any(isinstance(x, Quantity) and x.kind != "line_of_centres" for x in walk(other)):
                 continue
@@ -325,7 +326,7 @@ class _Reader:
         if self.letters is not None:
             now = len(self.motion.story.happenings)
             for quantity, name in self.letters.items():
-                if isinstance(quantity, Quantity) and quantity.kind == "deflection":
+                if is_quantity(quantity, "deflection"):
                     key = self.event(quantity, now)
                     if key in self.deflections:
                         self.sayings.deflections.setdefault(key, lay.letter(name))
@@ -434,9 +435,7 @@ def speaks_of_vectors(problem: Problem, apart_from: tuple[type[Step], ...] = ())
         if not isinstance(step, apart_from):
             directions += trees_of_step(step)
         if isinstance(step, Find) and any(
-            isinstance(item.expression, Quantity)
-            and item.expression.kind in ("velocity", "direction", "momentum")
-            for item in step.items
+            is_quantity(item.expression, "velocity", "direction", "momentum") for item in step.items
         ):
             return True
     nodes = [node for tree in directions if isinstance(tree, Expression) for node in walk(tree)]

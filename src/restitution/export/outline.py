@@ -22,6 +22,8 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_quantity,
+    negated,
     walk,
 )
 from restitution.expression.writing import write_expression
@@ -160,9 +162,7 @@ def _number(value: int) -> Expression:
 
 
 def _negative(tree: Expression | None) -> Expression | None:
-    if tree is None:
-        return None
-    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+    return None if tree is None else negated(tree)
 
 
 def _direction(tree: Any) -> DirectionObject | None:
@@ -171,8 +171,7 @@ def _direction(tree: Any) -> DirectionObject | None:
     if isinstance(tree, Unit):
         return {"way": tree.axis, "text": tree.axis}
     is_vector = any(
-        isinstance(node, Unit | Pair | Polar)
-        or (isinstance(node, Quantity) and node.kind in ("velocity", "line_of_centres"))
+        isinstance(node, Unit | Pair | Polar) or is_quantity(node, "velocity", "line_of_centres")
         for node in walk(tree)
     )
     is_angle = not is_vector and not any(isinstance(node, Name) for node in walk(tree))

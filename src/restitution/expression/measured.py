@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_binary,
     walk,
 )
 
@@ -174,6 +175,6 @@ def _number(value: Fraction, at: Expression) -> Expression:
 
 def product_with(operand: Expression, factors: Expression) -> Expression:
     """A product that begins with ``operand``: what ``5 m/s`` is if m and s are letters."""
-    if isinstance(factors, Binary) and factors.op in "*/":
+    if is_binary(factors, "*", "/"):
         return replace(factors, left=product_with(operand, factors.left), place=operand.place)
     return Binary("*", operand, factors, place=operand.place)

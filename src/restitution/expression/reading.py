@@ -40,6 +40,7 @@ from restitution.expression.tree import (
     Stage,
     Unit,
     has_quantity,
+    is_binary,
     letters,
 )
 from restitution.expression.words import (
@@ -305,7 +306,7 @@ def _implicit(reading: Reading, node: Tree[Token], spans: list[Span]) -> Express
 
 def _bracketed(tree: Expression) -> str:
     text = write_expression(tree)
-    return f"({text})" if isinstance(tree, Binary) and tree.op in "+-" else text
+    return f"({text})" if is_binary(tree, "+", "-") else text
 
 
 def _quantities(tree: Expression) -> frozenset[str]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, Literal, TypeVar, get_args
+from typing import Any, Literal, TypeGuard, TypeVar, get_args, overload
 
 _Kind = TypeVar("_Kind")
 
@@ -375,9 +375,33 @@ def has_quantity(node: Expression) -> bool:
         return has_one
 
 
-def unsigned(tree: Expression) -> Expression:
+@overload
+def unsigned(tree: Expression) -> Expression: ...
+@overload
+def unsigned(tree: None) -> None: ...
+def unsigned(tree: Expression | None) -> Expression | None:
     """A tree without the minus sign in front of it."""
     return tree.operand if isinstance(tree, Negate) else tree
+
+
+def negated(tree: Expression) -> Expression:
+    """A tree with the other sign; no sign stands twice."""
+    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+
+
+def is_quantity(node: object, *kinds: str) -> TypeGuard[Quantity]:
+    """Whether a node is a quantity of one of the kinds."""
+    return isinstance(node, Quantity) and node.kind in kinds
+
+
+def is_binary(node: object, *signs: str) -> TypeGuard[Binary]:
+    """Whether a node is two trees with one of the signs between them."""
+    return isinstance(node, Binary) and node.op in signs
+
+
+def is_function(node: object, *names: str) -> TypeGuard[Apply]:
+    """Whether a node is one of the functions, of whatever argument."""
+    return isinstance(node, Apply) and node.function in names
 
 
 def is_zero(node: Expression) -> bool:

@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_binary,
 )
 from restitution.expression.units import like_a_unit
 
@@ -105,9 +106,7 @@ def _write(tree: Expression) -> tuple[str, int]:
 
 def _in_degrees(tree: Expression) -> bool:
     """Whether a factor begins with a degree sign's number: under a line it needs brackets."""
-    return isinstance(tree, Degrees) or (
-        isinstance(tree, Binary) and tree.op == "^" and isinstance(tree.left, Degrees)
-    )
+    return isinstance(tree, Degrees) or (is_binary(tree, "^") and isinstance(tree.left, Degrees))
 
 
 def _number(value: Fraction | int) -> tuple[str, int]:

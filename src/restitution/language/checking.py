@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Unit,
     children,
     has_quantity,
+    is_binary,
     letters,
     walk,
 )
@@ -329,13 +330,9 @@ def _in(bodies: _Bodies, tree: Any, may_be: AbstractSet[str]) -> Iterator[Statem
             yield from _quantity(bodies, node)
         elif isinstance(node, Polar) and _holds_unit(node.angle):
             yield _direction_for_angle(node.angle)
-        elif isinstance(node, Binary) and node.op in "+-":
+        elif is_binary(node, "+", "-"):
             yield from _sum(bodies, node)
-        elif (
-            isinstance(node, Binary)
-            and node.op == "*"
-            and all(map(_holds_unit, (node.left, node.right)))
-        ):
+        elif is_binary(node, "*") and all(map(_holds_unit, (node.left, node.right))):
             yield _error(
                 "two vectors cannot be multiplied: dot(…, …) is their product",
                 _place_of(node.right) or node.place,
@@ -394,9 +391,9 @@ def _holds_unit(tree: Expression) -> bool:
         node = pending.pop()
         if isinstance(node, Unit | Pair):
             return True
-        if isinstance(node, Negate) or (isinstance(node, Binary) and node.op in "+-*"):
+        if isinstance(node, Negate) or is_binary(node, "+", "-", "*"):
             pending.extend(children(node))
-        elif isinstance(node, Binary) and node.op == "/":
+        elif is_binary(node, "/"):
             pending.append(node.left)
     return False
 

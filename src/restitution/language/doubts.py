@@ -10,7 +10,6 @@ from fractions import Fraction
 from restitution.expression.tree import (
     GREEK,
     Apply,
-    Binary,
     Expression,
     Letter,
     Negate,
@@ -20,6 +19,7 @@ from restitution.expression.tree import (
     Quantity,
     children,
     has_quantity,
+    is_binary,
     letters,
     line_and_column,
     walk,
@@ -140,7 +140,7 @@ def _terms(tree: Expression) -> Iterator[Expression]:
     pending = [tree]
     while pending:
         node = pending.pop()
-        if isinstance(node, Negate) or (isinstance(node, Binary) and node.op in "+-"):
+        if isinstance(node, Negate) or is_binary(node, "+", "-"):
             pending.extend(reversed(children(node)))
         else:
             yield node

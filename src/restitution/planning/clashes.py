@@ -27,7 +27,8 @@ from restitution.explaining.lines.derivation import (
     Note,
     Ref,
     Relation,
-    equation,
+    equality,
+    numbers_in,
 )
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Letter, Name, Quantity, has_quantity, letters, walk
@@ -198,7 +199,7 @@ def _by_a_bound(
     if link.sign not in OPPOSITE or len(claim.only) > 1 or not isinstance(link.left, Quantity):
         return None
     worth = scene.desk.known(link.left)
-    lines = [] if worth is None else [ref for ref in worth.refs if isinstance(ref, int)]
+    lines = [] if worth is None else numbers_in(worth.refs)
     if worth is None or len(lines) != 1 or not scene.scalar(link.right).free_symbols:
         return None
     bound = Relation(((Link(link.left, OPPOSITE[link.sign], link.right),),))
@@ -318,7 +319,7 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
         if plain.has(angle) or sp.degree(plain, square) != 1:
             continue
         (value,) = sp.roots(sp.Poly(plain, square))
-        relation = equation(tree_of(kept**2), tree_of(tidy(value)))
+        relation = equality(tree_of(kept**2), tree_of(tidy(value)))
         move = Move("identity", "pythagoras")
         refs = scene.judge.enough(move, (line,), relation, background(scene, {angle.name}))
         if refs is not None:
@@ -338,8 +339,8 @@ def _of_no_square(scene: Scene, line: int, ratio: sp.Expr, above: sp.Expr) -> in
     value = tree_of(tidy(-own.nth(0) / own.nth(1)))
     known = background(scene, {str(symbol) for symbol in ratio.free_symbols})
     for move, relation in (
-        (Move("identity", "pythagoras"), equation(*sides)),
-        (Move("rearrange"), equation(tree_of(ratio), value)),
+        (Move("identity", "pythagoras"), equality(*sides)),
+        (Move("rearrange"), equality(tree_of(ratio), value)),
     ):
         refs = scene.judge.enough(move, (line,), relation, known)
         if refs is None:
@@ -361,7 +362,7 @@ def _of_a_square(scene: Scene, line: int, symbol: sp.Symbol) -> int:
         value = tree_of(tidy(factored(-poly.nth(0) / poly.nth(2))))
     else:
         value = tree_of(in_degrees, as_it_is=True)
-    relation = equation(tree_of(symbol**2), value)
+    relation = equality(tree_of(symbol**2), value)
     return in_another_form(scene, line, relation) or line
 
 

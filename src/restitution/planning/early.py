@@ -11,7 +11,16 @@ from restitution.explaining.data.facts import facts_of
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Fact
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Expression, Name, Pair, Quantity, Unit, has_quantity, walk
+from restitution.expression.tree import (
+    Expression,
+    Name,
+    Pair,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_quantity,
+    walk,
+)
 from restitution.problem import Find, Given, Part, Problem, Show, Value, count_of_items
 from restitution.solving import solve
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
@@ -160,7 +169,7 @@ def _serves(result: ItemResult, late: tuple[Fact, ...]) -> bool:
         case Quantity("energy" | "energy_lost" | "total_energy_lost" | "impulse" as kind):
             sides = (tree for fact in late for tree in trees_of(fact.relation))
             nodes = (node for tree in sides for node in walk(tree))
-            return any(isinstance(node, Quantity) and node.kind == kind for node in nodes)
+            return any(is_quantity(node, kind) for node in nodes)
     return True
 
 

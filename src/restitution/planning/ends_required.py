@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import ItemEnd, Link, Relation, equation
+from restitution.explaining.lines.derivation import ItemEnd, Link, Relation, equality
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Apply, Expression, letters, walk
 from restitution.planning.writing.desk import NotPlannedError
@@ -100,7 +100,7 @@ def _end_in(scene: Scene, end: ItemEnd, value: Any) -> None:
     whole = replace(line, relation=Relation(((*line.relation.only, last),)))
     subject = end.answer.only[0].left
     scene.desk.lines[end.line - 1] = whole
-    scene.desk.ends[-1] = replace(end, answer=equation(subject, last.right))
+    scene.desk.ends[-1] = replace(end, answer=equality(subject, last.right))
 
 
 _RATIOS = (sp.sin, sp.cos, sp.tan)

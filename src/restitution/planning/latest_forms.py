@@ -10,7 +10,14 @@ from dataclasses import replace
 from fractions import Fraction
 
 from restitution.explaining.following.follower import reader_of
-from restitution.explaining.lines.derivation import FLIPPED, Derivation, Line, Link, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Derivation,
+    Line,
+    Link,
+    Relation,
+    numbers_in,
+)
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -89,13 +96,13 @@ def _without_its_root(derivation: Derivation, line: Line, oracle: Oracle) -> Der
 
 def _from_factors(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation:
     for ref in line.premises:
-        form = derivation.line(ref) if isinstance(ref, int) else None
+        form = derivation.line(ref)
         if form is None or form.move.id != "rearrange" or len(form.premises) != 1:
             continue
         users = [line for line in derivation.lines if form.number in line.premises]
         fixed = any(end.line == form.number for end in derivation.items)
         (first,) = form.premises
-        product = derivation.line(first) if isinstance(first, int) else None
+        product = derivation.line(first)
         if len(users) > 1 or fixed or product is None or not _is_multiplied_out(product, form):
             continue
         direct = replace(line, premises=tuple(first if e == ref else e for e in line.premises))
@@ -144,7 +151,7 @@ def _forms(derivation: Derivation, first: int, end: int) -> Iterator[int]:
     for line in derivation.lines:
         if not first < line.number < end or line.move.id not in _FORMS:
             continue
-        above = [ref for ref in line.premises if isinstance(ref, int)]
+        above = numbers_in(line.premises)
         if len(above) == 1 and above[0] in own and _is_equation(line):
             own.add(line.number)
             yield line.number

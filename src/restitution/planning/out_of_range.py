@@ -7,7 +7,7 @@ from dataclasses import replace
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import ImpossibleError
-from restitution.explaining.lines.derivation import Ref, Relation
+from restitution.explaining.lines.derivation import Ref, Relation, numbers_in
 from restitution.expression.tree import Letter, letters
 from restitution.planning.axes.by_changes import frame_at
 from restitution.planning.routes.order import Solver
@@ -83,7 +83,7 @@ def _values(
         desk.splits = desk.splits[:splits]
     else:
         known = desk.known(Letter(name))
-        lines = [] if known is None else [ref for ref in known.refs if isinstance(ref, int)]
+        lines = [] if known is None else numbers_in(known.refs)
         if len(lines) != 1:
             return None
         (line,) = lines

@@ -19,21 +19,17 @@ from restitution.explaining.following.premises import (
     without_idle_ratios,
     without_spare,
 )
-from restitution.explaining.lines.derivation import (
-    Derivation,
-    Line,
-    Meaning,
-    Relation,
-)
+from restitution.explaining.lines.derivation import Derivation, Line, Meaning, Relation, numbers_in
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
-    Negate,
     Number,
     Quantity,
+    is_binary,
     letters,
+    unsigned,
     walk,
 )
 from restitution.oracle import Oracle
@@ -210,12 +206,12 @@ def _require_plain(solution: Solution) -> None:
         for node in nodes:
             if isinstance(node, Number) and max(node.value.as_integer_ratio()) > _LARGEST:
                 raise NotPlannedError("a number that is too long for a line")
-            if isinstance(node, Binary) and node.op == "^" and not _is_plain_power(node):
+            if is_binary(node, "^") and not _is_plain_power(node):
                 raise NotPlannedError("a power that no line would hold")
 
 
 def _is_plain_power(node: Binary) -> bool:
-    exponent = node.right.operand if isinstance(node.right, Negate) else node.right
+    exponent = unsigned(node.right)
     return isinstance(exponent, Number) and exponent.value <= _MOST_POWER
 
 
@@ -241,7 +237,7 @@ def pruned(derivation: Derivation) -> Derivation:
         number = pending.pop()
         if number not in kept:
             kept.add(number)
-            pending += [ref for ref in lines[number].premises if isinstance(ref, int)]
+            pending += numbers_in(lines[number].premises)
     return numbered_anew(derivation, [line for line in derivation.lines if line.number in kept])
 
 

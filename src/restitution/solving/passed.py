@@ -11,11 +11,11 @@ from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     AtTime,
     Name,
-    Negate,
     Number,
     Pair,
     Quantity,
     Unit,
+    unsigned,
     walk,
 )
 from restitution.problem import Problem, Value, Wall, bodies_of
@@ -80,7 +80,7 @@ def level_of(wall: Wall) -> tuple[int, sp.Expr] | None:
 
     None of a wall that is not along **i** or **j**, or of which no point is known.
     """
-    along = wall.along.operand if isinstance(wall.along, Negate) else wall.along
+    along = unsigned(wall.along)
     match along, wall.through:
         case Unit(unit), Pair(x, y):
             axis = 0 if unit == "j" else 1

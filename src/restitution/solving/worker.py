@@ -32,6 +32,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -532,7 +533,7 @@ class Worker:
         result = forms.plain(value, samples)
         if isinstance(tree, Letter) and not isinstance(result, tuple) and result.has(sp.atan):
             return forms.acute_angle(exact.tidy_angle(result), sign)
-        if isinstance(tree, Quantity) and tree.kind == "speed" and exact.cost(result) > LONG:
+        if is_quantity(tree, "speed") and exact.cost(result) > LONG:
             return min((result, *self._resolved(tree, branch, now, samples)), key=exact.cost)
         return result
 

@@ -7,7 +7,14 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from restitution.expression.quantities import dimension_of_any
-from restitution.expression.tree import Expression, Letter, Quantity, has_quantity, letters
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Quantity,
+    has_quantity,
+    is_quantity,
+    letters,
+)
 from restitution.problem import (
     Compare,
     Extremum,
@@ -131,7 +138,7 @@ def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
         ):
             return Noun(words(shown))
         return Noun(words("the value of ", shown), (), "value")
-    if isinstance(tree, Quantity) and tree.kind == "direction":
+    if is_quantity(tree, "direction"):
         name = name_of(tree.arguments[0]) or ""
         if scene.is_wall(name):
             return Noun(words("a vector parallel to ", Named(name)))

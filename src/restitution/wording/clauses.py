@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     has_quantity,
+    is_quantity,
 )
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
 from restitution.render import layout as lay
@@ -257,7 +258,7 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
             when = leading(moment(scene, left, body))
             return words(when, Named(body), " is moving ", values.turned(scene.style, right))
         case Quantity("angle", (Quantity("velocity", (Name(body),)) as velocity, other)) if (
-            not _moves(other)
+            not is_quantity(other, "velocity")
         ):
             when = moment(scene, velocity, body)
             direction = line(scene, other)
@@ -288,10 +289,6 @@ def _share_lost(scene: Scene, left: Expression, right: Expression) -> Words | No
 
 def _is_letter(tree: Expression) -> bool:
     return isinstance(tree, Letter)
-
-
-def _moves(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "velocity"
 
 
 def _through(angle: Expression) -> Words:
@@ -359,11 +356,11 @@ def _is_own_place(scene: Scene, tree: Expression, body: str, number: int) -> boo
 
 
 def _way(scene: Scene, tree: Expression, sensed: bool) -> Noun:
-    if isinstance(tree, Quantity) and tree.kind == "line_of_centres" and sensed:
+    if is_quantity(tree, "line_of_centres") and sensed:
         return sensed_line(scene, tree)
-    if isinstance(tree, Quantity) and tree.kind == "velocity":
+    if is_quantity(tree, "velocity"):
         return noun(scene, tree)
-    if isinstance(tree, Quantity) and tree.kind == "impulse" and tree.arguments:
+    if is_quantity(tree, "impulse") and tree.arguments:
         return noun(scene, tree)
     return line(scene, tree) if plain(scene, tree) else noun_phrase(scene, tree)
 

@@ -25,6 +25,8 @@ from restitution.expression.tree import (
     Quantity,
     children,
     has_quantity,
+    is_binary,
+    is_function,
 )
 from restitution.render import layout as lay
 from restitution.wording import values
@@ -64,7 +66,7 @@ def cost(scene: Scene, tree: Expression) -> float:
         case Quantity(_, arguments):
             return max([1, *(cost(scene, argument) for argument in arguments)])
         case Negate() | Apply():
-            if isinstance(tree, Apply) and tree.function == "abs":
+            if is_function(tree, "abs"):
                 scalar = isinstance(tree.argument, Binary) and not values.is_vector(tree.argument)
                 return inner[0] + (3 if scalar and ends(scene, tree.argument) is None else 1)
             turned = isinstance(tree, Negate) and values.is_vector(tree)
@@ -149,7 +151,7 @@ def _kind(tree: Expression) -> str:
             return kind
         case Binary("-", Quantity(kind)):
             return kind
-    return "position" if isinstance(tree, Binary) and tree.op == "-" else "fraction"
+    return "position" if is_binary(tree, "-") else "fraction"
 
 
 def _is_vector(tree: Expression) -> bool:

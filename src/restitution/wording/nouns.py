@@ -25,6 +25,8 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     has_quantity,
+    is_binary,
+    is_quantity,
     rational,
 )
 from restitution.problem import Arrival, Impact, Kick, bodies_of
@@ -143,7 +145,7 @@ def _binary(scene: Scene, tree: Binary) -> Noun:
 
 def terms(tree: Expression) -> list[Expression]:
     """The terms of a sum, as far as it only adds."""
-    if isinstance(tree, Binary) and tree.op == "+":
+    if is_binary(tree, "+"):
         return [*terms(tree.left), *terms(tree.right)]
     return [tree]
 
@@ -261,7 +263,7 @@ def share(scene: Scene, tree: Expression) -> Noun | None:
     match tree:
         case Binary("/", left, right) if has_quantity(left) and has_quantity(right):
             lost = isinstance(left, Quantity) and left.kind.endswith("energy_lost")
-            if not (lost and isinstance(right, Quantity) and right.kind == "energy"):
+            if not (lost and is_quantity(right, "energy")):
                 return pair("", noun(scene, left), " as a percentage of ", noun(scene, right))
     return None
 
@@ -288,7 +290,7 @@ def _is_somewhere(scene: Scene, tree: Expression) -> bool:
     """Whether a tree is the place of a body, or a named point."""
     if isinstance(tree, Name):
         return any(tree.name == point.name for point in scene.problem.points)
-    return isinstance(tree, Quantity) and tree.kind == "position"
+    return is_quantity(tree, "position")
 
 
 def _is_place(scene: Scene, tree: Expression) -> bool:
@@ -539,13 +541,13 @@ def _along(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _is_line(axis: Expression) -> bool:
-    return isinstance(axis, Quantity) and axis.kind == _LINE
+    return is_quantity(axis, _LINE)
 
 
 def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
     """The direction of a component, with its sense."""
     turn = "the direction at 90° anticlockwise from " if across else "the direction of "
-    if isinstance(axis, Quantity) and axis.kind == _LINE:
+    if is_quantity(axis, _LINE):
         return led(turn, sensed_line(scene, axis))
     if isinstance(axis, Name):
         wall = scene.wall(axis.name)
@@ -557,7 +559,7 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
                 return Noun(words(turn, Named(axis.name), ", taken from ", *ends, ","))
             case _:
                 return Noun(words(turn, Named(axis.name)))
-    if isinstance(axis, Quantity) and axis.kind == "direction":
+    if is_quantity(axis, "direction"):
         return led(turn if across else "", line(scene, axis))
     between = displacement(scene, axis)
     if between is not None or has_quantity(axis):
@@ -615,7 +617,7 @@ def _time(scene: Scene, tree: Quantity) -> Noun:
 
 def _time_parts(scene: Scene, tree: Expression) -> tuple[Words, Words] | None:
     """From when to when a time is; of a moment the name alone; None for what is no time."""
-    if not (isinstance(tree, Quantity) and tree.kind == "time"):
+    if not is_quantity(tree, "time"):
         return None
     number = tree.stage if isinstance(tree.stage, int) else scene.now
     if number == 0:

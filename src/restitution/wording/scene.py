@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Unit,
     children,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -220,7 +221,7 @@ def _of_axes(step: Step) -> bool:
 
 def _is_vector_side(tree: Expression) -> bool:
     """Whether the side of an angle is a vector given by itself."""
-    moving = isinstance(tree, Quantity) and tree.kind in ("velocity", "line_of_centres")
+    moving = is_quantity(tree, "velocity", "line_of_centres")
     return not (moving or isinstance(tree, Name))
 
 

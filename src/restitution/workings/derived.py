@@ -34,12 +34,7 @@ from restitution.explaining.lines.marks import Mark, Marks, reasoned
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import (
-    Expression,
-    Quantity,
-    letters,
-    walk,
-)
+from restitution.expression.tree import Expression, Quantity, is_quantity, letters, walk
 from restitution.problem import Problem, Show, Value
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -619,7 +614,8 @@ def _before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
 
     Of letters that are used before that it is not so.
     """
-    axes = {node for meaning in lets for node in walk(meaning.quantity) if _is_axis(node)}
+    nodes = (node for meaning in lets for node in walk(meaning.quantity))
+    axes = {node for node in nodes if is_quantity(node, "line_of_centres")}
     if len(axes) != 1:
         return False
     names = {meaning.letter for meaning in lets}
@@ -632,10 +628,6 @@ def _before_their_line(lets: Sequence[Meaning], lines: Sequence[Line]) -> bool:
         if line.relation.options[0][0].left in axes:
             return True
     return False
-
-
-def _is_axis(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
 
 
 def _of_a_percentage(sentence: Sentence) -> Sentence:

@@ -7,7 +7,14 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import groupby
 
-from restitution.explaining.lines.derivation import Derivation, Link, Note, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Link,
+    Note,
+    Ref,
+    Relation,
+    numbers_in,
+)
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
@@ -18,6 +25,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -137,8 +145,8 @@ class Notes:
 
     def _given_fact(self, note: Note) -> Sentence | lay.Layout:
         """The given fact among the premises of a note."""
-        facts = (self._derivation.fact(e) for e in note.premises if isinstance(e, str))
-        fact = next(fact for fact in facts if fact is not None and fact.kind == "given")
+        facts = self._derivation.facts_in(note.premises)
+        fact = next(fact for fact in facts if fact.kind == "given")
         return fact_in_words(self._naming, fact)
 
     def _against(self, note: Note) -> Sentence:
@@ -239,7 +247,7 @@ class Notes:
             case _:
                 return None
         nodes = (node for side in (link.left, link.right) for node in walk(side))
-        velocities = [e for e in nodes if isinstance(e, Quantity) and e.kind == "velocity"]
+        velocities = [e for e in nodes if is_quantity(e, "velocity")]
         pair = [velocity.arguments[0] for velocity in velocities]
         names = tuple(tree.name for tree in pair if isinstance(tree, Name))
         if len(names) != 2 or any(self._naming.bodies.get(name) != "sphere" for name in names):
@@ -254,7 +262,7 @@ class Notes:
 
     def _unreached(self, note: Note) -> Sentence:
         """Why two bodies do not meet: by the line just above, or by one further up, said again."""
-        cited = [ref for ref in note.premises if isinstance(ref, int)]
+        cited = numbers_in(note.premises)
         last = self._derivation.lines[-1].number if self._derivation.lines else 0
         if not cited or max(cited) == last:
             return say("note.unreached", reason=note.reason)
@@ -349,7 +357,7 @@ class Notes:
         return any(isinstance(ref, int) and ref > last for ref in resting)
 
     def _relation(self, ref: Ref) -> Relation:
-        own = self._derivation.line(ref) if isinstance(ref, int) else self._derivation.fact(ref)
+        own = self._derivation.cited(ref)
         assert own is not None
         assert isinstance(own.relation, Relation)
         return own.relation

@@ -23,8 +23,11 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_function,
+    is_quantity,
     is_zero,
     letters,
+    unsigned,
     walk,
 )
 from restitution.planning.writing.forms import coordinates, negative
@@ -151,7 +154,7 @@ class Rows:
                 Value(expression=Quantity("line_of_centres")),
                 Link(Quantity("line_of_centres", _, int(stage)), "parallel to", vector),
             ):
-                own = vector.operand if isinstance(vector, Negate) else vector
+                own = unsigned(vector)
                 unit = vector if isinstance(own, Unit) else unit_vector(vector)
             case _:
                 return None
@@ -350,7 +353,7 @@ class Rows:
 
     def _unrationalised(self, ratio: Expression) -> lay.Layout:
         """A quotient by a root as it stands, where its layout would have a whole number below."""
-        own = ratio.operand if isinstance(ratio, Negate) else ratio
+        own = unsigned(ratio)
         whole = self._naming.layout(ratio)
         match own:
             case Binary("/", Number() as above, below) | Binary(
@@ -372,13 +375,11 @@ class Rows:
 
     def _by_axis(self, line: Line) -> bool:
         """Whether a ratio is that of a line of centres which a line tells, and of no components."""
-        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        above = self._derivation.lines_in(line.premises)
         return any(
             isinstance(own.relation, Relation)
-            and isinstance(own.relation.options[0][0].left, Quantity)
-            and own.relation.options[0][0].left.kind == "line_of_centres"
+            and is_quantity(own.relation.options[0][0].left, "line_of_centres")
             for own in above
-            if own is not None
         )
 
     def _tangent_of(self, line: Line, link: Link) -> Expression | None:
@@ -391,7 +392,7 @@ class Rows:
         if link.left.op != "/" or isinstance(link.right, Apply):
             return None
         for ref in line.premises:
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self._derivation.fact(ref)
             if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
                 match fact.relation.only:
                     case (Link(Binary("+" | "-") as angle, "="),):
@@ -421,8 +422,7 @@ class Rows:
             isinstance(line.relation, Relation)
             and self._ends.of(line) is None
             and any(
-                isinstance(link.left, Quantity)
-                and link.left.kind == "position"
+                is_quantity(link.left, "position")
                 and any(isinstance(node, Unit) for node in walk(link.right))
                 for link in line.relation.options[0]
             )
@@ -614,8 +614,7 @@ class Rows:
 def _has_long_root(tree: Expression) -> bool:
     """Whether a number of four figures or more stands under a root, which nobody reads."""
     return any(
-        isinstance(node, Apply)
-        and node.function == "sqrt"
+        is_function(node, "sqrt")
         and any(isinstance(e, Number) and e.value >= _LONG for e in walk(node.argument))
         for node in walk(tree)
     )
@@ -660,7 +659,7 @@ def _is_value(tree: Expression) -> bool:
 
 def _has_root(tree: Expression) -> bool:
     """Whether a tree has a root in it."""
-    return any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
+    return any(is_function(node, "sqrt") for node in walk(tree))
 
 
 def _sign(link: Link) -> str:

@@ -483,7 +483,7 @@ class _Awarding:
     def facts(self, line: Line) -> Iterator[Fact]:
         """The facts among the premises of a line."""
         for ref in line.premises:
-            fact = self.derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self.derivation.fact(ref)
             if fact is not None:
                 yield fact
 

@@ -36,6 +36,9 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -148,7 +151,7 @@ def _is_late(line: Line) -> bool:
 def _read_off(work: Work, line: Line) -> bool:
     """None of the components that stand together is a sum of products."""
     return not any(
-        _is_sum(node)
+        is_binary(node, "+", "-")
         for other in _alike(work, line)
         if isinstance(other.relation, Relation)
         for node in walk(other.relation.only[0].right)
@@ -302,7 +305,7 @@ def _of_a_product(work: Work, line: Line) -> bool:
     lefts = [
         line.relation.options[0][0].left for line in cited if isinstance(line.relation, Relation)
     ]
-    whole = bool(lefts) and all(isinstance(e, Quantity) and e.kind == "velocity" for e in lefts)
+    whole = bool(lefts) and all(is_quantity(e, "velocity") for e in lefts)
     return whole and line.number in work.ends
 
 
@@ -317,16 +320,15 @@ def _of_angles(work: Work, line: Line) -> bool:
     if isinstance(subject, Letter):
         meaning = work.derivation.meanings.get(subject.name)
         subject = None if meaning is None else meaning.quantity
-    return isinstance(subject, Quantity) and subject.kind in ("deflection", "angle")
+    return is_quantity(subject, "deflection", "angle")
 
 
 def _of_one_term(work: Work, line: Line) -> bool:
     """There is nothing to put together: only one component is not zero."""
     nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
-    squares = any(_is_sum(node) and _has_power(node) for node in nodes)
+    squares = any(is_binary(node, "+", "-") and _has_power(node) for node in nodes)
     rooted = any(
-        isinstance(node, Apply) and node.function in ("sqrt", "abs") and _is_sum(node.argument)
-        for node in nodes
+        is_function(node, "sqrt", "abs") and is_binary(node.argument, "+", "-") for node in nodes
     )
     angled = any(_is_over_a_ratio(node) for node in nodes)
     axes = {node.axis for node in nodes if isinstance(node, Unit)}
@@ -385,12 +387,8 @@ def _of_a_number(work: Work, line: Line) -> bool:
     return length(line) == 1 and not letters(sides[1])
 
 
-def _is_sum(tree: Expression) -> bool:
-    return isinstance(tree, Binary) and tree.op in ("+", "-")
-
-
 def _has_power(tree: Expression) -> bool:
-    return any(isinstance(node, Binary) and node.op == "^" for node in walk(tree))
+    return any(is_binary(node, "^") for node in walk(tree))
 
 
 def is_opposite(work: Work, line: Line) -> bool:
@@ -450,8 +448,7 @@ def _of_a_sum(work: Work, line: Line) -> bool:
     ends = [end for end in work.derivation.items if end.item == line.item]
     return (
         sides is not None
-        and isinstance(sides[0], Apply)
-        and sides[0].function == "tan"
+        and is_function(sides[0], "tan")
         and any(other.move.record == "sum-of-angles" for other in work.cited(line))
         and any(link.sign in FLIPPED for end in ends for link in end.answer.options[0])
     )
@@ -545,8 +542,7 @@ def _by_its_letter(work: Work, line: Line) -> bool:
     cited = list(work.cited(line))
     return len(cited) <= 2 and any(
         isinstance(line.relation, Meaning)
-        and isinstance(line.relation.quantity, Quantity)
-        and line.relation.quantity.kind in ("along", "across")
+        and is_quantity(line.relation.quantity, "along", "across")
         for line in cited
     )
 
@@ -561,8 +557,7 @@ def _of_an_offset(work: Work, line: Line) -> bool:
         if other.move.id == "fact"
     }
     return any(
-        fact.id not in above
-        and any(isinstance(node, Apply) and node.function == "arcsin" for node in walk(tree))
+        fact.id not in above and any(is_function(node, "arcsin") for node in walk(tree))
         for fact in facts
         for tree in trees_of(fact.relation)
     )

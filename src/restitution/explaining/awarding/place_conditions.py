@@ -12,6 +12,7 @@ from restitution.expression.tree import (
     Expression,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -78,7 +79,7 @@ def _by_an_open_time(line: Line) -> bool:
     match line.relation:
         case Relation(((first, *_), *_)):
             nodes = walk(first.right)
-            return any(isinstance(node, Quantity) and node.kind == "time" for node in nodes)
+            return any(is_quantity(node, "time") for node in nodes)
     return False
 
 
@@ -116,7 +117,7 @@ def _moves_along(line: Line, axis: Expression) -> bool:
     if line.move.record != "straight-line" or not isinstance(line.relation, Relation):
         return False
     return any(
-        isinstance(node, Quantity) and node.kind == "along" and node.arguments[-1] == axis
+        is_quantity(node, "along") and node.arguments[-1] == axis
         for node in walk(line.relation.options[0][0].left)
     )
 

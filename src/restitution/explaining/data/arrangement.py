@@ -25,7 +25,9 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    is_binary,
     is_zero,
+    negated,
     rational,
     walk,
 )
@@ -414,9 +416,9 @@ def opposite(tree: Expression) -> Expression:
         return Degrees((tree.value + 180) % 360)
     if isinstance(tree, Binary) and tree.right == RIGHT_ANGLE:
         return Binary("-" if tree.op == "+" else "+", tree.left, tree.right)
-    if isinstance(tree, Binary) and tree.op == "-":
+    if is_binary(tree, "-"):
         return Binary("-", tree.right, tree.left)
-    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+    return negated(tree)
 
 
 def dot(world: World, a: Plane, b: Plane) -> Quotient:

@@ -40,9 +40,12 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_quantity,
     is_zero,
     letters,
+    negated,
     rational,
+    unsigned,
     walk,
 )
 from restitution.problem import (
@@ -100,10 +103,7 @@ def _maker(problem: Problem) -> FactsOf:
 def _is_about_the_sense(tree: Expression) -> bool:
     """Whether a tree is a line of centres, or holds a component in its direction."""
     return any(
-        isinstance(node, Quantity)
-        and node.kind in ("along", "across")
-        and isinstance(node.arguments[-1], Quantity)
-        and node.arguments[-1].kind == "line_of_centres"
+        is_quantity(node, "along", "across") and is_quantity(node.arguments[-1], "line_of_centres")
         for node in walk(tree)
     )
 
@@ -288,7 +288,7 @@ class FactsOf(Arrangement):
         places = [sphere.position for sphere in (first, second)]
         if met & {first.name, second.name} and axis_of_all(self) is None:
             return None
-        axis = step.along.operand if isinstance(step.along, Negate) else step.along
+        axis = unsigned(step.along)
         if axis not in (Unit("i"), Unit("j")):
             return self._beside_on_a_slant(step, theirs, places)
         side = side_along(self, step, axis)
@@ -368,7 +368,7 @@ class FactsOf(Arrangement):
             if step.along is not None:
                 along = step.along
                 if number == 1 and self._is_backwards(step):
-                    along = along.operand if isinstance(along, Negate) else Negate(along)
+                    along = negated(along)
                 sign: Sign = "=" if along in (Unit("i"), Unit("j")) else "parallel to"
                 yield self._fact(f"axis {number}", axis, along, step.place, sign, "geometry")
             elif step.offset is not None:

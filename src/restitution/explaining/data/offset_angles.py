@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Number,
     Polar,
     Quantity,
+    unsigned,
 )
 from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import Role
@@ -61,7 +62,7 @@ def offset_angle(link: Link, roles: Mapping[str, Role]) -> OffsetAngle | None:
         case _:
             return None
     right = isinstance(beside, Negate)
-    beside = beside.operand if isinstance(beside, Negate) else beside
+    beside = unsigned(beside)
     world, oracle = World(roles), Oracle(roles)
 
     def is_positive(tree: Expression) -> bool:

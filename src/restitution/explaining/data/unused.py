@@ -90,7 +90,7 @@ def lines_under(derivation: Derivation, ref: Ref) -> set[Ref]:
         if own in refs:
             continue
         refs.add(own)
-        line = derivation.line(own) if isinstance(own, int) else None
+        line = derivation.line(own)
         if line is not None:
             pending.extend(line.premises)
             pending.extend(case.line for case in derivation.cases if own in case.lines)

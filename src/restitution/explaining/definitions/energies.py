@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_quantity,
 )
 
 _HALF = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
@@ -111,7 +112,7 @@ def _cited_energies(step: Step) -> frozenset[Expression]:
     return frozenset(
         step.setting.quantity(link.left)
         for link in whole_links(step)
-        if isinstance(link.left, Quantity) and link.left.kind == "energy" and link.sign == "="
+        if is_quantity(link.left, "energy") and link.sign == "="
     )
 
 
@@ -138,11 +139,7 @@ def _of_vectors_and_components(
     step: Step, event: Event | None, stage: int, cited: frozenset[Expression]
 ) -> Iterator[Link]:
     """The energy of all spheres, where some velocities are cited as vectors, others not."""
-    vectors = {
-        link.left.arguments[0]
-        for link in step.links
-        if isinstance(link.left, Quantity) and link.left.kind == "velocity"
-    }
+    vectors = {link.left.arguments[0] for link in step.links if is_quantity(link.left, "velocity")}
     forms = {
         body: "vectors" if Name(body) in vectors else "components" for body in step.setting.spheres
     }
@@ -156,9 +153,7 @@ def _of_given_speeds(step: Step) -> Iterator[Link]:
     sized = {
         link.left.arguments[0]
         for link in step.links
-        if isinstance(link.left, Quantity)
-        and link.left.kind == "velocity"
-        and isinstance(link.right, Polar)
+        if is_quantity(link.left, "velocity") and isinstance(link.right, Polar)
     }
     terms = [
         _kinetic(step, "speed" if Name(body) in sized else "vectors", body, 0, None)

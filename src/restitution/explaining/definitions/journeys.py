@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_binary,
     is_zero,
     walk,
 )
@@ -354,11 +355,7 @@ def _circle(step: Step, body: Name, number: int) -> tuple[Expression | None, Exp
             ) if radius_vector == other:
                 if radius_vector == place:
                     return None, radius
-                if (
-                    isinstance(radius_vector, Binary)
-                    and radius_vector.op == "-"
-                    and radius_vector.left == place
-                ):
+                if is_binary(radius_vector, "-") and radius_vector.left == place:
                     return radius_vector.right, radius
     return None
 

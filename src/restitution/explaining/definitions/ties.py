@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_quantity,
     unsigned,
 )
 
@@ -266,7 +267,7 @@ def _by_product_and_speeds(
     sizes = [
         wholes.get(replace(tree, kind="speed"), Apply("abs", tree))
         for tree in (one, other)
-        if isinstance(tree, Quantity) and tree.kind == "velocity"
+        if is_quantity(tree, "velocity")
     ]
     if product is not None and len(sizes) == 2:
         yield Link(Apply("cos", angle), "=", Binary("/", wholes[product], Binary("*", *sizes)))

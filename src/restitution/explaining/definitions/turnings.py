@@ -27,7 +27,9 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
     letters,
+    unsigned,
 )
 
 _WHOLE, _STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(each)) for each in (360, 180, 90, 0))
@@ -307,9 +309,7 @@ def _of_size(velocity: Expression) -> Iterable[str]:
 
 def _is_negative(size: Expression) -> bool:
     """Whether a size is written with a minus; letters of speeds are positive."""
-    return isinstance(size, Negate) or (
-        isinstance(size, Binary) and size.op in "*/" and _is_negative(size.left)
-    )
+    return isinstance(size, Negate) or (is_binary(size, "*", "/") and _is_negative(size.left))
 
 
 def _number(tree: Expression) -> float | None:
@@ -322,7 +322,7 @@ def _number(tree: Expression) -> float | None:
 def _along(step: Step, line: Quantity) -> Expression | None:
     """The direction of a wall, or of a line of centres, that is cited, in either sense."""
     own = step.world.directions.get(line)
-    return own.operand if isinstance(own, Negate) else own
+    return unsigned(own)
 
 
 def _in_the_plane(step: Step, body: Name, stage: int, axis: str) -> Quotient | None:

@@ -29,6 +29,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     common_scope,
+    equality,
     scopes_of,
 )
 from restitution.explaining.lines.quotients import NotComparableError, Plane
@@ -43,6 +44,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -302,7 +304,7 @@ class Reader:
                 yield line.number, line.relation
             elif line.relation.vector:
                 letter = Letter(line.relation.letter)
-                yield line.number, Relation(((Link(line.relation.quantity, "=", letter),),))
+                yield line.number, equality(line.relation.quantity, letter)
 
     def _turned(self, trees: Iterable[tuple[Ref, Expression]]) -> Iterator[Complaint]:
         cited = [
@@ -551,7 +553,7 @@ class Reader:
                 node.arguments[1]
                 for tree in (*trees_of(line.relation), *named)
                 for node in walk(tree)
-                if isinstance(node, Quantity) and node.kind in ("along", "across")
+                if is_quantity(node, "along", "across")
             }
             for ref in line.premises:
                 for axis, direction in self._axes_of(ref):
@@ -577,7 +579,7 @@ class Reader:
             return
         for links in given.relation.options:
             for link in links:
-                if isinstance(link.left, Quantity) and link.left.kind == "line_of_centres":
+                if is_quantity(link.left, "line_of_centres"):
                     yield link.left, link.right
 
     def _same_sense(self, a: Expression, b: Expression) -> bool:
@@ -659,7 +661,7 @@ class Reader:
 def _tells_an_axis(relation: Relation) -> bool:
     """Whether a relation is of a line of centres and a direction."""
     return any(
-        isinstance(side, Quantity) and side.kind == "line_of_centres"
+        is_quantity(side, "line_of_centres")
         for links in relation.options
         for link in links
         for side in (link.left, link.right)

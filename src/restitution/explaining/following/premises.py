@@ -18,7 +18,7 @@ from restitution.explaining.lines.derivation import (
     citing,
 )
 from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
-from restitution.expression.tree import Apply, Binary, Letter, letters, walk
+from restitution.expression.tree import Apply, Letter, is_binary, letters, walk
 from restitution.oracle import Oracle
 
 # What is below these has a sign that may have to be known.
@@ -105,8 +105,7 @@ def with_given_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
         given = [
             fact.id
             for ref in line.premises
-            if (fact := derivation.fact(ref) if isinstance(ref, str) else None) is not None
-            and _is_ratio(fact.relation)
+            if (fact := derivation.fact(ref)) is not None and _is_ratio(fact.relation)
         ]
         users = [other for other in derivation.lines if line.number in other.premises]
         if line.move.id != "triangle" or len(given) != 1 or line.number in derivation.held:
@@ -194,7 +193,7 @@ def _is_ratio(relation: Relation) -> bool:
 def _cancels(line: Line) -> bool:
     """Whether a line takes a term away from itself."""
     return any(
-        isinstance(node, Binary) and node.op == "-" and node.left == node.right
+        is_binary(node, "-") and node.left == node.right
         for tree in trees_of(line.relation)
         for node in walk(tree)
     )

@@ -24,6 +24,7 @@ from restitution.explaining.lines.derivation import (
     MoveId,
     Ref,
     Relation,
+    equality,
     whole_of,
 )
 from restitution.explaining.lines.quotients import (
@@ -41,6 +42,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     children,
+    is_quantity,
     walk,
 )
 from restitution.expression.writing import write_expression
@@ -227,7 +229,7 @@ class Tracer:
             if self._from_line(base, own) is None:
                 return None
         first = self.trace(Relation(((links[0],),)))
-        whole = Relation(((Link(links[0].left, "=", links[-1].right),),))
+        whole = equality(links[0].left, links[-1].right)
         return first if first.kind != "unrecognised" else self.trace(whole)
 
     def _fact(self, relation: Relation) -> Trace | None:
@@ -379,7 +381,7 @@ class Tracer:
                     pending.extend(_rights(source))
                     if isinstance(source.relation, Meaning):
                         pending.append(Letter(source.relation.letter))
-                elif _is_axis(node) and with_axes:
+                elif is_quantity(node, "line_of_centres") and with_axes:
                     assert isinstance(node, Quantity)
                     pending.extend(
                         let.relation.quantity
@@ -401,9 +403,9 @@ class Tracer:
                         pending.extend(tree for part in parts for tree in _rights(part))
                         pending.extend(tree for part in parts for tree in _axes(part))
                     if not with_axes:
-                        seen |= {x for x in node.arguments if _is_axis(x)}
+                        seen |= {x for x in node.arguments if is_quantity(x, "line_of_centres")}
                 elif isinstance(node, Quantity) and with_axes:
-                    pending.extend(x for x in node.arguments if _is_axis(x))
+                    pending.extend(x for x in node.arguments if is_quantity(x, "line_of_centres"))
         return chosen
 
     def _from_line(self, cited: Cited, relation: Relation) -> Trace | None:
@@ -451,8 +453,7 @@ class Tracer:
                     node
                     for tree in trees_of(premise.relation)
                     for node in walk(tree)
-                    if isinstance(node, Letter)
-                    or (isinstance(node, Quantity) and node.kind in ("along", "across", "speed"))
+                    if isinstance(node, Letter) or is_quantity(node, "along", "across", "speed")
                 }
             )
         return sorted(write_expression(each) for each in own[0] & own[1])
@@ -620,17 +621,8 @@ def _tells_of(cited: Cited, velocity: Quantity) -> bool:
     return left.kind in ("along", "across", "angle") and left.arguments[0] == velocity
 
 
-def _is_axis(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
-
-
 def _is_impulse(tree: Expression, stage: object) -> bool:
-    return (
-        isinstance(tree, Quantity)
-        and tree.kind == "impulse"
-        and bool(tree.arguments)
-        and tree.stage == stage
-    )
+    return is_quantity(tree, "impulse") and bool(tree.arguments) and tree.stage == stage
 
 
 def _axes(cited: Cited) -> list[Expression]:
@@ -640,7 +632,7 @@ def _axes(cited: Cited) -> list[Expression]:
         if isinstance(cited.relation, Meaning)
         else cited.relation.only[0].left
     )
-    return [node for node in walk(left) if _is_axis(node)]
+    return [node for node in walk(left) if is_quantity(node, "line_of_centres")]
 
 
 def _is_tie(cited: Cited) -> bool:
@@ -652,4 +644,4 @@ def _is_tie(cited: Cited) -> bool:
 
 
 def _is_right_angle(link: Link) -> bool:
-    return isinstance(link.left, Quantity) and link.left.kind == "deflection"
+    return is_quantity(link.left, "deflection")

@@ -40,6 +40,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_quantity,
     letters,
     walk,
 )
@@ -271,7 +272,11 @@ def _tells_a_side(tree: Expression) -> bool:
         case Quantity("direction", (Name(),), None):
             return True
         case Quantity("angle" | "along" | "dot", arguments):
-            own = [argument for argument in arguments if not _is_mirrored(argument)]
+            own = [
+                argument
+                for argument in arguments
+                if not is_quantity(argument, "velocity", "impulse")
+            ]
             return any(tree == Unit("j") or _tells_a_side(tree) for tree in own)
         case Quantity("direction" | "across" | "position" | "momentum"):
             return True
@@ -281,11 +286,6 @@ def _tells_a_side(tree: Expression) -> bool:
             return True
     parts: list[Any] = [getattr(tree, field.name) for field in fields(tree)]
     return any(_tells_a_side(part) for part in parts if isinstance(part, Expression))
-
-
-def _is_mirrored(tree: Expression) -> bool:
-    """Whether a vector of the motion is another in the mirror, with the same angle to **i**."""
-    return isinstance(tree, Quantity) and tree.kind in ("velocity", "impulse")
 
 
 def known_of_letters(ref: str, setting: Setting) -> Known | None:

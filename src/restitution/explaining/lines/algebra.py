@@ -41,12 +41,9 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_quantity,
 )
 from restitution.oracle.roles import REAL, Role
-
-
-def _is_line_of_centres(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
 
 
 @dataclass
@@ -273,7 +270,9 @@ class World(Angles):
                 return self._component(tree, vector, axis)
             case "dot":
                 a, b = (
-                    self.unit(argument) if _is_line_of_centres(argument) else self.value(argument)
+                    self.unit(argument)
+                    if is_quantity(argument, "line_of_centres")
+                    else self.value(argument)
                     for argument in tree.arguments
                 )
                 if not (isinstance(a, Plane) and isinstance(b, Plane)):

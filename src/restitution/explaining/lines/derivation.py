@@ -283,21 +283,33 @@ class Derivation:
     others: tuple[Route, ...] = ()
     notes: tuple[Note, ...] = ()
 
-    def fact(self, name: str) -> Fact | None:
-        """The fact with an id; None where there is none."""
-        return self._facts.get(name)
+    def fact(self, ref: Ref | None) -> Fact | None:
+        """The fact with an id; None where there is none, or where a line is cited."""
+        return self._facts.get(ref)
 
-    def line(self, number: int) -> Line | None:
-        """The line with a number; None where there is none."""
-        return self._numbered.get(number)
+    def line(self, ref: Ref | None) -> Line | None:
+        """The line with a number; None where there is none, or where no line is cited."""
+        return self._numbered.get(ref)
+
+    def cited(self, ref: Ref) -> Fact | Line | None:
+        """The fact or the line that is cited; None where it is what is known of a letter."""
+        return self.fact(ref) or self.line(ref)
+
+    def facts_in(self, refs: Iterable[Ref]) -> list[Fact]:
+        """The facts among what is cited."""
+        return [fact for ref in refs if (fact := self.fact(ref)) is not None]
+
+    def lines_in(self, refs: Iterable[Ref]) -> list[Line]:
+        """The lines among what is cited."""
+        return [line for ref in refs if (line := self.line(ref)) is not None]
 
     # The first of several that have the same name, or number.
     @cached_property
-    def _facts(self) -> Mapping[str, Fact]:
+    def _facts(self) -> Mapping[Ref | None, Fact]:
         return {fact.id: fact for fact in reversed(self.facts)}
 
     @cached_property
-    def _numbered(self) -> Mapping[int, Line]:
+    def _numbered(self) -> Mapping[Ref | None, Line]:
         return {line.number: line for line in reversed(self.lines)}
 
     @cached_property
@@ -376,12 +388,17 @@ def whole_of(links: tuple[Link, ...]) -> Link | None:
     return Link(first.left, first.sign, rest[-1].right) if rest else first
 
 
+def numbers_in(refs: Iterable[Ref]) -> list[int]:
+    """The numbers of the lines among what is cited."""
+    return [ref for ref in refs if isinstance(ref, int)]
+
+
 def citing(premises: Iterable[Ref], others: Mapping[Ref, Ref]) -> tuple[Ref, ...]:
     """Premises with some of them replaced by others, none of them twice."""
     return tuple(dict.fromkeys(others.get(ref, ref) for ref in premises))
 
 
-def equation(left: Expression, right: Expression) -> Relation:
+def equality(left: Expression, right: Expression) -> Relation:
     """``left = right`` as a relation."""
     return Relation(((Link(left, "=", right),),))
 

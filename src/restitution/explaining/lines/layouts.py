@@ -27,6 +27,8 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
+    is_function,
     walk,
 )
 from restitution.render import layout as lay
@@ -146,7 +148,7 @@ class Forms:
                         self._fractions.add(a / b)
                     case Apply("arctan" | "arcsin" | "arccos", Binary("/", Number(), Number())):
                         self.angles_by_fractions = True
-                if isinstance(node, Binary) and node.op == "/" and _root_below(node.right):
+                if is_binary(node, "/") and _root_below(node.right):
                     parts = _parts(node)
                     if parts is not None and not parts[2]:
                         self._typed.setdefault(parts[:2], node)
@@ -248,7 +250,7 @@ def _halved(half: Number) -> Expression:
 
 def _has_a_square(tree: Expression) -> bool:
     """Whether there is a square in a tree."""
-    return any(isinstance(e, Binary) and e.op == "^" and e.right == _TWO for e in walk(tree))
+    return any(is_binary(e, "^") and e.right == _TWO for e in walk(tree))
 
 
 def _is_a_mass(tree: Expression) -> bool:
@@ -287,8 +289,7 @@ def shares_in(operands: Sequence[Expression]) -> Iterator[Expression]:
     ratios = [
         operand
         for operand in operands
-        if isinstance(operand, Binary)
-        and operand.op == "/"
+        if is_binary(operand, "/")
         and all(
             isinstance(e, Quantity) and e.kind in _ENERGIES for e in (operand.left, operand.right)
         )
@@ -367,7 +368,7 @@ def _root_below(tree: Expression) -> bool:
 
 def _roots(tree: Expression) -> set[Expression]:
     """What stands under the roots in a tree."""
-    return {e.argument for e in walk(tree) if isinstance(e, Apply) and e.function == "sqrt"}
+    return {e.argument for e in walk(tree) if is_function(e, "sqrt")}
 
 
 def _whole(tree: Expression) -> bool:

@@ -17,7 +17,14 @@ from restitution.explaining.lines.derivation import Event
 from restitution.explaining.lines.trees import exchanged, rebuilt, settled
 from restitution.explaining.mistakes.alteration import Alteration
 from restitution.explaining.mistakes.misconceptions import VariantAt, variant_at
-from restitution.expression.tree import Binary, Expression, Letter, Quantity, walk
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Quantity,
+    is_binary,
+    is_quantity,
+    walk,
+)
 from restitution.problem import (
     Aligned,
     AlteredEquation,
@@ -103,7 +110,7 @@ def _coefficient(problem: Problem, number: int) -> Expression:
 
 def _with_coefficient(e: Expression) -> Change:
     def change(node: Expression) -> Expression:
-        return e if isinstance(node, Quantity) and node.kind == "restitution" else node
+        return e if is_quantity(node, "restitution") else node
 
     return change
 
@@ -131,7 +138,7 @@ def _rewritten(
             def change(
                 tree: Expression, now: int = count, given: bool = isinstance(step, Given)
             ) -> Expression:
-                if ratios and not given and not (isinstance(tree, Binary) and tree.op == "/"):
+                if ratios and not given and not is_binary(tree, "/"):
                     return tree
                 plain = settled(staged(problem, tree, now), events)
                 other = exchanged(plain, put)

@@ -16,7 +16,6 @@ from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.laws import is_law, is_tie
 from restitution.explaining.steps.step import Step, alike
 from restitution.expression.tree import (
-    Apply,
     Binary,
     Degrees,
     Expression,
@@ -26,6 +25,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     has_quantity,
+    is_function,
 )
 
 # What is a component, a vector put together, or a product of vectors, by their values.
@@ -261,7 +261,7 @@ def _is_rest(step: Step, values: Mapping[Expression, Expression], velocity: Expr
 
 def _is_size(step: Step, tree: Expression) -> bool:
     """Whether a line gives the size of a vector as such: |**a** − **b**|."""
-    return step.move.record == "size" and isinstance(tree, Apply) and tree.function == "abs"
+    return step.move.record == "size" and is_function(tree, "abs")
 
 
 def _is_resolved(step: Step, line: Link) -> bool:

@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_function,
 )
 from restitution.oracle import Relation as Claim
 from restitution.oracle import compared
@@ -87,8 +88,7 @@ def is_bounded_cotangent(step: Step, relation: Relation) -> bool:
         return False
     defined = any(
         link.sign == "="
-        and isinstance(link.left, Apply)
-        and link.left.function == "cot"
+        and is_function(link.left, "cot")
         and _angle(step, link.left.argument) == angle
         for link in step.links
     )
@@ -120,8 +120,7 @@ def is_of_a_cotangent(step: Step, link: Link) -> bool:
         link.right
         for link in step.links
         if link.sign == "="
-        and isinstance(link.left, Apply)
-        and link.left.function == "cot"
+        and is_function(link.left, "cot")
         and _angle(step, link.left.argument) == angle
     ]
     if angle.kind == "direction":

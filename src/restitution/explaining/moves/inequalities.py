@@ -24,10 +24,11 @@ from restitution.explaining.moves.directions import (
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Expression,
     Letter,
     Quantity,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -99,7 +100,7 @@ def _by_ratios_as_letters(step: Step, relation: Relation) -> bool:
         for tree in trees_of(relation)
         for node in walk(tree)
         if isinstance(node, Apply) and node.function in _RATIOS
-        if isinstance(node.argument, Binary) and node.argument.op in ("+", "-")
+        if is_binary(node.argument, "+", "-")
     ]
     if not sums:
         return False
@@ -167,7 +168,7 @@ def is_certain(step: Step, relation: Relation) -> bool:
         return True
     proofs = [by_oracle, between_tangents]
     if any(
-        isinstance(node, Apply) and node.function == "arctan"
+        is_function(node, "arctan")
         for links in relation.options
         for link in links
         for side in (link.left, link.right)
@@ -192,7 +193,7 @@ def between_tangents(step: Step, relation: Relation) -> bool:
         for other in step.links
         for link in (other, _turned(other))
         for side in (link.left,)
-        if isinstance(side, Apply) and side.function == "tan" and link.sign in FLIPPED
+        if is_function(side, "tan") and link.sign in FLIPPED
     ]
     positive = False
     for link in relation.only:

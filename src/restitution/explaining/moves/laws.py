@@ -32,6 +32,9 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_binary,
+    is_function,
+    is_quantity,
 )
 
 
@@ -149,7 +152,7 @@ def _is_size_of(step: Step, line: Link, quantity: Quantity, value: Quotient) -> 
     """Whether a line says a size to be the one of a value: ``|m(a + ea)|`` of either sign."""
     if (line.left, line.sign) != (quantity, "="):
         return False
-    if not isinstance(line.right, Apply) or line.right.function != "abs":
+    if not is_function(line.right, "abs"):
         return False
     inside = step.rules().put_into(step.world.value(line.right.argument))
     if isinstance(inside, Plane):
@@ -199,7 +202,7 @@ def _one_signed(step: Step, link: Link) -> Expression | None:
                 return None
             if role.high == sp.pi / 2:
                 return right
-            if ratio_ in ("tan", "cot") and isinstance(right, Binary) and right.op == "/":
+            if ratio_ in ("tan", "cot") and is_binary(right, "/"):
                 return right.left if ratio_ == "tan" else right.right
         case Link(Quantity("impulse", ()), "=", right) if not isinstance(right, Apply):
             return right
@@ -264,7 +267,7 @@ def stands(step: Step, line: Link, event: Event | None) -> bool:
     if tie is None:
         return False
     rules = step.rules()
-    if isinstance(line.left, Quantity) and line.left.kind == "direction" and line.sign == "=":
+    if is_quantity(line.left, "direction") and line.sign == "=":
         # An angle tells the sense too.
         along = step.setting.settled(Link(Quantity("dot", tie[:2]), ">", ZERO))
         ahead = step.residual(along, rules)

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    is_function,
     walk,
 )
 from restitution.oracle import Relation as Claim
@@ -102,7 +103,7 @@ def _below_roots(step: Step, base: Relation) -> Iterator[Link]:
             node
             for side in (link.left, link.right)
             for root in walk(side)
-            if isinstance(root, Apply) and root.function in ("sqrt", "arcsin", "arccos")
+            if is_function(root, "sqrt", "arcsin", "arccos")
             for node in walk(root.argument)
         }
         if link.sign == "=" and below & values.keys():
@@ -235,7 +236,7 @@ def _is_size_of(step: Step, line: Link, base: Link) -> bool:
 
 
 def _is_size_or_root(tree: Expression) -> bool:
-    return isinstance(tree, Apply) and tree.function in ("sqrt", "abs")
+    return is_function(tree, "sqrt", "abs")
 
 
 def _never_negative(step: Step, tree: Expression) -> bool:

@@ -12,10 +12,7 @@ from restitution.explaining.lines.quotients import CONSTANT, Plane, Quotient
 from restitution.explaining.moves.bases import base_of, ends_of, expected_residual, others_cited
 from restitution.explaining.moves.inequalities import is_contradicted, is_of_vectors, same_option
 from restitution.explaining.steps.step import Step
-from restitution.expression.tree import (
-    Binary,
-    Expression,
-)
+from restitution.expression.tree import Expression, is_binary
 from restitution.oracle import Oracle
 from restitution.oracle import Relation as Claim
 
@@ -72,7 +69,7 @@ def _polynomial(step: Step, residual: Value, subject: Expression) -> list[Quotie
     if isinstance(residual, Plane) or residual.vanishes:
         return None
     world = step.world
-    if isinstance(subject, Binary) and subject.op == "/":
+    if is_binary(subject, "/"):
         above, below = (world.scalar(side) for side in (subject.left, subject.right))
         if len(above.above) != 1 or len(below.above) != 1:
             return None

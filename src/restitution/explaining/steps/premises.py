@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    unsigned,
     walk,
 )
 from restitution.oracle import Oracle, compared
@@ -307,13 +308,13 @@ class Premises:
     ) -> Expression | None:
         """The angle of up to 90° to a line, of what is turned by an angle from a direction."""
         if world.is_angle(line):
-            unit = given.operand if isinstance(given, Negate) else given
+            unit = unsigned(given)
             if not isinstance(unit, Unit):
                 return None
             turned = Binary("-", line, RIGHT_ANGLE) if unit == Unit("j") else line
             angle = Binary("-", angle, turned)
         elif given not in (line, Negate(line)) and Negate(given) != line:
-            units = [tree.operand if isinstance(tree, Negate) else tree for tree in (given, line)]
+            units = [unsigned(tree) for tree in (given, line)]
             if not all(isinstance(unit, Unit) for unit in units):
                 return None
             angle = Binary("-", RIGHT_ANGLE, angle)

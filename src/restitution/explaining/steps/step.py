@@ -31,6 +31,9 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_binary,
+    is_function,
+    is_quantity,
     walk,
 )
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
@@ -70,7 +73,7 @@ class Step(Premises):
     def _letters_apart(self) -> frozenset[str]:
         """The letters of components that are cited, in a line about how far, or how fast, apart."""
         sizes = any(
-            isinstance(node, Apply) and node.function == "abs"
+            is_function(node, "abs")
             for link in self.links
             for side in (link.left, link.right)
             for node in walk(side)
@@ -417,9 +420,9 @@ class Step(Premises):
             for link in links
             for side in (link.left, link.right)
             for node in walk(side)
-            if isinstance(node, Binary) and node.op == "^"
+            if is_binary(node, "^")
         )
-        return [e for e in squares if isinstance(e, Quantity) and e.kind == "speed"]
+        return [e for e in squares if is_quantity(e, "speed")]
 
     def _of_meaning(self, meaning: Meaning) -> list[Formula]:
         if meaning.vector or is_angle(meaning):

@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_quantity,
     letters,
 )
 from restitution.oracle.roles import ACUTE
@@ -52,7 +53,7 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     """
     match asked:
         case Quantity("angle", (one, other)):
-            moving = [tree for tree in (one, other) if _is_velocity(tree)]
+            moving = [tree for tree in (one, other) if is_quantity(tree, "velocity")]
         case _:
             return None
     mark = scene.desk.mark()
@@ -115,10 +116,6 @@ def _steps(scene: Scene, angle: Expression) -> tuple[Expression, ...]:
     if not isinstance(angle, Binary) or letters(angle):
         return (angle,)
     return angle, tree_of(tidy(scene.scalar(angle)), angle=True)
-
-
-def _is_velocity(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "velocity"
 
 
 def _along(scene: Scene, line: Expression) -> Expression | None:

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -80,7 +81,7 @@ def _is_to_a_line(quantity: Quantity) -> bool:
     """Whether a quantity is the angle of a velocity to a line."""
     match quantity:
         case Quantity("angle", (Quantity("velocity"), other)):
-            return not (isinstance(other, Quantity) and other.kind == "velocity")
+            return not is_quantity(other, "velocity")
     return False
 
 
@@ -137,7 +138,7 @@ def _quantity(scene: Scene, name: str) -> Quantity | None:
             ),
             own,
         )
-    return own if isinstance(own, Quantity) and own.kind in ("angle", "direction") else None
+    return own if is_quantity(own, "angle", "direction") else None
 
 
 def stated(scene: Scene, equation: GivenEquation) -> int:

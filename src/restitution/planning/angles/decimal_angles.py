@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from restitution import exact
-from restitution.explaining.lines.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.expression.tree import (
     Degrees,
     Expression,
@@ -22,7 +22,7 @@ _FIGURES = 3
 def write_decimal(scene: Scene, line: int) -> tuple[int, Relation]:
     """The line again in figures, where it says a number that needs them, and the answer."""
     own = scene.desk.last_link(line)
-    answer = Relation((((Link(own.left, "=", own.right),)),))
+    answer = equality(own.left, own.right)
     value = scene.scalar(own.right)
     if value.free_symbols or _in_degrees(own.right):
         return line, answer

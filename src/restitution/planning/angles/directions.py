@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     Quantity,
+    unsigned,
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.cotangents import write_by_cotangent
@@ -139,7 +140,7 @@ def _in_whole_degrees(frame: Frame) -> Expression | None:
     if x.free_symbols | y.free_symbols:
         return None
     angle = tree_of(tidy(sp.atan2(y, x)), angle=True)
-    size = angle.operand if isinstance(angle, Negate) else angle
+    size = unsigned(angle)
     return angle if isinstance(size, Degrees) else None
 
 

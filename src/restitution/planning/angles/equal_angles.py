@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Move, Ref, equality
 from restitution.expression.tree import Binary, Letter, Quantity
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.scalar_angles import write_cosine
@@ -31,7 +31,7 @@ def write_equal_angles(scene: Scene, equation: GivenEquation) -> int:
         refs = lines(scene, angles)
         if refs is not None:
             left, right = (scene.desk.last_link(ref).right for ref in refs)
-            relation = Relation(((Link(left, "=", right),),))
+            relation = equality(left, right)
             named = lines in (_cosines, _by_turns)
             equal = _named(scene, equation, angles) if named else equation.fact.id
             premises = scene.judge.enough(Move("put"), [*refs, equal], relation)

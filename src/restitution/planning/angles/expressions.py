@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, numbers_in
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
@@ -23,6 +23,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -68,7 +70,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     """
     if is_angle_sum(asked) and isinstance(asked, Binary):
         return _angle_sum(scene, asked)
-    if isinstance(asked, Apply) and asked.function == "abs":
+    if is_function(asked, "abs"):
         inside = scene.value(asked.argument)
         if isinstance(inside, Vector):
             return _write_size(scene, asked, inside)
@@ -95,7 +97,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
         raise NotPlannedError("an expression of data")
     value = _worth(scene, asked, values)
     final = tree_of(value, angle=_has_degrees(asked))
-    if value == 0 and isinstance(asked, Binary) and asked.op == "/":
+    if value == 0 and is_binary(asked, "/"):
         nothing = chain(asked, (final, None))
         quotient = (Move("rearrange"), Move("put"), Move("divide"))
         line = scene.judge.write(quotient, together(refs), nothing)
@@ -113,7 +115,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     final = in_shorter_form(scene, right, final)
     if len(set(refs)) == 1:
         # Of one line there is nothing to put in.
-        if isinstance(asked, Apply) and asked.function == "abs":
+        if is_function(asked, "abs"):
             return _size_of_a_number(scene, asked, refs[0], final), final
         own_form = chain(asked, (final, None))
         # A ratio of an angle that is multiplied by may have to be none that vanishes.
@@ -165,7 +167,7 @@ def _roots_apart(scene: Scene, tree: Expression) -> Expression | None:
 
     None of another quotient.
     """
-    if not (isinstance(tree, Binary) and tree.op == "/"):
+    if not is_binary(tree, "/"):
         return None
     roots: list[sp.Expr] = []
     rest: list[sp.Expr] = []
@@ -183,8 +185,7 @@ def _roots_apart(scene: Scene, tree: Expression) -> Expression | None:
 def _is_of_both(tree: Expression) -> bool:
     """Whether the sine and the cosine of one angle stand in an expression."""
     sines, cosines = (
-        {e.argument for e in walk(tree) if isinstance(e, Apply) and e.function == ratio}
-        for ratio in ("sin", "cos")
+        {e.argument for e in walk(tree) if is_function(e, ratio)} for ratio in ("sin", "cos")
     )
     return bool(sines & cosines)
 
@@ -325,7 +326,7 @@ def _datum(scene: Scene, node: Quantity) -> Source:
 
 
 def _angle_tree(scene: Scene, source: Source) -> Expression:
-    lines = [ref for ref in source.refs if isinstance(ref, int)]
+    lines = numbers_in(source.refs)
     if len(lines) != 1:
         raise NotPlannedError("an angle by several lines")
     return scene.desk.last_link(lines[0]).right

@@ -15,9 +15,10 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Name,
-    Negate,
     Polar,
     Quantity,
+    is_quantity,
+    unsigned,
     walk,
 )
 from restitution.planning.angles.quantities import formula
@@ -39,12 +40,12 @@ from restitution.vector import Vector
 
 def is_moving(tree: Expression) -> bool:
     """Whether a direction is that of a velocity."""
-    return isinstance(tree, Quantity) and tree.kind == "velocity"
+    return is_quantity(tree, "velocity")
 
 
 def is_line(tree: Expression) -> bool:
     """Whether a direction has two senses: that of a wall, or of a line of centres."""
-    return isinstance(tree, Name) or (isinstance(tree, Quantity) and tree.kind == "line_of_centres")
+    return isinstance(tree, Name) or is_quantity(tree, "line_of_centres")
 
 
 def has_angle(tree: Expression) -> bool:
@@ -137,7 +138,7 @@ def cosine_of(
             continue
         own = [square(pair[n]) for pair, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
         one = [pair[n] for pair, value in zip(pairs, (a, b)[n], strict=True) if value != 0]
-        alone = one[0].operand if isinstance(one[0], Negate) else one[0]
+        alone = unsigned(one[0])
         if len(one) != 1 and tidy(sum(value**2 for value in (a, b)[n])) == 1:
             continue  # a unit vector
         sizes.append(alone if len(one) == 1 else Apply("sqrt", total(own)))
@@ -171,11 +172,7 @@ def sine_of_the_offset(scene: Scene, equation: GivenEquation) -> int | None:
             pass
         case _:
             return None
-    numbers = [
-        side.stage
-        for side in arguments
-        if isinstance(side, Quantity) and side.kind == "line_of_centres"
-    ]
+    numbers = [side.stage for side in arguments if is_quantity(side, "line_of_centres")]
     fact = scene.facts.get(f"axis {numbers[0]}") if len(numbers) == 1 else None
     match fact and fact.relation.only[0].right:
         case Polar(_, Apply("arcsin", sine)):

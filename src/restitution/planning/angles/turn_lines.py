@@ -21,6 +21,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    is_function,
     letters,
     walk,
 )
@@ -430,7 +431,7 @@ def by_tangents(
     own = tangent_of(form, *map(_tangent, terms))
     names = {name for term in terms for name in letters(term.angle)}
     known = (*background(scene, names), *meeting(scene))
-    asked = isinstance(turned, Apply) and turned.function == "tan"
+    asked = is_function(turned, "tan")
     relation = chain(turned, (own, None)) if asked else chain(own, (turned, None))
     bases = () if base is None else (base,)
     refs = scene.judge.enough(Move("identity", "sum-of-angles"), bases, relation, known)

@@ -11,12 +11,12 @@ from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Meaning, Move, MoveId, Ref
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Degrees,
     Expression,
     Letter,
     Name,
     Quantity,
+    is_binary,
     walk,
 )
 from restitution.planning.angles.turn_lines import inverse_of_data
@@ -99,6 +99,6 @@ def _is_plain(angle: Expression) -> bool:
     return not any(
         isinstance(node, Apply)
         and node.function.startswith("arc")
-        and any(isinstance(part, Binary) and part.op in "+-" for part in walk(node.argument))
+        and any(is_binary(part, "+", "-") for part in walk(node.argument))
         for node in walk(angle)
     )

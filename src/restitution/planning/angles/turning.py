@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy, tidy_angle
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation, equality
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
@@ -20,11 +20,11 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Polar,
     Quantity,
     Unit,
     letters,
+    unsigned,
     walk,
 )
 from restitution.planning.angles.along_lines import angle_along_the_centres
@@ -299,7 +299,7 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
         if own.function == "tan" and _sign_of_tangent(scene, own) < 0:
             at += sp.pi
         value = tidy({"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}[function](at))
-        relation = Relation(((Link(tree, "=", tree_of(value)),),))
+        relation = equality(tree, tree_of(value))
         if not scene.judge.follows(Move("triangle"), (own.line, own.extent), relation):
             raise NotPlannedError(f"the {function} by another ratio")
         line = scene.desk.write(Move("triangle"), (own.line, own.extent), relation)
@@ -347,7 +347,7 @@ def _angle_of(scene: Scene, own: Ratio) -> Expression:
 def _to_a_line(scene: Scene, asked: Quantity) -> Ratio:
     """The angle to a wall, to the line of centres, or to **i** or **j**."""
     line_ = asked.arguments[1]
-    to_i_or_j = isinstance(line_.operand if isinstance(line_, Negate) else line_, Unit)
+    to_i_or_j = isinstance(unsigned(line_), Unit)
     extent = RANGES["deflection"] if to_i_or_j else "0° <= {} <= 90°"
     kept = multiple_of_a_tangent(scene, asked, extent)
     if kept is not None:

@@ -9,7 +9,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, equality
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -420,7 +420,7 @@ def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
     line = scene.desk.write(
         Move("law", "opposite-impulses", event, scene.bodies(event)),
         given.refs,
-        Relation(((Link(Quantity("impulse", (Name(other),), event), "=", impulse),),)),
+        equality(Quantity("impulse", (Name(other),), event), impulse),
     )
     _take(scene, other, event, impulse, (line,))
     return other
@@ -444,11 +444,9 @@ def _take(scene: Scene, body: str, event: int, impulse: Expression, refs: tuple[
     line = scene.desk.write(
         Move("law", "impulse-vector", event, (body,)),
         together(refs, mass.refs, early.refs),
-        Relation(((Link(impulse, "=", Binary("*", tree_of(mass.value), change)),),)),
+        equality(impulse, Binary("*", tree_of(mass.value), change)),
     )
-    line = scene.desk.write(
-        Move("rearrange"), (line,), Relation(((Link(velocity, "=", tree_of(late)),),))
-    )
+    line = scene.desk.write(Move("rearrange"), (line,), equality(velocity, tree_of(late)))
     scene.desk.know(velocity, late, (line,))
 
 

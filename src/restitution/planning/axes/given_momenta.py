@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, equality
 from restitution.expression.tree import Apply, Binary, Expression, Name, Quantity
 from restitution.planning.closing.pairs import close_two
 from restitution.planning.closing.shapes import close
@@ -72,7 +72,7 @@ def _of_one(
                 )
             tree = swept(product(tree_of(mass.value), change))
             refs = together(refs, early.refs)
-    line = scene.desk.write(move, refs, Relation(((Link(right, "=", tree),),)))
+    line = scene.desk.write(move, refs, equality(right, tree))
     late = Vector(*(tidy(component / mass.value) for component in value))
     line = scene.desk.write(Move("rearrange"), (line,), chain(velocity, (tree_of(late), None)))
     scene.desk.know(velocity, late, (line,))
@@ -124,9 +124,7 @@ def _close_parts(scene: Scene, line: int) -> None:
         if unknown:
             sides = (tree_of(sp.expand(value), as_it_is=True) for value in (a, b))
             first, second = sides
-            number = scene.desk.write(
-                Move("rearrange"), (line,), Relation(((Link(first, "=", second),),))
-            )
+            number = scene.desk.write(Move("rearrange"), (line,), equality(first, second))
             open_.append((number, unknown))
     _close_all(scene, open_)
 

@@ -13,9 +13,9 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import offset_angle
-from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Relation
+from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Relation, equality
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Apply, Letter, Name, Quantity, letters, walk
+from restitution.expression.tree import Apply, Letter, Name, Quantity, is_quantity, letters, walk
 from restitution.planning.formulas.named_angles import free_letter
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import tree_of
@@ -75,7 +75,7 @@ def _is_value_of(fact: Fact, names: AbstractSet[str]) -> bool:
 def _speaks_of_centres(fact: Fact) -> bool:
     """Whether a given fact has a line of centres in it."""
     return fact.kind == "given" and any(
-        isinstance(node, Quantity) and node.kind == "line_of_centres"
+        is_quantity(node, "line_of_centres")
         for tree in trees_of(fact.relation)
         for node in walk(tree)
     )
@@ -167,11 +167,11 @@ def angle_of_an_offset(scene: Scene, asked: Quantity) -> int | None:
     ratio = scene.desk.write(
         Move("define", "scalar-angle", number),
         (let, fact.id),
-        Relation(((Link(Apply("sin", Letter(letter)), "=", tree_of(tidy(sine))),),)),
+        equality(Apply("sin", Letter(letter)), tree_of(tidy(sine))),
         "silent",
     )
     value = tree_of(sp.asin(tidy(sine)), angle=True)
-    relation = Relation(((Link(Letter(letter), "=", value),),))
+    relation = equality(Letter(letter), value)
     return scene.desk.write(Move("inverse"), (ratio, f"acute: {letter}"), relation, "silent")
 
 

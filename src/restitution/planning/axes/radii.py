@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from restitution.components.frames import Frame as Told
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
-from restitution.expression.tree import Binary, Quantity, walk
+from restitution.expression.tree import Binary, Quantity, is_quantity, walk
 from restitution.planning.journeys.aims import struck, write_centres
 from restitution.planning.journeys.places import spot
 from restitution.planning.writing.forms import swept, tree_of, vector
@@ -18,8 +18,7 @@ def is_by_places(scene: Scene, number: int) -> bool:
     """Whether the places at an impact are what gives its line of centres."""
     fact = scene.facts.get(f"axis {number}")
     return fact is not None and any(
-        isinstance(node, Quantity) and node.kind == "position"
-        for node in walk(fact.relation.only[0].right)
+        is_quantity(node, "position") for node in walk(fact.relation.only[0].right)
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from restitution.explaining.lines.derivation import FLIPPED, Ref
-from restitution.expression.tree import Quantity, walk
+from restitution.expression.tree import Quantity, is_quantity, walk
 from restitution.planning.writing.desk import together
 from restitution.planning.writing.scene import Scene
 
@@ -18,7 +18,7 @@ def bounded_speeds(scene: Scene) -> Iterator[tuple[Ref, Quantity]]:
         for link in fact.relation.only:
             for side in (link.left, link.right) if link.sign in FLIPPED else ():
                 for node in walk(side):
-                    if isinstance(node, Quantity) and node.kind == "speed":
+                    if is_quantity(node, "speed"):
                         yield fact.id, node
 
 

@@ -23,8 +23,10 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    is_binary,
     is_zero,
     letters,
+    unsigned,
     walk,
 )
 from restitution.expression.writing import write_expression
@@ -121,12 +123,12 @@ def _with_plain_squares(scene: Scene, line: int) -> int:
     link = scene.desk.last_link(line)
 
     def plain(node: Expression) -> Expression:
-        if not isinstance(node, Binary) or node.op != "^" or node.right != number(2):
+        if not is_binary(node, "^") or node.right != number(2):
             return node
         if not _has_quotient_in_a_sum(node.left):
             return node
         own = tree_of(tidy(sp.expand(cancelled(scene_value(scene, node.left)))))
-        own = own.operand if isinstance(own, Negate) else own
+        own = unsigned(own)
         return Binary("^", own, node.right) if len(walk(own)) < len(walk(node.left)) else node
 
     left, right = (rebuilt(side, plain) for side in (link.left, link.right))
@@ -149,13 +151,11 @@ def _across(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> int:
                 pass
             case _:
                 continue
-        squares = [e for e in walk(above) if isinstance(e, Binary) and e.op == "^"]
-        sums = [e for e in squares if isinstance(e.left, Binary) and e.left.op in ("+", "-")]
+        squares = [e for e in walk(above) if is_binary(e, "^")]
+        sums = [e for e in squares if is_binary(e.left, "+", "-")]
         if not sums or any(_has(far, symbol.name) for symbol in symbols):
             continue
-        top, bottom = (
-            (far.left, far.right) if isinstance(far, Binary) and far.op == "/" else (far, ONE)
-        )
+        top, bottom = (far.left, far.right) if is_binary(far, "/") else (far, ONE)
         relation = chain(product(top, below), (product(bottom, above), None))
         names = symbol_names(residual(scene, line))
         refs = scene.judge.enough(Move("rearrange"), (line,), relation, background(scene, names))
@@ -171,9 +171,7 @@ def _squares_cleared(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> i
     link = scene.desk.last_link(line)
     sides = [list(_terms(side)) for side in (link.left, link.right)]
     terms = [term for side in sides for term in side]
-    bases = [
-        e.left for e in terms if isinstance(e, Binary) and e.op == "^" and e.right == number(2)
-    ]
+    bases = [e.left for e in terms if is_binary(e, "^") and e.right == number(2)]
     if len(bases) < len(terms) or len(terms) < 3 or _has_difference(link):
         return line
     values = [sp.sympify(scene_value(scene, base), strict=True) for base in bases]
@@ -203,7 +201,7 @@ def _squares_cleared(scene: Scene, line: int, symbols: Sequence[sp.Symbol]) -> i
 def _has_difference(link: Link) -> bool:
     """Whether a term of a side is taken off."""
     return any(
-        isinstance(node, Negate) or (isinstance(node, Binary) and node.op == "-")
+        isinstance(node, Negate) or is_binary(node, "-")
         for side in (link.left, link.right)
         for node in _sums_of(side)
     )
@@ -211,7 +209,7 @@ def _has_difference(link: Link) -> bool:
 
 def _sums_of(tree: Expression) -> Iterator[Expression]:
     yield tree
-    if isinstance(tree, Binary) and tree.op in ("+", "-"):
+    if is_binary(tree, "+", "-"):
         yield from _sums_of(tree.left)
         yield from _sums_of(tree.right)
 
@@ -219,9 +217,8 @@ def _sums_of(tree: Expression) -> Iterator[Expression]:
 def _has_quotient_in_a_sum(tree: Expression) -> bool:
     """Whether a quotient with letters below stands in a sum."""
     return any(
-        isinstance(node, Binary)
-        and node.op in ("+", "-")
-        and any(isinstance(e, Binary) and e.op == "/" and letters(e.right) for e in walk(node))
+        is_binary(node, "+", "-")
+        and any(is_binary(e, "/") and letters(e.right) for e in walk(node))
         for node in walk(tree)
     )
 
@@ -279,9 +276,9 @@ def _is_of_one_bracket(link: Link, name: str) -> bool:
         own = [factor for factor in factors(near) if _has(factor, name)]
         if len(own) != 1 or near in own or _has(far, name):
             continue
-        terms = [e.operand if isinstance(e, Negate) else e for e in outer_terms(own[0])]
+        terms = [unsigned(e) for e in outer_terms(own[0])]
         others = [e for side in (near, far) for e in walk(side) if e is not own[0]]
-        sums = [e for e in others if isinstance(e, Binary) and e.op in ("+", "-")]
+        sums = [e for e in others if is_binary(e, "+", "-")]
         if len(terms) == 2 and terms.count(Letter(name)) == 1 and not sums:
             return True
     return False
@@ -547,7 +544,7 @@ def _steps(link: Link, name: str) -> int:
 
 def _is_over_letters(term: Expression) -> bool:
     """Whether a term is a quotient with letters below: it is multiplied by these first."""
-    return isinstance(term, Binary) and term.op == "/" and bool(letters(term.right))
+    return is_binary(term, "/") and bool(letters(term.right))
 
 
 def _is_of_several_quotients(terms: Sequence[Expression], name: str) -> bool:
@@ -555,12 +552,12 @@ def _is_of_several_quotients(terms: Sequence[Expression], name: str) -> bool:
     quotients = [
         term
         for term in terms
-        if isinstance(term, Binary) and term.op == "/" and letters(term.right)
+        if is_binary(term, "/") and letters(term.right)
         if not _has(term, name)
     ]
     sums = (node for quotient in quotients for node in walk(quotient.left))
     several = len({write_expression(quotient.right) for quotient in quotients}) > 1
-    return several and any(isinstance(tree, Binary) and tree.op in ("+", "-") for tree in sums)
+    return several and any(is_binary(tree, "+", "-") for tree in sums)
 
 
 def _terms(tree: Expression) -> Iterator[Expression]:
@@ -581,8 +578,7 @@ def _has(tree: Expression, name: str) -> bool:
 def _brackets(term: Expression, name: str) -> int:
     """The sums in a product or a power that hold the unknown, or roots of numbers and letters."""
     return sum(
-        isinstance(node, Binary)
-        and node.op in ("+", "-")
+        is_binary(node, "+", "-")
         and (_has(node, name) or (_has(term, name) and _is_no_number(node)))
         for node in walk(term)
     )
@@ -595,10 +591,7 @@ def _is_no_number(tree: Expression) -> bool:
 
 
 def _stands_below(term: Expression, name: str) -> bool:
-    return any(
-        isinstance(node, Binary) and node.op == "/" and _has(node.right, name)
-        for node in walk(term)
-    )
+    return any(is_binary(node, "/") and _has(node.right, name) for node in walk(term))
 
 
 __all__ = ["multiplied_out"]

@@ -10,11 +10,12 @@ from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
-    Apply,
     Expression,
     Letter,
     Name,
     Quantity,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -125,10 +126,7 @@ def _unsquared(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[Ref, ...]:
         if isinstance(own, Meaning) or len(own.options) != 1:
             continue
         nodes = [node for tree in trees_of(own) for node in walk(tree)]
-        if any(
-            isinstance(node, Apply) and node.function == "sqrt" and symbol.name in letters(node)
-            for node in nodes
-        ):
+        if any(is_function(node, "sqrt") and symbol.name in letters(node) for node in nodes):
             return (ref,)
     return ()
 
@@ -296,8 +294,7 @@ def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
             for node in walk(side)
         ]
         about = any(
-            isinstance(node, Quantity)
-            and node.kind in ("velocity", "direction", "along", "across")
+            is_quantity(node, "velocity", "direction", "along", "across")
             and any(Name(body) in walk(node) for body in bodies)
             for node in nodes
         )

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Link, Move, Relation, Sign
+from restitution.explaining.lines.derivation import Link, Move, Relation, Sign, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Expression, Letter, walk
 from restitution.planning.writing.forms import ZERO, total, tree_of
@@ -58,7 +58,7 @@ def write_in_tangents(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[int, 
         number = number and scene.judge.write(moves, (number, *known), relation)
     value = quotient.monic().as_expr()
     value = sp.expand(value * sp.ilcm(1, *(sp.fraction(e)[1] for e in quotient.monic().coeffs())))
-    last = Relation(((Link(_in_tangent(value, symbol), "=", ZERO),),))
+    last = equality(_in_tangent(value, symbol), ZERO)
     number = number and scene.judge.write(_STEPS, (number, *known), last)
     if number is None:
         scene.desk.back(mark)

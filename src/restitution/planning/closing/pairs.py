@@ -14,9 +14,9 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Move, Relation, equality, numbers_in
 from restitution.explaining.lines.trees import statement_of
-from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.expression.tree import Apply, Binary, Expression, Letter, is_binary
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.ratios import inside_functions, inverse
 from restitution.planning.closing.shapes import close, with_known
@@ -312,7 +312,7 @@ def _as_multiple(scene: Scene, line: int, own: sp.Poly, place: int, subject: Exp
     tree = product(tree_of(multiple), subject)
     relation = chain(tree, (tree_of(tidy(-rest / size)), None))
     source = scene.desk.line(line)
-    first = [ref for ref in source.premises if isinstance(ref, int)]
+    first = numbers_in(source.premises)
     start = first[0] if source.move.id in ("rearrange", "cancel") and len(first) == 1 else line
     for number in (start, line):
         for move in (Move("rearrange"), Move("cancel")):
@@ -341,7 +341,7 @@ def _put_in(
         return False
     link = scene.desk.last_link(lines[1])
     left, right = (swept(_with(side, subject, tree_of(value))) for side in (link.left, link.right))
-    relation = Relation(((Link(left, "=", right),),))
+    relation = equality(left, right)
     put = _write(scene, Move("put"), (lines[1], expressed), relation)
     if put is None:
         return False
@@ -362,7 +362,7 @@ def _reduced(scene: Scene, line: int) -> int:
         for a, b in zip(sides, plain, strict=True)
     ):
         return line
-    relation = Relation(((Link(tree_of(tidy(plain[0])), "=", tree_of(tidy(plain[1]))),),))
+    relation = equality(tree_of(tidy(plain[0])), tree_of(tidy(plain[1])))
     for move in (Move("rearrange"), Move("cancel")):
         written = _write(scene, move, (line,), relation)
         if written is not None:
@@ -374,7 +374,7 @@ def _with(tree: Expression, subject: Expression, value: Expression) -> Expressio
     """A tree in which a value stands for a subject, also for the square of a product of it."""
     from restitution.explaining.lines.trees import rebuilt
 
-    base = subject.left if isinstance(subject, Binary) and subject.op == "^" else None
+    base = subject.left if is_binary(subject, "^") else None
 
     def change(tree: Expression) -> Expression:
         if tree == subject:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.expression.tree import Binary, Expression, Letter, Negate, walk
+from restitution.expression.tree import Binary, Expression, Letter, Negate, is_binary, walk
 from restitution.planning.closing.polynomial_trees import polynomial_tree
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
@@ -68,19 +68,16 @@ def _is_nested(term: Expression, name: str) -> bool:
         node
         for tree in sums
         for node in walk(tree)
-        if isinstance(node, Binary) and node.op == "/" and any(_is_sum(e, name) for e in walk(node))
+        if is_binary(node, "/") and any(_is_sum(e, name) for e in walk(node))
     ]
     return bool(quotients) and any(
-        isinstance(node, Binary)
-        and node.op == "*"
-        and _has(node.left, name)
-        and _has(node.right, name)
+        is_binary(node, "*") and _has(node.left, name) and _has(node.right, name)
         for node in walk(term)
     )
 
 
 def _is_sum(tree: Expression, name: str) -> bool:
-    return isinstance(tree, Binary) and tree.op in ("+", "-") and _has(tree, name)
+    return is_binary(tree, "+", "-") and _has(tree, name)
 
 
 def _has(tree: Expression, name: str) -> bool:

@@ -9,9 +9,18 @@ import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation, equality
 from restitution.explaining.lines.trees import exchanged, rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Letter, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    is_binary,
+    is_function,
+    letters,
+    walk,
+)
 from restitution.planning.closing.in_tangents import write_in_tangents
 from restitution.planning.closing.roots import by_roots, known_as
 from restitution.planning.formulas.impacts import residual, scene_value
@@ -170,7 +179,7 @@ def with_tangents(scene: Scene, number: int) -> int:
     """
     link = scene.desk.last_link(number)
     for side, other in ((link.left, link.right), (link.right, link.left)):
-        sines = {e for e in walk(side) if isinstance(e, Apply) and e.function == "sin"}
+        sines = {e for e in walk(side) if is_function(e, "sin")}
         if link.sign != "=" or len(sines) != 1:
             continue
         (sine,) = sines
@@ -320,7 +329,7 @@ def _homogeneous(scene: Scene, line: int, mixed: sp.Poly, symbol: sp.Symbol) -> 
     terms = {m: cancelled(k / common) for m, k in again.terms()}
     left = [(m, k) for m, k in terms.items() if scene.model.sign(k) > 0]
     right = [(m, -k) for m, k in terms.items() if scene.model.sign(k) < 0]
-    relation = Relation(((Link(_form(left, symbol), "=", _form(right, symbol)),),))
+    relation = equality(_form(left, symbol), _form(right, symbol))
     between = _with_the_sum_of_squares(scene, line, mixed, symbol)
     own = None
     if between is not None:
@@ -383,7 +392,7 @@ def _with_the_sum_of_squares(
         negative = sign * scene.model.sign(k) < 0
         part = [(m, -sign * k if negative else sign * k)]
         sides[negative].append(_form(part, symbol))
-    relation = Relation(((Link(total(sides[0]), "=", total(sides[1])),),))
+    relation = equality(total(sides[0]), total(sides[1]))
     return _identity(scene, line, "pythagoras", relation)
 
 
@@ -426,7 +435,7 @@ def _in_one_square(
         sides[negative].append(
             product(tree_of(-k if negative else k), *factors, *_power(own, same))
         )
-    relation = Relation(((Link(total(sides[0]), "=", total(sides[1])),),))
+    relation = equality(total(sides[0]), total(sides[1]))
     written = _identity(scene, line, "pythagoras", relation)
     if written is None:
         return None
@@ -586,10 +595,8 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
         node
         for side in (link.left, link.right)
         for node in walk(side)
-        if isinstance(node, Apply)
-        and node.function in ("sin", "cos", "tan")
-        and isinstance(node.argument, Binary)
-        and node.argument.op in ("+", "-")
+        if is_function(node, "sin", "cos", "tan")
+        and is_binary(node.argument, "+", "-")
         and symbol.name in letters(node.argument)
     ]
     if not sums:
@@ -606,9 +613,7 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
     terms = [(m, cancelled(k / common)) for m, k in mixed.terms()]
     left = [(m, tidy(k)) for m, k in terms if scene.model.sign(k) > 0]
     right = [(m, tidy(-k)) for m, k in terms if scene.model.sign(k) < 0]
-    relation = Relation(
-        ((Link(_form(left, symbol) if left else ZERO, "=", _form(right, symbol)),),)
-    )
+    relation = equality(_form(left, symbol) if left else ZERO, _form(right, symbol))
     between = _expanded(scene, line, sums, symbol)
     if between is not None and between != relation:
         # How the terms are gathered is seen where their sine and cosine have come in.

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, equality
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -399,7 +399,7 @@ def in_standard_form(
         relation = chain(squared, (tree_of(value, as_it_is=by_degrees), None))
     else:
         tree = polynomial_tree(_plain(scene, above, generator), subject)
-        relation = Relation(((Link(tree, "=", ZERO),),))
+        relation = equality(tree, ZERO)
     if scene.desk.relation(number) == relation:
         return number
     move = Move("rearrange")
@@ -481,12 +481,12 @@ def _in_factors(
     if root is not None:
         above, below = sp.fraction(root)
         once = _plain(scene, below * generator - above, generator)
-        relation = Relation(((Link(square(polynomial_tree(once, subject)), "=", ZERO),),))
+        relation = equality(square(polynomial_tree(once, subject)), ZERO)
     elif degrees in ([1, 1], [2, 2]):
         plain = [_plain(scene, factor, generator) for factor in factors]
         plain.sort(key=lambda value: (value.nth(0) != 0, value.LC() == 1, str(value.nth(0))))
         trees = [polynomial_tree(value, subject) for value in plain]
-        relation = Relation(((Link(product(*trees), "=", ZERO),),))
+        relation = equality(product(*trees), ZERO)
     else:
         return number
     names = symbol_names(residual(scene, number))

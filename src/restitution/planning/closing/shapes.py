@@ -14,7 +14,15 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Link,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    equality,
+    numbers_in,
+)
 from restitution.explaining.lines.trees import rebuilt, statement_of
 from restitution.expression.tree import (
     Apply,
@@ -23,6 +31,8 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     has_quantity,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -203,7 +213,7 @@ def _worked_out(
     scene: Scene, left: Expression, right: Expression
 ) -> list[tuple[Expression, MoveId]]:
     """The number that a ratio of an angle, or its square, is by a sum of numbers."""
-    base = left.left if isinstance(left, Binary) and left.op == "^" else left
+    base = left.left if is_binary(left, "^") else left
     if not isinstance(base, Apply) or letters(right) or has_quantity(right):
         return []
     value = tree_of(tidy(scene_value(scene, right)))
@@ -267,11 +277,7 @@ def _is_angle(scene: Scene, name: str) -> bool:
 
 
 def _is_ratio(tree: Expression) -> bool:
-    return (
-        isinstance(tree, Apply)
-        and tree.function in ("sin", "cos", "tan")
-        and isinstance(tree.argument, Letter)
-    )
+    return is_function(tree, "sin", "cos", "tan") and isinstance(tree.argument, Letter)
 
 
 def _with(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
@@ -311,7 +317,7 @@ def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Sou
 def _settled_letter(scene: Scene, letter: Letter, known: Source, final: Source) -> Source:
     """What a letter is by now, in a line of its own before that is put in."""
     whole = together(known.refs, final.refs)
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     relation = chain(letter, (tree_of(final.value), None))
     if len(lines) != 1 or scene.desk.last_link(lines[0]).left != letter:
         return Source(final.value, whole)
@@ -361,7 +367,7 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     squares = [_square_of(scene, side) for side in sides]
     if any(tree is None for tree in squares):
         return None
-    relation = Relation(((Link(squares[0], "=", squares[1]),),))  # type: ignore[arg-type]
+    relation = equality(squares[0], squares[1])  # type: ignore[arg-type]
     move = Move("rearrange")
     refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
     if refs is None:
@@ -378,8 +384,7 @@ def _by_one_root(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
 def _has_root(tree: Expression, symbol: sp.Symbol) -> bool:
     """Whether an unknown stands below a root, or in a vector of which the size is taken."""
     return any(
-        isinstance(node, Apply)
-        and node.function in ("sqrt", "abs")
+        is_function(node, "sqrt", "abs")
         and any(isinstance(x, Letter) and x.name == symbol.name for x in walk(node))
         for node in walk(tree)
     )
@@ -407,7 +412,7 @@ def _square_of(scene: Scene, tree: Expression) -> Expression | None:
 
 
 def _is_size(tree: Expression) -> bool:
-    return isinstance(tree, Apply) and tree.function in ("sqrt", "abs")
+    return is_function(tree, "sqrt", "abs")
 
 
 def _square_of_size(scene: Scene, tree: Expression) -> Expression | None:

@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Binary,
@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     children,
+    is_binary,
     is_zero,
     letters,
 )
@@ -101,7 +102,7 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     plain = all(_is_plain(atom) for atom in root.atoms(sp.Pow))
     if symbol in value.free_symbols or root.atoms(sp.Abs) or not plain:
         return None
-    squared = Relation(((Link(whole, "=", tree_of(value)),),))
+    squared = equality(whole, tree_of(value))
     mark = scene.desk.mark()
     own = (
         number
@@ -110,7 +111,7 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     )
     if own is None:
         return None
-    taken = in_another_form(scene, own, Relation(((Link(base, "=", tree_of(root)),),)))
+    taken = in_another_form(scene, own, equality(base, tree_of(root)))
     if taken is None and own != number and power != 2:
         scene.desk.back(mark)
         return None
@@ -162,7 +163,7 @@ def linear_factors(scene: Scene, number: int, symbol: sp.Symbol) -> list[sp.Expr
 
 def _sums(tree: Expression, name: str) -> Iterator[Expression]:
     """The smallest sums in which a letter stands."""
-    if not (isinstance(tree, Binary) and tree.op in ("+", "-")):
+    if not is_binary(tree, "+", "-"):
         for child in children(tree):
             yield from _sums(child, name)
         return
@@ -196,7 +197,7 @@ def _of_two_squares(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     left, right = (_root_of(side) for side in (link.left, link.right))
     if left is None or right is None:
         return None
-    relation = Relation(((Link(left, "=", swept(right)),),))
+    relation = equality(left, swept(right))
     if all(is_not_negative(scene, tree) for tree in (left, right)):
         taken = in_another_form(scene, number, relation)
         if taken is not None:
@@ -311,7 +312,7 @@ def _root_of(tree: Expression) -> Expression | None:
 
 
 def _is_square(tree: Expression) -> bool:
-    return isinstance(tree, Binary) and tree.op == "^" and tree.right == TWO
+    return is_binary(tree, "^") and tree.right == TWO
 
 
 def _replace(tree: Expression, other: Expression) -> Callable[[Expression], Expression]:

@@ -24,6 +24,8 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Quantity,
+    is_binary,
+    is_function,
     walk,
 )
 from restitution.planning.formulas.definitions import Formula
@@ -187,7 +189,7 @@ def _is_used(scene: Scene, source: Source) -> bool:
 
 def _is_root_of_roots(scene: Scene, tree: Expression) -> bool:
     """Whether a tree is the root of what has a root in it."""
-    if not isinstance(tree, Apply) or tree.function != "sqrt":
+    if not is_function(tree, "sqrt"):
         return False
     return _depth_of_roots(sp.sympify(scene.scalar(tree.argument), strict=True)) > 0
 
@@ -279,13 +281,9 @@ def _with_squares(
             put = _with_squares(scene, operand, symbol, squares)
             return None if put is None else Negate(put)
         case Binary(op, left, right) if op in "+-" or (
-            op in "*/" and (_is_sum(left) or _is_sum(right))
+            op in "*/" and (is_binary(left, "+", "-") or is_binary(right, "+", "-"))
         ):
             parts = [_with_squares(scene, tree, symbol, squares) for tree in (left, right)]
             return None if None in parts else Binary(op, *parts)  # type: ignore[arg-type]
     put_in = expanded(expanded(value).xreplace(squares))
     return None if symbol in put_in.free_symbols else tree_of(tidy(put_in))
-
-
-def _is_sum(tree: Expression) -> bool:
-    return isinstance(tree, Binary) and tree.op in "+-"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from restitution.explaining.following.follower import reader_of
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Move, Relation, equality
 from restitution.expression.tree import Letter
 from restitution.oracle import Oracle
 
@@ -35,7 +35,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         return None
     assert isinstance(user.relation, Relation)
     last = user.relation.only[-1]
-    relation = Relation(((Link(user.relation.only[0].left, "=", last.right),),))
+    relation = equality(user.relation.only[0].left, last.right)
     move = Move("combine", eliminated=letter)
     direct = replace(user, move=move, premises=line.premises, relation=relation)
     lines = tuple(

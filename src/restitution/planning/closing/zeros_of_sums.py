@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy_angle
 from restitution.explaining.lines.derivation import Move, Ref
-from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, walk
+from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter, is_binary, walk
 from restitution.oracle.roles import ACUTE
 from restitution.planning.closing.roots import known_as
 from restitution.planning.formulas.impacts import residual
@@ -61,9 +61,7 @@ def _is_acute(scene: Scene, symbol: sp.Basic) -> bool:
 
 
 def _is_of_a_sum(tree: Expression) -> bool:
-    return (
-        isinstance(tree, Apply) and isinstance(tree.argument, Binary) and tree.argument.op in "+-"
-    )
+    return isinstance(tree, Apply) and is_binary(tree.argument, "+", "-")
 
 
 def _sums(

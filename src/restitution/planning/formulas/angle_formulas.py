@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Unit,
+    is_quantity,
     is_zero,
     walk,
 )
@@ -86,7 +87,7 @@ def components_to_a_line(
         return along, across, ()
     if isinstance(line, Name) and _is_beside(scene, line, frame):
         return along, across, (f"wall {line.name}", f"wall {frame.wall}")
-    if isinstance(line, Quantity) and line.kind == "line_of_centres":
+    if is_quantity(line, "line_of_centres"):
         return across, along, ()
     if isinstance(line, Name) and (side := _by_another(scene, line, frame)) is not None:
         above, below = (along, across) if side == "across" else (across, along)
@@ -102,7 +103,7 @@ def angle_formula(scene: Scene, quantity: Quantity) -> Formula:
         return _angle_to_unit(scene, quantity, body, stage, line)
     if isinstance(line, Negate) and isinstance(line.operand, Unit):
         return _angle_to_unit(scene, quantity, body, stage, line.operand, sense=-1)
-    if isinstance(line, Quantity) and line.kind == "velocity":
+    if is_quantity(line, "velocity"):
         return _angle_between(scene, quantity)
     frame = _frame_of_line(scene, body, stage, line)
     above, below, walls = components_to_a_line(scene, body, stage, line)

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Expression,
     Quantity,
     children,
+    is_function,
     letters,
     walk,
 )
@@ -174,10 +175,7 @@ def _with_squares(scene: Scene, root: Expression) -> tuple[tuple[Expression, Mov
 def _has_roots_of_letters(tree: Expression) -> bool:
     """Whether a root of letters stands in it, below the root of the whole if it is one."""
     inside = tree.argument if isinstance(tree, Apply) else tree
-    return any(
-        isinstance(node, Apply) and node.function == "sqrt" and letters(node.argument)
-        for node in walk(inside)
-    )
+    return any(is_function(node, "sqrt") and letters(node.argument) for node in walk(inside))
 
 
 def _is_figure(value: Any) -> bool:
@@ -240,4 +238,4 @@ def _by_pythagoras(scene: Scene, own: Formula) -> bool:
 def _depth_of_roots(tree: Expression) -> int:
     """How many roots stand in one another in a tree."""
     below = max(map(_depth_of_roots, children(tree)), default=0)
-    return below + (isinstance(tree, Apply) and tree.function == "sqrt")
+    return below + is_function(tree, "sqrt")

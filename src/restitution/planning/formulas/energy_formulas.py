@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Move, Ref, numbers_in
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -386,7 +386,7 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         refs += [*own, *early.whole, *late.whole]
     move = Move("define", "energy-lost", event, scene.spheres(event))
     pool = together(refs)
-    axis = [ref for ref in frame.refs if isinstance(ref, int)] if 0 in frame.n else []
+    axis = numbers_in(frame.refs) if 0 in frame.n else []
     if axis:
         # Along i, or j, the velocities tell the same without the line that finds the axis.
         bare = tuple(ref for ref in pool if ref not in axis)

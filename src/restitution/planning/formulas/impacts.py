@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     letters,
+    unsigned,
     walk,
 )
 from restitution.planning.formulas.assembling import put_together
@@ -328,7 +329,7 @@ def _are_in_degrees(scene: Scene, *frames: Frame) -> bool:
     for frame in frames:
         fact = scene.facts.get(f"axis {frame.number}")
         right = None if fact is None else fact.relation.only[-1].right
-        axes.append(right.operand if isinstance(right, Negate) else right)
+        axes.append(unsigned(right))
     plain = all(isinstance(axis, Unit | Degrees) for axis in axes)
     return plain and any(isinstance(axis, Degrees) for axis in axes)
 

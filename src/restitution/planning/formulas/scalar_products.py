@@ -21,7 +21,9 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Quantity,
+    is_binary,
     letters,
+    unsigned,
 )
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import (
@@ -116,8 +118,8 @@ def _with_a_ratio(value: sp.Expr) -> Expression | None:
 
 def _is_over_a_root(tree: Expression) -> bool:
     """Whether a product is over the root that is the length of a direction: ``u/√2``."""
-    own = tree.operand if isinstance(tree, Negate) else tree
-    return isinstance(own, Binary) and own.op == "/" and isinstance(own.right, Apply)
+    own = unsigned(tree)
+    return is_binary(own, "/") and isinstance(own.right, Apply)
 
 
 def scalar_product(vector: Vector, direction: Vector) -> Expression:

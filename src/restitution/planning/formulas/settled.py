@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import (
-    Move,
-)
+from restitution.explaining.lines.derivation import Move, numbers_in
 from restitution.expression.tree import (
     Expression,
     Letter,
@@ -33,7 +31,7 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
         settled(scene, Letter(own.name))
         return known
     value, refs = scene.put(known.value)
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     if value == known.value or len(lines) != 1:
         return known
     (line,) = lines

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation, numbers_in
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -325,7 +325,7 @@ def _by_its_direction(
     axis = scene.facts.get(f"axis {frame.number}")
     if known is None or axis is None or axis.relation.only[0].right not in (_I, Negate(_I)):
         return None
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     meanings = [
         line.number
         for line in scene.desk.lines

@@ -24,6 +24,9 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -344,7 +347,7 @@ def squared_speed(scene: Scene, asked: Expression) -> Formula | None:
     if speed in scene.asked_alone or known_speed(scene, *body_and_stage(scene, speed)):
         return None
     own = speed_formula(scene, speed)
-    if not isinstance(own.right, Apply) or own.right.function != "sqrt":
+    if not is_function(own.right, "sqrt"):
         return None
     value = tidy(expanded(scene.scalar(own.right.argument)))
     return replace(own, quantity=asked, right=own.right.argument, value=value)
@@ -404,7 +407,7 @@ def _of_one_square(scene: Scene, tree: Expression) -> sp.Expr | None:
 
     A square of roots of letters is multiplied out, as a reader cannot see what it is the square of.
     """
-    if not isinstance(tree, Binary) or tree.op != "^":
+    if not is_binary(tree, "^"):
         return None
     base = scene.scalar(tree.left)
     sign = proved_sign(scene.model.ground, base) if base.free_symbols else None
@@ -436,7 +439,7 @@ def component_formula(scene: Scene, quantity: Quantity) -> Formula:
     own = parts(scene, body, stage, frame)
     shares = [tidy(vector.dot(unit)) for vector in (frame.n, frame.t)]
     axis: tuple[Ref, ...] = ()
-    if isinstance(direction, Quantity) and direction.kind == "line_of_centres" and -1 in shares:
+    if is_quantity(direction, "line_of_centres") and -1 in shares:
         axis = _as_in_the_statement(scene, direction, wanted)
     elif isinstance(direction, Quantity) and isinstance(frame.along, Unit):
         axis = frame.refs

@@ -5,8 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity, letters, walk
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, numbers_in
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Quantity,
+    is_quantity,
+    letters,
+    walk,
+)
 from restitution.planning.angles.angle_sums import write_tangent_of_two
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import (
@@ -34,7 +43,7 @@ def is_of_two_angles(tree: Expression) -> bool:
     match tree:
         case Binary("+" | "-", left, right):
             sides = (left, right)
-            moving = [e for e in sides if isinstance(e, Quantity) and e.kind == "angle"]
+            moving = [e for e in sides if is_quantity(e, "angle")]
             return bool(moving) and all(isinstance(e, Letter) or e in moving for e in sides)
     return False
 
@@ -57,7 +66,7 @@ def made_of_two(scene: Scene, asked: Quantity) -> tuple[int, tuple[int, ...]] | 
             line = made_of_angles(scene, turn, chain(Letter(letter), (angle, None)), ())
             if line is not None:
                 refs = (ref for term in terms for ref in term.refs)
-                return line, tuple(ref for ref in refs if isinstance(ref, int))
+                return line, tuple(numbers_in(refs))
         scene.desk.back(mark)
     return None
 

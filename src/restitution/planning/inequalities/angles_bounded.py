@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Fact, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Apply, Degrees, Quantity
+from restitution.expression.tree import Apply, Degrees, Quantity, is_function
 from restitution.planning.angles.turn_lines import meeting
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import NotPlannedError
@@ -30,7 +30,7 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
     try:
         line = worths.angle(angle)
         own = worths.scene.desk.last_link(line)
-        if not isinstance(own.left, Apply) or own.left.function != "tan":
+        if not is_function(own.left, "tan"):
             raise NotPlannedError("an angle without a tangent")
         line, letter, extent = worths.lettered(line, own.left.argument)
     except NotPlannedError:

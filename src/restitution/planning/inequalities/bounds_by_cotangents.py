@@ -7,7 +7,15 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Fact,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    equality,
+)
 from restitution.expression.tree import Apply, Binary, Letter, Quantity
 from restitution.planning.closing.cotangents import write_ratio_of
 from restitution.planning.formulas.angle_formulas import deflection_formula
@@ -90,13 +98,13 @@ def _cotangent_of_deflection(worths: Worths, angle: Quantity, letter: str, let: 
     value = tidy(1 / own.value)
     known = worths.known_in(value)
     pool = [*own.refs, let]
-    first = Relation(((Link(cotangent, "=", swept(Binary("/", below, above))),),))
+    first = equality(cotangent, swept(Binary("/", below, above)))
     line = worths.judge.write((own.move,), [*pool, *known], first)
     if line is None:
         return None
     # A root below stays there: (8 - k)/(3√3 k).
     top, bottom = (tree_of(value) for value in sp.fraction(own.value)[::-1])
-    last = Relation(((Link(cotangent, "=", swept(Binary("/", top, bottom))),),))
+    last = equality(cotangent, swept(Binary("/", top, bottom)))
     moves = (Move("rearrange"), Move("cancel"))
     return worths.judge.write(moves, [line, *known], last) or line
 

@@ -10,7 +10,15 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.following.trials import names_in
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Link,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    numbers_in,
+)
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -18,6 +26,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    is_binary,
     is_zero,
     letters,
     walk,
@@ -236,9 +245,9 @@ class ClaimLines:
         refs = {ref for condition in conditions for ref in self.scene.desk.under(condition)}
         return [
             ref
-            for ref in sorted(ref for ref in refs if isinstance(ref, int))
+            for ref in sorted(numbers_in(refs))
             if any(
-                isinstance(node, Binary) and node.op == "/" and letter in walk(node.right)
+                is_binary(node, "/") and letter in walk(node.right)
                 for tree in self._trees(ref)
                 for node in walk(tree)
             )

@@ -10,7 +10,15 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves import MOST_COMPARED
-from restitution.expression.tree import Apply, Degrees, Expression, Letter, Quantity, letters
+from restitution.expression.tree import (
+    Apply,
+    Degrees,
+    Expression,
+    Letter,
+    Quantity,
+    is_quantity,
+    letters,
+)
 from restitution.oracle.roles import ACUTE
 from restitution.planning.inequalities.angle_inequalities import (
     write_by_a_right_angle,
@@ -264,7 +272,7 @@ class Claims(Eliminated):
             mark = self.worths.mark()
             line = (
                 self.worths.angle(opened)
-                if isinstance(opened, Quantity) and opened.kind in ("angle", "deflection")
+                if is_quantity(opened, "angle", "deflection")
                 else self.worths.worth(opened)
             )
             if line is None:

@@ -6,8 +6,24 @@ from collections.abc import Callable, Iterator, Sequence
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Apply, Binary, Expression, Letter, is_zero, letters
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+    equality,
+)
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    is_function,
+    is_zero,
+    letters,
+)
 from restitution.planning.inequalities.claims_in_stages import InStages
 from restitution.planning.inequalities.gaps import write_difference
 from restitution.planning.inequalities.letter_ties import is_letter_or_square
@@ -246,7 +262,7 @@ class Eliminated(InStages):
         if value.free_symbols or not refs:
             return None
         line = next((ref for ref in refs if isinstance(ref, int)), None)
-        equation = Relation(((Link(tangent, "=", tree_of(value)),),))
+        equation = equality(tangent, tree_of(value))
         number = self.judge.standing(equation)
         if number is None and line is not None:
             number = self.judge.write((Move("triangle"), Move("put")), refs, equation)
@@ -351,7 +367,7 @@ def _of_the_tangent(relation: Relation) -> Relation | None:
         return None
     sides = {side for link in relation.only for side in (link.left, link.right)}
     angles = {side for side in sides if isinstance(side, Letter)}
-    arcs = {side for side in sides if isinstance(side, Apply) and side.function == "arctan"}
+    arcs = {side for side in sides if is_function(side, "arctan")}
     if len(angles) != 1 or not arcs or sides != angles | arcs:
         return None
 

@@ -7,7 +7,15 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+    equality,
+)
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Binary,
@@ -173,7 +181,7 @@ class Comparison:
         rest = self.judge.known(names - set(several))
         sides = relation.only[0]
         subject, value = (sides.left, values[0]) if values[1] == 0 else (sides.right, values[1])
-        equation = Relation(((Link(subject, "=", tree_of(value)),),))
+        equation = equality(subject, tree_of(value))
         named = self.judge.write((Move("put"), Move("rearrange")), lines, equation) or line
         pool = [named, *lines, *products, *rest]
         written = self.judge.write((Move("compare"),), pool, relation)
@@ -239,7 +247,7 @@ class Comparison:
         value, refs = self.scene.put(own.value)
         if value == own.value:
             return own.refs
-        relation = Relation(((Link(Letter(symbol.name), "=", tree_of(value)),),))
+        relation = equality(Letter(symbol.name), tree_of(value))
         line = self.judge.write((Move("put"),), (*own.refs, *refs), relation)
         return source.refs if line is None else (line,)
 

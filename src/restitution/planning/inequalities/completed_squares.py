@@ -7,7 +7,16 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Quantity, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Quantity,
+    is_function,
+    is_quantity,
+    letters,
+    walk,
+)
 from restitution.oracle.roles import Role
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.definitions import Formula
@@ -40,7 +49,7 @@ def write_completed(claims: Comparing, line: int, relation: Relation) -> int | N
     neither end least, or letters stand beside it in the sum.
     """
     speed = claims.scene.desk.last_link(line).left
-    if not isinstance(speed, Quantity) or speed.kind != "speed":
+    if not is_quantity(speed, "speed"):
         return None
     first, *more = relation.only
     if not more and (first.left != speed or first.sign[0] != "<"):
@@ -135,7 +144,7 @@ def _shows(claims: Comparing, line: int, symbol: sp.Symbol) -> bool:
 def _square_of(claims: Comparing, speed: Quantity, own: Formula, whole: Expression) -> int | None:
     """The line of the square of a speed as a square plus a constant, perhaps from one above."""
     right = swept(own.right)
-    if isinstance(right, Apply) and right.function == "sqrt":
+    if is_function(right, "sqrt"):
         sides = chain(square(speed), (right.argument, None), (whole, "rearrange"))
         line = claims.judge.write((own.move,), own.refs, sides, own.refs)
         if line is not None:

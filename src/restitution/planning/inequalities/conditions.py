@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
     is_zero,
     letters,
     walk,
@@ -157,7 +158,7 @@ class Conditions:
             towards = write_towards(self.worths, fact, wanted)
             if towards is None:
                 return None
-            of_a_product = isinstance(wanted, Binary) and wanted.op == "*"
+            of_a_product = is_binary(wanted, "*")
             # A product that is to be shown is bounded as it stands.
             done = towards[1] == "!=" or of_a_product
             return towards[0] if done else self.finished(*towards, wanted)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Relation, numbers_in
 from restitution.expression.tree import letters
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import Desk
@@ -35,7 +35,7 @@ def write_shown(worths: Worths, fact: Fact) -> int | None:
 def _says(desk: Desk, number: int, fact: Fact) -> bool:
     """Whether a line is another form of the one that is written by a fact."""
     while desk.line(number).move.id in _FORMS:
-        above = [ref for ref in desk.line(number).premises if isinstance(ref, int)]
+        above = numbers_in(desk.line(number).premises)
         if len(above) != 1:
             return False
         (number,) = above

@@ -20,6 +20,8 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    is_function,
+    is_quantity,
     letters,
 )
 from restitution.planning.formulas.turns import velocities_of
@@ -494,7 +496,7 @@ class _Extremum:
             n
             for n in lines
             if len(self.scene.desk.relation(n).options) == 1
-            and _is_time(self.scene.desk.last_link(n).left)
+            and is_quantity(self.scene.desk.last_link(n).left, "time")
         ]
 
     def _places(self, line: int) -> Iterator[Link]:
@@ -635,7 +637,7 @@ class _Extremum:
         if not self.least or self.angle:
             return False
         right = self.scene.desk.last_link(line).right
-        inside = right.argument if isinstance(right, Apply) and right.function == "sqrt" else right
+        inside = right.argument if is_function(right, "sqrt") else right
         own = [term for term in outer_terms(inside) if self.symbol.name in letters(term)]
         match own:
             case [Binary("^", Binary("+" | "-"), Number(Fraction(numerator=2, denominator=1)))]:
@@ -675,10 +677,6 @@ class _Extremum:
             return None
         desk.lines[line - 1] = replace(own, premises=refs, relation=first)
         return own
-
-
-def _is_time(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "time"
 
 
 def _is_angle(tree: Expression) -> bool:

@@ -11,9 +11,25 @@ from restitution.components.verdicts import proved_sign
 from restitution.errors import StatementError
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+    equality,
+)
 from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.tree import Apply, Binary, Expression, Number, Quantity, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Number,
+    Quantity,
+    is_function,
+    walk,
+)
 from restitution.planning.angles.turn_lines import meeting
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
@@ -40,7 +56,7 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
         own: sp.Expr | None = None
         if bound is not None:
             own = scene_value(scene, bound[1])
-        elif isinstance(whole.left, Apply) and whole.left.function == "tan":
+        elif is_function(whole.left, "tan"):
             turn = _bound(link, whole.left.argument)
             own = None if turn is None else tidy(sp.tan(scene_value(scene, turn[1])))
         if own is None or own.has(sp.zoo):
@@ -73,7 +89,7 @@ def _is_monotone(scene: Scene, product: sp.Expr, symbol: sp.Symbol) -> bool:
 
 def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:
     """Whether a value is what is left of a sum, or of its root, without one of the squares."""
-    if isinstance(tree, Apply) and tree.function == "sqrt":
+    if is_function(tree, "sqrt"):
         tree, value = tree.argument, value**2
     for term in walk(tree):
         match term:
@@ -129,7 +145,7 @@ def write_difference(claims: Comparing, line: int, relation: Relation) -> int | 
     for form in sorted(_forms(gap), key=_mixed):
         if start is None or not _is_signed(scene, form):
             continue
-        equation = Relation(((Link(Binary("-", *sides), "=", tree_of(form)),),))
+        equation = equality(Binary("-", *sides), tree_of(form))
         difference = claims.judge.write(_TO_FORM, [start, *known], equation)
         if difference is None:
             continue
@@ -165,7 +181,7 @@ def _squared_line(claims: Comparing, line: int) -> int | None:
             return claims.worths.squared(whole.left)
         case Apply("tan"):
             worth = _squared(claims.scene, whole.right)
-            relation = Relation(((Link(square(whole.left), "=", worth),),))
+            relation = equality(square(whole.left), worth)
             positive = Relation(((Link(whole.left, ">", ZERO),),))
             signed = claims.compared([line, *meeting(claims.scene)], positive)
             if signed is None:

@@ -11,7 +11,15 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+    equality,
+)
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -22,6 +30,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_function,
     letters,
     walk,
 )
@@ -167,7 +176,7 @@ class Ties:
         if not numbers:
             return line
         put = tree_of(tidy(right.xreplace(numbers)))
-        relation = Relation(((Link(link.left, "=", put),),))
+        relation = equality(link.left, put)
         return self.judge.write((Move("put"),), [line, *refs], relation) or line
 
     def shown_by(self, ref: Ref) -> int | None:
@@ -244,7 +253,7 @@ class Ties:
             if form is None:
                 continue
             generator, value = form
-            relation = Relation(((Link(generator, "=", tree_of(value)),),))
+            relation = equality(generator, tree_of(value))
             if scene.desk.relation(line) == relation:
                 return line
             known = self.judge.known(symbol_names(whole))
@@ -278,7 +287,7 @@ class Ties:
         known = self.judge.known(symbol_names(whole))
         moves = (Move("rearrange"), Move("cancel"))
         standard = self.judge.write(moves, [start, *known], _standard_form(polynomials, symbol))
-        relation = Relation(((Link(product(*trees), "=", ZERO),),))
+        relation = equality(product(*trees), ZERO)
         return self.judge.write(moves, [standard or start, *known], relation)
 
     def _gathered(self, line: int, symbol: sp.Symbol) -> int:
@@ -304,7 +313,7 @@ class Ties:
         form = isolated(self.scene, expanded(x), symbol)
         if form is None or form[0] != Letter(letter):
             return None
-        relation = Relation(((Link(form[0], "=", tree_of(form[1])),),))
+        relation = equality(form[0], tree_of(form[1]))
         pool = [line, *self.worths.known_in(x)]
         return self.judge.write((Move("rearrange"), Move("cancel")), pool, relation)
 
@@ -438,7 +447,7 @@ def is_letter_or_square(tree: Expression) -> bool:
 
 def _has_root(relation: Relation) -> bool:
     return any(
-        isinstance(node, Apply) and node.function == "sqrt" and bool(letters(node))
+        is_function(node, "sqrt") and bool(letters(node))
         for links in relation.options
         for link in links
         for side in (link.left, link.right)
@@ -451,4 +460,4 @@ def _standard_form(factors: Sequence[sp.Poly], symbol: sp.Symbol) -> Relation:
     a, b, c = (expanded(coefficient) for coefficient in (factors[0] * factors[1]).all_coeffs())
     letter = Letter(symbol.name)
     powers = (product(tree_of(a), square(letter)), product(tree_of(b), letter), tree_of(c))
-    return Relation(((Link(total(powers), "=", ZERO),),))
+    return equality(total(powers), ZERO)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, equality
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
@@ -97,7 +97,7 @@ def write_quotient(
     if a.free_symbols and b.free_symbols:
         # A root of a product is not that of its factors: both are as in the square.
         rest = total((product(tree_of(2), *roots), tree_of(d)))
-    squared = Relation(((Link(Letter(name), "=", total((Binary("/", gap, own), rest))),),))
+    squared = equality(Letter(name), total((Binary("/", gap, own), rest)))
     texts = [ref for ref in known if ref not in scene.facts]
     complete = judge.write((Move("complete"),), [let, *texts], squared)
     if complete is None:

@@ -17,6 +17,8 @@ from restitution.expression.tree import (
     Letter,
     Quantity,
     has_quantity,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -103,10 +105,10 @@ def _of_a_turn(
     has no root.
     """
     scene = claims.scene
-    if not isinstance(asked, Quantity) or asked.kind != "deflection":
+    if not is_quantity(asked, "deflection"):
         return None
     nodes = {n for link in relation.only for e in (link.left, link.right) for n in walk(e)}
-    rooted = any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes)
+    rooted = any(is_function(node, "sqrt") for node in nodes)
     if not (rooted or _ends_at_a_right_angle(relation) or _is_at_a_slanting_wall(scene, asked)):
         return None
     if Apply("tan", asked) in scene.asked or _has_its_tangent(scene, asked):
@@ -368,7 +370,7 @@ _ARCS = {"arcsin", "arccos", "arctan"}
 
 def _as(claims: Claims, inverse: Apply, side: Expression) -> Expression:
     """An end of a range that is an inverse tangent as the other inverse ratio that it is."""
-    if not isinstance(side, Apply) or side.function != "arctan":
+    if not is_function(side, "arctan"):
         return side
     tangent, ratio = (claims.worths.value(tree) for tree in (side.argument, inverse.argument))
     hypotenuse = sp.sqrt(1 + tangent**2)

@@ -8,13 +8,23 @@ import sympy as sp
 
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Fact,
+    Link,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+    equality,
+)
 from restitution.expression.tree import (
     Apply,
     Expression,
     Letter,
     Quantity,
     has_quantity,
+    is_function,
     letters,
 )
 from restitution.planning.angles.quantities import formula
@@ -52,10 +62,10 @@ def write_speeds(worths: Worths, fact: Fact, link: Link, sign: Sign, x: sp.Expr)
                     continue
                 own = formula(worths.scene, side)
                 right = swept(own.right)
-                root = isinstance(right, Apply) and right.function == "sqrt"
+                root = is_function(right, "sqrt")
                 subject = square(own.left) if root else own.left
                 radicand = right.argument if isinstance(right, Apply) and root else right
-                relation = Relation(((Link(subject, "=", radicand),),))
+                relation = equality(subject, radicand)
                 line = worths.judge.write((own.move,), own.refs, relation, own.refs)
                 if line is None:
                     worths.back(mark)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Move, Relation
-from restitution.expression.tree import Apply, Binary, Letter
+from restitution.expression.tree import Apply, Binary, Letter, is_function
 from restitution.planning.angles.turn_lines import tangent_of
 from restitution.planning.formulas.turns import Form
 from restitution.planning.writing.desk import chain
@@ -24,7 +24,7 @@ def write_tangent_of_a_sum(scene: Scene, relation: Relation, tangents: Sequence[
         side: side.argument
         for link in relation.only
         for side in (link.left, link.right)
-        if isinstance(side, Apply) and side.function == "tan" and isinstance(side.argument, Binary)
+        if is_function(side, "tan") and isinstance(side.argument, Binary)
     }
     if len(subjects) != 1:
         return None

@@ -11,7 +11,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -23,6 +23,9 @@ from restitution.expression.tree import (
     Quantity,
     children,
     has_quantity,
+    is_binary,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -115,7 +118,7 @@ class Worths:
             return line, angle, ()
         name, let = self.letter_for(angle)
         tangent = Apply("tan", Letter(name))
-        relation = Relation(((Link(tangent, "=", desk.last_link(line).right),),))
+        relation = equality(tangent, desk.last_link(line).right)
         # The line above is printed with the letter, too.
         number = self.judge.write(NAMED, [line, let], relation, shown="silent")
         if number is None:
@@ -130,8 +133,7 @@ class Worths:
     def _extent(name: str, angle: Quantity) -> str:
         """What is known of an angle of the motion, as a premise says it."""
         lined = angle.kind == "angle" and any(
-            isinstance(argument, Name)
-            or (isinstance(argument, Quantity) and argument.kind == "line_of_centres")
+            isinstance(argument, Name) or is_quantity(argument, "line_of_centres")
             for argument in angle.arguments
         )
         return f"0° <= {name} <= {90 if lined else 180}°"
@@ -255,7 +257,7 @@ class Worths:
                 line = self._tangent(Apply("tan", Letter(own.letter)))
                 if line is not None:
                     value = self.scene.desk.last_link(line).right
-                    relation = Relation(((Link(Apply("tan", angle), "=", value),),))
+                    relation = equality(Apply("tan", angle), value)
                     return self.judge.write(NAMED, [line, other.number], relation)
         return None
 
@@ -380,7 +382,7 @@ class Worths:
         if value == known:
             return None, known
         own = tree_of(value, angle=not isinstance(value, Vector) and is_angle(self.scene, left))
-        relation = Relation(((Link(left, "=", own),),))
+        relation = equality(left, own)
         return self.judge.write((Move("put"),), [*refs, *more], relation), value
 
     def _is_its_letter(self, quantity: Quantity, own: Formula) -> bool:
@@ -430,14 +432,14 @@ class Worths:
         """An expression and its value, by a move from the lines of its quantities, if so."""
         value = tidy(sp.sympify(self.scene.put(self.scene.scalar(tree))[0], strict=True))
         names = symbol_names(value) & set(roles(self.scene.problem))
-        relation = Relation(((Link(tree, "=", tree_of(value)),),))
+        relation = equality(tree, tree_of(value))
         line = self.judge.write((move,), [*refs, *self.judge.known(names)], relation)
         if line is not None:
             return line
         values = [self.scene.desk.last_link(ref).right for ref in refs]
         if move.id != "divide":
             return None
-        middle = Relation(((Link(tree, "=", Binary("/", *values)),),))
+        middle = equality(tree, Binary("/", *values))
         line = self.judge.write((move,), refs, middle)
         if line is None:
             return None
@@ -456,7 +458,7 @@ class Worths:
         final = tree_of(tidy(own.value**2))
         standing = self._worked_out(speed)
         if standing is not None:
-            relation = Relation(((Link(left, "=", final),),))
+            relation = equality(left, final)
             known = self.judge.known(letters(right))
             line = self.judge.write((Move("rearrange"),), (standing, *known), relation)
             if line is not None:
@@ -502,11 +504,7 @@ def _is_divided(tree: Expression) -> bool:
     match tree:
         case Binary("/", _, below):
             return any(
-                isinstance(term, Binary) and term.op == "/" and _is_tangent(term.right)
+                is_binary(term, "/") and is_function(term.right, "tan")
                 for term in outer_terms(below)
             )
     return False
-
-
-def _is_tangent(tree: Expression) -> bool:
-    return isinstance(tree, Apply) and tree.function == "tan"

@@ -6,7 +6,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import Move
+from restitution.explaining.lines.derivation import Move, numbers_in
 from restitution.expression.tree import AtTime, Binary, Expression, Name, Quantity, Unit
 from restitution.planning.formulas.whereabouts import are_apart, last_move, standing, without_walls
 from restitution.planning.journeys.distances import distance, sized
@@ -88,7 +88,7 @@ def write(scene: Scene, asked: Expression) -> tuple[int, Any]:
         case _:
             raise NotPlannedError("no plan for a place of that kind")
     _check(scene, asked, source.value)
-    lines = [ref for ref in source.refs if isinstance(ref, int)]
+    lines = numbers_in(source.refs)
     if not lines:
         raise NotPlannedError("what is asked is given")
     if len(lines) > 1:

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, equality
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -124,7 +124,7 @@ def place_on_a_level(
     sides = (own, height) if axis == "i" else (height, own)
     radius, more = scene.put(scene.scalar(circle[1]))
     left = own if across == 0 else total(sides)
-    fact = Relation(((Link(swept(left), "=", square(tree_of(radius))),),))
+    fact = equality(swept(left), square(tree_of(radius)))
     line = scene.judge.write((Move("fact"),), (f"contact {number}", let, *level.refs, *more), fact)
     values = [tidy(scene.put(value)[0]) for value in (x, 2 * middle - x)]
     known = background(scene, symbol_names(*values, y))

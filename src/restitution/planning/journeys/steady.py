@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Move, Ref
-from restitution.expression.tree import Expression, Name, Quantity, walk
+from restitution.expression.tree import Expression, Name, Quantity, is_quantity, walk
 from restitution.planning.formulas.whereabouts import (
     last_move,
     standing,
@@ -215,7 +215,7 @@ def _times_wanted(scene: Scene) -> set[int]:
         node.stage
         for tree in trees
         for node in walk(tree)
-        if isinstance(node, Quantity) and node.kind == "time" and isinstance(node.stage, int)
+        if is_quantity(node, "time") and isinstance(node.stage, int)
     }
 
 

@@ -8,7 +8,7 @@ from itertools import combinations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.expression.tree import Name, Quantity, walk
+from restitution.expression.tree import Name, Quantity, is_quantity, walk
 from restitution.planning.angles.deflections import turned_at_a_wall
 from restitution.planning.axes.given_momenta import write_masses
 from restitution.planning.closing.pairs import close_two
@@ -96,7 +96,7 @@ class Closing(ByLaws):
         """Whether a fact gives the place of a body."""
         given = self.equations.givens.get(own.id)
         return given is not None and any(
-            isinstance(node, Quantity) and node.kind == "position" for node in walk(given.link.left)
+            is_quantity(node, "position") for node in walk(given.link.left)
         )
 
     def _after_walls(self) -> frozenset[sp.Symbol]:

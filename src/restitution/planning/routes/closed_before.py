@@ -8,7 +8,7 @@ import sympy as sp
 
 from restitution.explaining.following.trials import names_in
 from restitution.explaining.lines.derivation import Move, Relation
-from restitution.expression.tree import Apply, has_quantity, letters, walk
+from restitution.expression.tree import has_quantity, is_function, letters, walk
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.solving.story.letters import roles
@@ -31,7 +31,7 @@ def closed_before(scene: Scene, given: GivenEquation, open_: AbstractSet[sp.Symb
         sides = [side for link in own.only for side in (link.left, link.right)]
         names = {name for side in sides for name in letters(side)}
         nodes = [node for side in sides for node in walk(side)]
-        rooted = any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes)
+        rooted = any(is_function(node, "sqrt") for node in nodes)
         if rooted or not names <= known or any(map(has_quantity, sides)):
             continue
         if given.fact.id not in desk.under(line.number):

@@ -3,7 +3,15 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Binary, Expression, Name, Quantity, letters, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Quantity,
+    is_quantity,
+    letters,
+    walk,
+)
 from restitution.planning.formulas.fractions_lost import fraction_lost
 from restitution.planning.formulas.velocity_formulas import squares
 from restitution.planning.writing.desk import chain, together
@@ -28,11 +36,7 @@ def write_share_of_energy(scene: Scene, equation: GivenEquation, left: Quantity)
 
 def _other_energy(equation: GivenEquation) -> tuple[Quantity, Expression] | None:
     """The one energy on the right of a given equation, and its factor; None without one."""
-    others = [
-        node
-        for node in walk(equation.link.right)
-        if isinstance(node, Quantity) and node.kind == "energy"
-    ]
+    others = [node for node in walk(equation.link.right) if is_quantity(node, "energy")]
     if len(others) != 1:
         return None
     factor = product_without(equation.link.right, others[0])

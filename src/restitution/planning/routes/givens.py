@@ -22,6 +22,8 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -163,7 +165,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         if own.left.kind == "velocity":
             return _velocity(scene, each)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
-            if any(isinstance(e, Quantity) and e.kind == "position" for e in walk(own.left)):
+            if any(is_quantity(e, "position") for e in walk(own.left)):
                 return write_given_place(scene, each)
             return _component(scene, each)
         if own.left.kind == "impulse" and own.left.arguments:
@@ -192,7 +194,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
             return _tangent(scene, each, cosine_of_deflection(scene, angle))
         case Quantity("angle" | "deflection"):
-            if isinstance(own.right, Quantity) and own.right.kind in ("angle", "deflection"):
+            if is_quantity(own.right, "angle", "deflection"):
                 return write_equal_angles(scene, each)
     return _of_several(scene, each)
 
@@ -229,9 +231,7 @@ def _size(scene: Scene, equation: GivenEquation, size: Apply) -> int:
     root, refs = _root_of_size(scene, size)
     right = equation.link.right
     if has_quantity(right):
-        others = [
-            node for node in walk(right) if isinstance(node, Apply) and node.function == "abs"
-        ]
+        others = [node for node in walk(right) if is_function(node, "abs")]
         factor = product_without(right, others[0]) if len(others) == 1 else None
         if factor is None or has_quantity(factor):
             raise NotPlannedError("a size as a multiple of another quantity")
@@ -294,7 +294,7 @@ def _of_named_angle(scene: Scene, equation: GivenEquation, line: int) -> int | N
             quantity = scene.facts[f"let {name}"].relation.only[0].left
         case _:
             return None
-    if not isinstance(quantity, Quantity) or quantity.kind != "angle" or not letters(right):
+    if not is_quantity(quantity, "angle") or not letters(right):
         return None
     own = formula(scene, quantity)
     if own.move.record != "tan":
@@ -317,7 +317,7 @@ def _closed(scene: Scene, equation: GivenEquation, own: Formula) -> int:
         return _right_angle(scene, equation, own)
     if own.move.record == "tan" and _of_open_sense(scene, own):
         return _squared_tangent(scene, equation, own, value, refs)
-    plain = isinstance(left, Apply) and left.function == "arctan"
+    plain = is_function(left, "arctan")
     if plain and own.move.record == "tan-direction":
         relation = chain(left.argument, (swept(own.right), None))  # type: ignore[union-attr]
     elif own.move.record == "tan":
@@ -522,7 +522,7 @@ def _of_two_speeds(scene: Scene, equation: GivenEquation, left: Quantity) -> int
     others = [
         node
         for node in walk(equation.link.right)
-        if isinstance(node, Quantity) and node.kind == "speed" and isinstance(node.stage, int)
+        if is_quantity(node, "speed") and isinstance(node.stage, int)
     ]
     if len(others) != 1 or not isinstance(left.stage, int):
         return None
@@ -674,7 +674,7 @@ def _of_several(scene: Scene, equation: GivenEquation) -> int:
             refs.append(number)
 
     left, right = (swept(exchanged(side, values)) for side in (own.left, own.right))
-    if any(isinstance(node, Quantity) and node.kind == "position" for node in walk(left)):
+    if any(is_quantity(node, "position") for node in walk(left)):
         return write_given_place(scene, equation)
     relation = chain(left, (right, None))
     whole = together(equation.refs, refs)

@@ -9,7 +9,15 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Fact,
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    numbers_in,
+)
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -21,6 +29,8 @@ from restitution.expression.tree import (
     Quantity,
     children,
     has_quantity,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -60,9 +70,9 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
 
     Raises NotPlannedError where there is no plan for it.
     """
-    if isinstance(asked, Quantity) and asked.kind == "velocity" and write_by_momentum(scene, asked):
+    if is_quantity(asked, "velocity") and write_by_momentum(scene, asked):
         solver.take_velocity(asked)
-    if isinstance(asked, Quantity) and asked.kind == "speed":
+    if is_quantity(asked, "speed"):
         by_energy = speed_by_given_energy(scene, asked)
         if by_energy is not None:
             scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
@@ -233,7 +243,7 @@ def _is_letter_of_angle(scene: Scene, asked: Expression) -> bool:
 def _closed_angle(scene: Scene, asked: Expression, line: int, angle: sp.Expr) -> int | None:
     """The line of an angle that is known by its ratio: what is known is put into that first."""
     own = scene.desk.line(line)
-    ratios = [premise for premise in own.premises if isinstance(premise, int)]
+    ratios = numbers_in(own.premises)
     if own.move.id != "inverse" or not isinstance(asked, Letter) or len(ratios) != 1:
         return None
     link = scene.desk.last_link(ratios[0])
@@ -365,7 +375,7 @@ def _by_its_given_ratio(scene: Scene, letter: str) -> Source | None:
 
 def _line_of(scene: Scene, asked: Expression, known: Source) -> int:
     """The line that gives a value; what is asked though it is given has one of its own."""
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     if len(lines) == 1:
         return lines[0]
     relation = chain(asked, (tree_of(known.value), None))
@@ -404,7 +414,7 @@ def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
             scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
             return
     relation = chain(asked, (tree_of(value), None))
-    lines = [ref for ref in refs if isinstance(ref, int)]
+    lines = numbers_in(refs)
     first, *rest = lines
     several = len(scene.desk.relation(first).options) > 1
     move = Move("put") if rest or several else Move("rearrange")
@@ -420,7 +430,7 @@ def _of_letters(scene: Scene, solver: Solver, asked: Expression, name: str) -> N
         line = scene.desk.write(Move("put"), premises, relation)
         scene.desk.end(name, line, chain(asked, (tree_of(value), None)))
         return
-    is_size = isinstance(asked, Apply) and asked.function == "abs"
+    is_size = is_function(asked, "abs")
     can_be_moved = several and not rest and not is_size
     if can_be_moved and scene.judge.follows(Move("rearrange"), (first,), relation):
         move = Move("rearrange")
@@ -450,7 +460,7 @@ def _from_its_equation(
     """
     match asked:
         case Binary("*" | "/", Letter() | Apply(), Letter() | Apply()):
-            lines = [ref for ref in refs if isinstance(ref, int)]
+            lines = numbers_in(refs)
         case _:
             return None
     if len(lines) != 1 or lines[0] != len(scene.desk.lines):
@@ -545,7 +555,7 @@ def _axis(scene: Scene, number: int, name: str) -> None:
     if (sides := write_sides(scene, number)) is not None:
         scene.desk.end(name, sides, scene.desk.relation(sides))
         return
-    lines = [ref for ref in scene.frame(number).refs if isinstance(ref, int)]
+    lines = numbers_in(scene.frame(number).refs)
     line = lines[0] if lines else write_axis(scene, number)
     scene.desk.end(name, line, scene.desk.relation(line))
 
@@ -698,7 +708,7 @@ def _velocities_of(scene: Scene, angle: Quantity) -> Iterator[Vector]:
     match angle:
         case Quantity("angle", arguments):
             for argument in arguments:
-                if isinstance(argument, Quantity) and argument.kind == "velocity":
+                if is_quantity(argument, "velocity"):
                     yield scene.vector(argument)
         case Quantity("deflection" | "direction", (Name(body),), int(stage)):
             yield scene.velocity(body, stage)

@@ -8,7 +8,15 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Negate, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Negate,
+    is_binary,
+    letters,
+    walk,
+)
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import Source, chain
@@ -58,18 +66,15 @@ def tidied_law(scene: Scene, number: int, symbols: Sequence[sp.Symbol]) -> int:
 def _has_sums_in_a_sum(tree: Expression) -> bool:
     """Whether terms are added of which one holds a sum of letters or roots itself."""
     return any(
-        isinstance(node, Binary)
-        and node.op in ("+", "-")
+        is_binary(node, "+", "-")
         and any(_is_sum(tree) for side in (node.left, node.right) for tree in walk(side))
         for node in walk(tree)
     )
 
 
 def _is_sum(tree: Expression) -> bool:
-    return (
-        isinstance(tree, Binary)
-        and tree.op in ("+", "-")
-        and (bool(letters(tree)) or any(isinstance(node, Apply) for node in walk(tree)))
+    return is_binary(tree, "+", "-") and (
+        bool(letters(tree)) or any(isinstance(node, Apply) for node in walk(tree))
     )
 
 

@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Meaning, Move, Relation
+from restitution.explaining.lines.derivation import Meaning, Move, Relation, numbers_in
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     Apply,
@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Letter,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -97,7 +98,7 @@ def quoted_as(scene: Scene, equation: GivenEquation, subject: Expression) -> int
     tree = equation.link.right if not more else tree_of(right)
     tree = tree_of(tidy(sp.tan(right))) if turned else tree
     relation = chain(tree, (tree_of(value), None))
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     names = {name for number in lines for name in letters(scene.desk.last_link(number).right)}
     lets = tuple(f"let {name}" for name in sorted(names) if f"let {name}" in scene.facts)
     premises = scene.judge.enough(
@@ -159,7 +160,7 @@ def _without_its_root(scene: Scene, equation: GivenEquation, known: Source) -> i
     """What is given of a quantity that stands as a root, where equal letters leave none in it."""
     ties = {symbol: scene.put(symbol)[0] for symbol in known.value.free_symbols}
     equal = {one: other for one, other in ties.items() if other.is_Symbol and one != other}
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     if not equal or len(lines) != 1:
         return None
     value, (right, more) = known.value.subs(equal), scene.put(scene.scalar(equation.link.right))
@@ -188,10 +189,10 @@ def _squared_as(
     value, refs = scene.put(known.value)
     squared = tidy(value**2)
     _, more = scene.put(scene.scalar(equation.link.right))
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     if refs or more or has_root(squared) or len(lines) != 1:
         return None
-    if not isinstance(subject, Quantity) or subject.kind != "speed":
+    if not is_quantity(subject, "speed"):
         return None
     names = symbol_names(squared)
     pool = (lines[0], *background(scene, names))

@@ -14,7 +14,7 @@ from restitution.errors import (
     RestitutionError,
     UnboundedError,
 )
-from restitution.explaining.lines.derivation import NoteKind, Ref
+from restitution.explaining.lines.derivation import NoteKind, Ref, numbers_in
 from restitution.expression.tree import Letter
 from restitution.oracle import Oracle
 from restitution.planning.routes.order import Solver
@@ -82,7 +82,7 @@ def _impossible(
     for name, bound in letters.items():
         solver.determine([scene.model.unknowns.letter(name)])
         known = scene.desk.known(Letter(name))
-        lines = [] if known is None else [ref for ref in known.refs if isinstance(ref, int)]
+        lines = [] if known is None else numbers_in(known.refs)
         if len(lines) == 1 and len(scene.desk.relation(lines[0]).options) == 1:
             return lines[0], bound
     for number in range(1, scene.events + 1):

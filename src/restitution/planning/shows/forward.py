@@ -6,7 +6,7 @@ import sympy as sp
 
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
-from restitution.explaining.lines.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
 )
 from restitution.planning.angles.expressions import write_expression
@@ -302,7 +303,7 @@ def _again(claims: Claims, link: Link) -> tuple[int, Relation] | None:
 
 def _component_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
     """A component to be shown for which the working has a letter: the line of that."""
-    if not isinstance(link.left, Quantity) or link.left.kind not in ("along", "across"):
+    if not is_quantity(link.left, "along", "across"):
         return None
     scene, mark = claims.scene, claims.worths.mark()
     if has_quantity(link.right):
@@ -398,7 +399,7 @@ def _letter_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
 
 def _turned_by(claims: Claims, link: Link) -> int | None:
     """The line of a deflection that is an angle in letters, where it comes in the printed form."""
-    if not isinstance(link.left, Quantity) or link.left.kind != "deflection":
+    if not is_quantity(link.left, "deflection"):
         return None
     if has_quantity(link.right) or not isinstance(link.left.stage, int):
         return None
@@ -436,7 +437,7 @@ def _to_figures(claims: Claims, link: Link) -> tuple[int, Relation]:
     if exact is None:
         raise NotPlannedError("an expression of several quantities to some figures")
     own = claims.scene.desk.last_link(exact)
-    equal = Relation(((Link(own.left, "=", link.right),),))
+    equal = equality(own.left, link.right)
     if claims.judge.follows(Move("rearrange"), [exact], equal):
         return claims.scene.desk.write(Move("rearrange"), [exact], equal), equal
     relation = Relation(((Link(own.left, "≈", link.right),),))

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     has_quantity,
+    is_binary,
     letters,
 )
 from restitution.planning.angles.turning import angle_line
@@ -111,7 +112,7 @@ class _Refutation:
             lines: list[int] = []
             rest = list(trees)
             for tree in trees:
-                quotient = isinstance(tree, Binary) and tree.op == "/"
+                quotient = is_binary(tree, "/")
                 worth = claims.worths.worth(tree) if quotient else None
                 if worth is not None:
                     lines.append(worth)

@@ -10,13 +10,14 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.data.facts import links_of
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, numbers_in
 from restitution.expression.tree import (
     Expression,
     Name,
-    Negate,
     Quantity,
     has_quantity,
+    is_quantity,
+    unsigned,
 )
 from restitution.planning.angles.scalar_angles import write_product_of_two
 from restitution.planning.formulas.turns import Moving
@@ -60,7 +61,7 @@ def write_aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Rel
 def _axis_shown(claims: Claims, event: int, link: Link) -> tuple[int, Relation]:
     """A line of centres that is worked out, in the printed direction."""
     relation = Relation(((link,),))
-    lines = [ref for ref in claims.scene.frame(event).refs if isinstance(ref, int)]
+    lines = numbers_in(claims.scene.frame(event).refs)
     if not lines:
         raise NotPlannedError("a line of centres that is given")
     line = claims.judge.write((Move("rearrange"),), lines, relation)
@@ -77,7 +78,7 @@ def _along_the_axis(claims: Claims, link: Link) -> tuple[int, Relation]:
         case _:
             raise NotPlannedError("a line of centres that is to be worked out")
     scene, judge = claims.scene, claims.judge
-    lines = [ref for ref in scene.frame(int(str(axis.stage))).refs if isinstance(ref, int)]
+    lines = numbers_in(scene.frame(int(str(axis.stage))).refs)
     written = scene.desk.known(velocity)
     if not lines or written is None or not isinstance(written.value, Vector):
         raise NotPlannedError("a line of centres, or a velocity, that no line says")
@@ -113,11 +114,7 @@ def _tied(
 ) -> tuple[int, Relation]:
     """That two directions are parallel, or at right angles, by the components of velocities."""
     scene = claims.scene
-    moving = [
-        body_and_stage(scene, tree)
-        for tree in pair
-        if isinstance(tree, Quantity) and tree.kind == "velocity"
-    ]
+    moving = [body_and_stage(scene, tree) for tree in pair if is_quantity(tree, "velocity")]
     if not moving:
         raise NotPlannedError("directions of no velocity")
     frame = frame_after(scene, *max(moving, key=lambda own: own[1]))
@@ -203,7 +200,7 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
     """One velocity as a multiple of another, or of a direction: the sign of the factor tells."""
     scene = claims.scene
     left = link.left
-    right = link.right.operand if isinstance(link.right, Negate) else link.right
+    right = unsigned(link.right)
     a, b = (scene.model.story.direction(tree, scene.events) for tree in (left, right))
     for own in (a, b):
         claims.solver.determine(list(own))
@@ -218,7 +215,7 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
         raise NotPlannedError("two directions")
     if sign is None and relation.relation != "parallel to":
         raise NotPlannedError("two directions")  # the factor may vanish, or have either sign
-    if isinstance(right, Quantity) and right.kind == "line_of_centres":
+    if is_quantity(right, "line_of_centres"):
         fact = scene.facts.get(f"axis {right.stage}")
         if fact is None:
             return _along_the_axis(claims, link)

@@ -12,7 +12,15 @@ from typing import Any
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Meaning, Move, MoveId, Ref, Relation
+from restitution.explaining.lines.derivation import (
+    Link,
+    Meaning,
+    Move,
+    MoveId,
+    Ref,
+    Relation,
+    equality,
+)
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
@@ -20,12 +28,14 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Quantity,
     children,
     has_quantity,
+    is_binary,
+    is_function,
     letters,
+    unsigned,
     walk,
 )
 from restitution.planning.angles.angle_sums import write_tangent_of_two
@@ -88,7 +98,7 @@ def says(scene: Scene, line: int, link: Link) -> bool:
 
 def is_form_of(scene: Scene, pair: tuple[Expression, Expression]) -> bool:
     """Whether two expressions are one, but for the order of factors or a decimal point."""
-    if all(is_rational(tree.operand if isinstance(tree, Negate) else tree) for tree in pair):
+    if all(is_rational(unsigned(tree)) for tree in pair):
         one, other = (sp.sympify(scene.scalar(tree), strict=True) for tree in pair)
         return bool(one == other)
     return alike(*pair)
@@ -220,7 +230,7 @@ class ShownEquation:
                     size = tree_of(own.value)
                     size = negative(size) if scene.model.sign(own.value) < 0 else size
                     pool = together(own.whole, frame.refs, lets)
-                    relation = Relation(((Link(product(speed, ratio), "=", size),),))
+                    relation = equality(product(speed, ratio), size)
                     line = self.judge.write((move,), pool, relation)
                     if line is None:
                         continue
@@ -452,8 +462,7 @@ class ShownEquation:
         doubles = {
             node.argument.right
             for node in walk(self.link.right)
-            if isinstance(node, Apply)
-            and node.function == "cos"
+            if is_function(node, "cos")
             and isinstance(node.argument, Binary)
             and (node.argument.op, node.argument.left) == ("*", _TWO)
         }
@@ -596,7 +605,7 @@ class ShownEquation:
                 if line is not None:
                     return line
         # The quantity as it is defined, and then the printed form.
-        defined = self.judge.write((own.move,), pool, Relation(((Link(left, "=", right),),)))
+        defined = self.judge.write((own.move,), pool, equality(left, right))
         if defined is None:
             return None
         known = self._known(letters(right) | letters(self.link.right))
@@ -659,7 +668,7 @@ class ShownEquation:
             last = None if between is None else self._last([between, *facts, *known])
             if last is not None:
                 return last
-        if len(lines) == 2 and isinstance(self.link.left, Binary) and self.link.left.op == "/":
+        if len(lines) == 2 and is_binary(self.link.left, "/"):
             line = self._by_pair(Move("divide"), lines, known)
             if line is not None:
                 return line

@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Move, Relation
+from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Apply,
@@ -17,6 +17,8 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -42,7 +44,7 @@ def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int 
     desk = worths.scene.desk
     tangents = [number for number in lines if _is_tangent(desk.last_link(number).left)]
     others = [number for number in lines if number not in tangents]
-    if len(tangents) != 1 or not isinstance(link.left, Binary) or link.left.op != "/":
+    if len(tangents) != 1 or not is_binary(link.left, "/"):
         return None
     (tangent,) = tangents
     own = desk.last_link(tangent)
@@ -74,7 +76,7 @@ def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int 
         worths.back(mark)
         return None
     right = product(square(tree_of(sp.cos(angle))), total(terms))
-    relation = Relation(((Link(link.left, "=", right),),))
+    relation = equality(link.left, right)
     known = worths.known_in(value)
     line = worths.judge.write((Move("put"),), [first, tangent, *known], relation)
     if line is None:
@@ -83,7 +85,7 @@ def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int 
 
 
 def _is_tangent(tree: Expression) -> bool:
-    return isinstance(tree, Apply) and tree.function == "tan" and isinstance(tree.argument, Letter)
+    return is_function(tree, "tan") and isinstance(tree.argument, Letter)
 
 
 def shown_by_squares(worths: Worths, link: Link, quantities: Sequence[Quantity]) -> int | None:

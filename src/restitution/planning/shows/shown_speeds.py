@@ -18,6 +18,8 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -79,7 +81,7 @@ def _written(claims: Claims, link: Link, speed: Quantity, tie: int, letter: Lett
             kept.enter_context(keeping(scene, angle))
         own = formula(scene, speed)
     radicand = swept(own.right)
-    if not isinstance(radicand, Apply) or radicand.function != "sqrt":
+    if not is_function(radicand, "sqrt"):
         return None
     radicand = radicand.argument
     symbol = roles(scene.problem)[letter.name].symbol(letter.name)
@@ -128,9 +130,7 @@ def multiple_of_data(claims: Claims, link: Link, line: int) -> int | None:
     ``line`` gives it in components. None of another equation, and of a velocity along an axis.
     """
     scene = claims.scene
-    early = [
-        node for node in walk(link.right) if isinstance(node, Quantity) and node.kind == "velocity"
-    ]
+    early = [node for node in walk(link.right) if is_quantity(node, "velocity")]
     if len(early) != 1 or link.right == early[0]:
         return None
     given = scene.velocity(*body_and_stage(scene, early[0]))

@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_function,
     letters,
     walk,
 )
@@ -74,6 +75,6 @@ def _values(
 
 
 def _squared(worths: Worths, tree: Expression) -> Expression:
-    if any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree)):
+    if any(is_function(node, "sqrt") for node in walk(tree)):
         return tree_of(tidy(worths.value(tree) ** 2))
     return square(tree)

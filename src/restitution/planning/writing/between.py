@@ -26,6 +26,8 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     has_quantity,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -83,7 +85,7 @@ def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[E
 
 def _keeps_squares(scene: Scene, right: Expression, final: Expression) -> bool:
     """Whether a root has the squares of sums of another, with a common factor taken out."""
-    if not isinstance(right, Apply) or right.function != "sqrt":
+    if not is_function(right, "sqrt"):
         return False
     own = [_primitive(scene, node.left) for node in walk(right) if _is_square_of_sum(node)]
     kept = [_primitive(scene, node.left) for node in walk(final) if _is_square_of_sum(node)]
@@ -177,7 +179,7 @@ class _Term:
 
 
 def _is_square(tree: Expression) -> TypeGuard[Binary]:
-    return isinstance(tree, Binary) and tree.op == "^" and tree.right == TWO
+    return is_binary(tree, "^") and tree.right == TWO
 
 
 def _is_square_of_sum(tree: Expression) -> TypeGuard[Binary]:
@@ -198,7 +200,7 @@ def _bases(tree: Expression) -> Iterator[Expression]:
 
 
 def _is_sum(tree: Expression) -> bool:
-    return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(letters(tree))
+    return is_binary(tree, "+", "-") and bool(letters(tree))
 
 
 def _primitive(scene: Scene, tree: Expression) -> sp.Expr:
@@ -223,10 +225,9 @@ def _surds_of(square: Expression) -> bool:
 def _is_surd(tree: Expression) -> bool:
     """Whether it is a sum of numbers with roots."""
     return (
-        isinstance(tree, Binary)
-        and tree.op in ("+", "-")
+        is_binary(tree, "+", "-")
         and not letters(tree)
-        and any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
+        and any(is_function(node, "sqrt") for node in walk(tree))
     )
 
 
@@ -319,7 +320,7 @@ def _put_together(
 
 def _is_over_a_number(tree: Expression) -> bool:
     """Whether a number stands below all that a tree has."""
-    return isinstance(tree, Binary) and tree.op == "/" and not letters(tree.right)
+    return is_binary(tree, "/") and not letters(tree.right)
 
 
 def _divisors(below: sp.Expr) -> set[sp.Expr]:

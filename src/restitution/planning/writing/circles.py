@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Pair,
     Polar,
     Quantity,
+    is_quantity,
     walk,
 )
 from restitution.planning.writing.place_trees import place_tree
@@ -99,7 +100,7 @@ def _is_told_by_places(scene: Scene, body: str, radius_vector: Vector) -> bool:
     of_the_wall = {
         side
         for node in nodes
-        if isinstance(node, Quantity) and node.kind == "angle" and _has_a_wall(node)
+        if is_quantity(node, "angle") and _has_a_wall(node)
         for side in node.arguments
     }
     return any(

@@ -11,7 +11,14 @@ from restitution.exact import tidy
 from restitution.explaining.following.follower import reader_of
 from restitution.explaining.lines.derivation import Derivation, Link, Relation
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Expression, letters, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    is_binary,
+    is_function,
+    letters,
+    walk,
+)
 from restitution.oracle import Oracle
 from restitution.planning.writing.forms import product, tree_of
 
@@ -66,11 +73,11 @@ def _multiplied(link: Link) -> Expression | None:
 
 def _is_over_roots(node: Expression) -> bool:
     """Whether a node is a quotient with a root below."""
-    return isinstance(node, Binary) and node.op == "/" and _has_root(node.right)
+    return is_binary(node, "/") and _has_root(node.right)
 
 
 def _has_root(tree: Expression) -> bool:
-    return any(isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
+    return any(is_function(node, "sqrt") for node in walk(tree))
 
 
 __all__ = ["with_conjugates"]

@@ -27,10 +27,11 @@ from restitution.explaining.lines.derivation import (
     Showing,
     Sign,
     common_scope,
+    numbers_in,
     scopes_of,
 )
 from restitution.explaining.lines.trees import statement_of
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Quantity
+from restitution.expression.tree import Apply, Binary, Expression, Letter, is_quantity
 from restitution.planning.writing.forms import UnwrittenError, alike
 from restitution.vector import Vector
 
@@ -83,7 +84,7 @@ def together(*groups: Iterable[Ref]) -> tuple[Ref, ...]:
         return refs
     return (
         *(ref for ref in refs if isinstance(ref, str)),
-        *sorted(ref for ref in refs if isinstance(ref, int)),
+        *sorted(numbers_in(refs)),
     )
 
 
@@ -332,7 +333,7 @@ class Desk:
     def loosen(self, letter: Expression, source: Source) -> None:
         """A letter that is known by a line is open again, and the line is an equation for it."""
         self.forget_value(letter, source)
-        self.shown += [ref for ref in source.refs if isinstance(ref, int)]
+        self.shown += numbers_in(source.refs)
 
     def forget_value(self, letter: Expression, source: Source) -> None:
         """What a letter is known to be is forgotten; the lines stay."""
@@ -343,7 +344,7 @@ class Desk:
         """Forgets what components have come to since a mark, of which the lines stay."""
         self.version += 1
         for key in list(self._sources):
-            if isinstance(key, Quantity) and key.kind in ("along", "across", "velocity"):
+            if is_quantity(key, "along", "across", "velocity"):
                 self._sources[key] = list(mark.sources.get(key, []))
 
     # --- solutions apart ---------------------------------------------------------------------

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Derivation, Event, Line, Link, Relation
-from restitution.expression.tree import Expression, Name, Quantity, is_zero
+from restitution.expression.tree import Expression, Name, Quantity, is_quantity, is_zero
 
 
 def with_direct_impacts(derivation: Derivation) -> Derivation:
@@ -41,7 +41,7 @@ def _is_nothing_along(line: Line, event: Event) -> bool:
         return False
     links = line.relation.only
     left = links[0].left
-    return isinstance(left, Quantity) and left.kind == "across" and is_zero(links[-1].right)
+    return is_quantity(left, "across") and is_zero(links[-1].right)
 
 
 def _comes_straight(derivation: Derivation, event: Event, line: Line) -> bool:

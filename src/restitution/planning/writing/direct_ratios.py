@@ -41,7 +41,7 @@ def with_direct_ratios(derivation: Derivation, oracle: Oracle) -> Derivation:
 def _shortened(derivation: Derivation, ratio: Line, oracle: Oracle) -> Derivation | None:
     if len(ratio.premises) != 2 or not isinstance(ratio.relation, Relation):
         return None
-    pair = [derivation.line(ref) if isinstance(ref, int) else None for ref in ratio.premises]
+    pair = [derivation.line(ref) for ref in ratio.premises]
     changed: dict[int, Line] = {}
     values: dict[Expression, Expression] = {}
     for own in pair:

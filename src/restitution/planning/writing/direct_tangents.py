@@ -21,6 +21,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     citing,
+    numbers_in,
 )
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
@@ -31,6 +32,7 @@ from restitution.expression.tree import (
     Letter,
     Negate,
     has_quantity,
+    is_function,
     letters,
     walk,
 )
@@ -149,7 +151,7 @@ def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
     """The components in a tangent into which ratios were put for it alone."""
     part = derivation.asked.get(line.item or "")
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         if own is None or not isinstance(own.relation, Relation) or len(own.relation.options) > 1:
             continue
         users = [
@@ -160,13 +162,13 @@ def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
         if any(user.move.id != "inverse" for user in users) or own.number in derivation.held:
             continue
         links = own.relation.only
-        numbers = [ref for ref in own.premises if isinstance(ref, int)]
+        numbers = numbers_in(own.premises)
         cited = [each for number in numbers if (each := derivation.line(number)) is not None]
         ratios = tuple(line for line in cited if _is_ratio(line))
         if not ratios:
             continue
         if own.move.id == "put" and len(links) == 1:
-            base = derivation.line(own.premises[0]) if isinstance(own.premises[0], int) else None
+            base = derivation.line(own.premises[0])
             match None if base is None else base.relation:
                 case Relation(((*_, last),)) as above if above.only[0].left == links[0].left:
                     assert base is not None
@@ -210,9 +212,7 @@ def _has_root(part: PutIn) -> bool:
         for ratio in part.ratios
         if isinstance(ratio.relation, Relation)
     )
-    return any(
-        isinstance(node, Apply) and node.function == "sqrt" for side in sides for node in walk(side)
-    )
+    return any(is_function(node, "sqrt") for side in sides for node in walk(side))
 
 
 def _angles(tree: Expression) -> set[str]:
@@ -220,7 +220,7 @@ def _angles(tree: Expression) -> set[str]:
     return {
         name
         for node in walk(tree)
-        if isinstance(node, Apply) and node.function in ("sin", "cos")
+        if is_function(node, "sin", "cos")
         for name in letters(node.argument)
     }
 

@@ -32,9 +32,9 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Quantity,
     Unit,
+    negated,
     walk,
 )
 from restitution.planning.writing.desk import Desk, NotPlannedError, chain, together
@@ -243,7 +243,7 @@ def _mirrored(scene: Scene, link: Link) -> Expression:
     """The right side of a link, mirrored along **i**."""
     match scene.desk.meant(link.left):
         case Quantity("direction", (Name(),), int()):
-            return link.right.operand if isinstance(link.right, Negate) else Negate(link.right)
+            return negated(link.right)
     value = scene.vector(link.right)
     return tree_of(Vector(value.x, -value.y))
 

@@ -22,8 +22,11 @@ from restitution.expression.tree import (
     Pi,
     Unit,
     has_quantity,
+    is_binary,
+    is_function,
     is_zero,
     plain_letter,
+    unsigned,
     walk,
 )
 from restitution.planning.writing.polynomials import cancelled
@@ -263,7 +266,7 @@ def factors(tree: Expression) -> list[Expression]:
     """The factors of a product, however they are bracketed; its sign is one."""
     if isinstance(tree, Negate):
         return [Negate(ONE), *factors(tree.operand)]
-    if isinstance(tree, Binary) and tree.op == "*":
+    if is_binary(tree, "*"):
         return [*factors(tree.left), *factors(tree.right)]
     return [tree]
 
@@ -359,7 +362,7 @@ def square(tree: Expression) -> Expression:
         tree = tree.operand
     if is_zero(tree):
         return tree
-    if any(isinstance(e, Apply) and e.function == "sqrt" for e in walk(tree)):
+    if any(is_function(e, "sqrt") for e in walk(tree)):
         tree = _positive(tree)
     return Binary("^", tree, Number(Fraction(2)))
 
@@ -433,7 +436,7 @@ def alike(a: Expression, b: Expression) -> bool:
     """
     if a == b:
         return True
-    if is_rational(a.operand if isinstance(a, Negate) else a):
+    if is_rational(unsigned(a)):
         return False
     return _shape(a) == _shape(b)
 

@@ -23,12 +23,12 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Expression,
     Letter,
     Name,
     Quantity,
     Unit,
+    is_binary,
     letters,
     walk,
 )
@@ -155,7 +155,7 @@ def _cited_in(
     own = {fact.relation: fact.id for fact in derivation.facts if fact.part == part}
     cited: list[Ref] = []
     for ref in premises:
-        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        fact = derivation.fact(ref)
         elsewhere = fact is not None and fact.part not in (None, part)
         cited.append(own.get(fact.relation, ref) if fact is not None and elsewhere else ref)
     return tuple(cited)
@@ -537,6 +537,4 @@ def _sums_up(line: Line, angle: Expression) -> bool:
     if not isinstance(line.relation, Relation):
         return False
     trees = (node for tree in trees_of(line.relation) for node in walk(tree))
-    return any(
-        isinstance(node, Binary) and node.op in "+-" and angle in walk(node) for node in trees
-    )
+    return any(is_binary(node, "+", "-") and angle in walk(node) for node in trees)

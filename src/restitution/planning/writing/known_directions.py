@@ -50,7 +50,7 @@ def _instead(premises: tuple[Ref, ...], line: Line) -> tuple[Ref, ...]:
 
 def _is_of_one_letter(derivation: Derivation, line: Line) -> bool:
     """Whether a vector is along an axis, and has its value from the letter of another line."""
-    above = [derivation.line(ref) if isinstance(ref, int) else None for ref in line.premises]
+    above = [derivation.line(ref) for ref in line.premises]
     relations = [None if line is None else line.relation for line in above]
     match relations, line.relation:
         case [Relation((open_,)), Relation((value,))], Relation(((own,),)):

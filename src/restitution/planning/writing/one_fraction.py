@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Relation
-from restitution.expression.tree import Binary, Expression, has_quantity
+from restitution.expression.tree import Binary, Expression, has_quantity, is_binary
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import (
     alike,
@@ -88,7 +88,7 @@ def _signed(value: sp.Expr) -> Expression:
 def _quotient(common: sp.Expr, inner: Expression, below: sp.Expr) -> Expression:
     """One fraction, of which the sums above stand beside each other in brackets."""
     own = [*factors(tree_of(common)), *factors(inner)]
-    sums = [tree for tree in own if isinstance(tree, Binary) and tree.op in ("+", "-")]
+    sums = [tree for tree in own if is_binary(tree, "+", "-")]
     rest = [tree for tree in own if tree not in sums]
     return Binary("/", product(*sums, *rest), tree_of(below))
 

@@ -62,8 +62,8 @@ def with_plain_products(derivation: Derivation, oracle: Oracle) -> Derivation:
 
 def _by_products(derivation: Derivation, law: Line, oracle: Oracle) -> Derivation | None:
     """The working with a law by scalar products; None where other lines need a component."""
-    cited = [derivation.line(ref) for ref in law.premises if isinstance(ref, int)]
-    parts = [own for line in cited if line is not None and (own := _component(line)) is not None]
+    cited = derivation.lines_in(law.premises)
+    parts = [own for line in cited if (own := _component(line)) is not None]
     if len(parts) != len(cited) or len({part.size for part in parts}) != 1:
         return None
     if any(part.line.number in derivation.held for part in parts):
@@ -109,7 +109,7 @@ def _component(line: Line) -> _Component | None:
 def _along(derivation: Derivation, line: Line) -> tuple[Expression, Ref] | None:
     """The vector to which the data, or a line, say that a line of centres is parallel."""
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else derivation.fact(ref)
+        own = derivation.cited(ref)
         match None if own is None else own.relation:
             case Relation(((Link(Quantity("line_of_centres"), "parallel to", parallel),),)):
                 whole = coordinates(parallel)

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import sympy as sp
 
-from restitution.expression.tree import Apply, Binary, Expression, Number, letters, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Number,
+    is_function,
+    letters,
+    walk,
+)
 from restitution.planning.writing.forms import product, swept, tree_of
 from restitution.planning.writing.scene import Scene
 
@@ -40,7 +47,7 @@ def in_shorter_form(scene: Scene, quotient: Expression, final: Expression) -> Ex
 def _is_long(number: Expression) -> bool:
     """Whether a number with roots has whole numbers of four or more figures."""
     nodes = list(walk(number))
-    roots = any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes)
+    roots = any(is_function(node, "sqrt") for node in nodes)
     values = (node.value for node in nodes if isinstance(node, Number))
     return roots and not letters(number) and any(abs(value) >= _LONG for value in values)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from restitution.explaining.lines.derivation import Meaning, Move, Ref
-from restitution.expression.tree import Apply, Letter, Name, Quantity, Unit, walk
+from restitution.expression.tree import Apply, Letter, Name, Quantity, Unit, is_quantity, walk
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.scene import Scene
 
@@ -74,8 +74,7 @@ def _moving(angle: Quantity) -> set[tuple[str, int]]:
     return {
         (node.arguments[0].name, node.stage)
         for node in walk(angle)
-        if isinstance(node, Quantity)
-        and node.kind == "velocity"
+        if is_quantity(node, "velocity")
         and isinstance(node.arguments[0], Name)
         and isinstance(node.stage, int)
     }

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -198,8 +199,7 @@ def _started(scene: Scene, tree: Expression) -> tuple[Ref, ...]:
     return tuple(
         f"velocity {node.arguments[0].name}"
         for node in walk(tree)
-        if isinstance(node, Quantity)
-        and node.kind == "velocity"
+        if is_quantity(node, "velocity")
         and node.stage == 0
         and isinstance(node.arguments[0], Name)
         and f"velocity {node.arguments[0].name}" in scene.facts

@@ -24,6 +24,8 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -211,8 +213,8 @@ def _of_a_sine(claim: Claim, put: Mapping[str, Array]) -> Array | None:
     if claim.sign != "=" or claim.others:
         return None
     for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
-        base = one.left if isinstance(one, Binary) and one.op == "^" else one
-        if isinstance(base, Apply) and base.function in ("sin", "cos"):
+        base = one.left if is_binary(one, "^") else one
+        if is_function(base, "sin", "cos"):
             try:
                 with np.errstate(all="ignore"):
                     return np.broadcast_to(_worth(other, put), (_POINTS,))

@@ -9,7 +9,16 @@ from fractions import Fraction
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Binary, Expression, Name, Number, Quantity, letters, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Number,
+    Quantity,
+    is_binary,
+    letters,
+    walk,
+)
 from restitution.practice.judgement import Use
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.script import Claim
@@ -83,7 +92,7 @@ def _has_value(side: Expression, value: Array) -> bool:
     tops += [
         Number(node.left.value / node.right.value)
         for node in walk(side)
-        if isinstance(node, Binary) and node.op == "/"
+        if is_binary(node, "/")
         if isinstance(node.left, Number) and isinstance(node.right, Number) and node.right.value
     ]
     return any(np.allclose(float(each.value), value) for each in tops)

@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     children,
+    is_binary,
     walk,
 )
 from restitution.practice.judging.entries import Entry
@@ -105,7 +106,7 @@ def deduced_from(
 def is_identity(entry: Entry, world: World) -> bool:
     """Whether a sum is worked out that holds whatever the letters of the statement are in it."""
     sums = any(
-        isinstance(node, Binary) and node.op in ("+", "-")
+        is_binary(node, "+", "-")
         for side in (entry.claim.left, entry.claim.right)
         for node in walk(side)
     )

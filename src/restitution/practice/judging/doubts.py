@@ -15,12 +15,13 @@ from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Expression,
     Letter,
     Name,
     Negate,
     Quantity,
+    is_binary,
+    is_quantity,
     letters,
 )
 from restitution.practice.judgement import JudgedLine
@@ -163,7 +164,7 @@ class Doubts:
     def _is_asked_speed(self, name: str, number: int) -> bool:
         """Whether words name the very speed that the part asks for, and so no component of it."""
         meant = self.meanings.best.at(number)[name].quantity
-        if not (is_phrase(name) and isinstance(meant, Quantity) and meant.kind == "speed"):
+        if not (is_phrase(name) and is_quantity(meant, "speed")):
             return False
         asked = (tree for tree, _ in self.bench.wanted.asked if isinstance(tree, Quantity))
         return any((x.kind, x.arguments) == (meant.kind, meant.arguments) for x in asked)
@@ -325,7 +326,7 @@ def _gives(line: ScriptLine, name: str) -> bool:
     )
     return any(
         side == Letter(name)
-        or (isinstance(side, Binary) and side.op == "^" and side.left == Letter(name))
+        or (is_binary(side, "^") and side.left == Letter(name))
         or (isinstance(side, Apply) and side.argument == Letter(name))
         for side in sides
     )

@@ -6,7 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, letters, walk
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    is_binary,
+    letters,
+    walk,
+)
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
 
 Meanings = Mapping[str, Expression]
@@ -49,7 +57,7 @@ def is_numeric(tree: Expression) -> bool:
 
 def is_monomial(tree: Expression) -> bool:
     """Whether a tree adds and subtracts nothing."""
-    return not any(isinstance(node, Binary) and node.op in "+-" for node in walk(tree))
+    return not any(is_binary(node, "+", "-") for node in walk(tree))
 
 
 def names_of(claim: Claim) -> frozenset[str]:

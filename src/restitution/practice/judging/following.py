@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_function,
     letters,
     walk,
 )
@@ -413,7 +414,7 @@ class Following(OwnValues):
             value = self._base.scalar(claim.right)
         except UnvaluedError:
             return None
-        if isinstance(left, Apply) and left.function in ("sin", "cos"):
+        if is_function(left, "sin", "cos"):
             return IMPOSSIBLE_ANGLE if np.any(np.abs(value) > 1 + OWN_ROUNDING) else None
         if isinstance(left, Letter) and COEFFICIENT.fullmatch(left.name):
             outside = (value > 1 + OWN_ROUNDING) | (value < -OWN_ROUNDING)

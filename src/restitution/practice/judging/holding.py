@@ -19,6 +19,8 @@ from restitution.expression.tree import (
     Negate,
     Pair,
     Quantity,
+    is_quantity,
+    unsigned,
 )
 from restitution.practice.judgement import Accuracy, Verdict
 from restitution.practice.judging.entries import (
@@ -71,7 +73,7 @@ _PAIRS = 40
 
 def _is_of_an_event(tree: Expression) -> bool:
     """Whether a quantity is one of an event, as a deflection is, and not of a moment."""
-    inside = tree.operand if isinstance(tree, Negate) else tree
+    inside = unsigned(tree)
     record = KINDS.get(inside.kind) if isinstance(inside, Quantity) else None
     return record is not None and record.of_an_event
 
@@ -321,14 +323,14 @@ class Holding:
 
     def _is_asked_otherwise(self, meant: Expression, label: Letter) -> bool:
         """Whether a label names the impulse on a body, which is asked as a vector, by its size."""
-        inside = meant.operand if isinstance(meant, Negate) else meant
-        if not (isinstance(inside, Quantity) and inside.kind == "impulse") or inside.arguments:
+        inside = unsigned(meant)
+        if not is_quantity(inside, "impulse") or inside.arguments:
             return False
         words = label.name.split()
         asked = {
             tree.arguments[0].name
             for tree, _ in self.question.wanted.asked
-            if isinstance(tree, Quantity) and tree.kind == "impulse" and tree.arguments
+            if is_quantity(tree, "impulse") and tree.arguments
             if isinstance(tree.arguments[0], Name)
         }
         return "on" in words and not asked.isdisjoint(words)

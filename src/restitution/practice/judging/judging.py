@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     children,
+    is_binary,
     letters,
     walk,
 )
@@ -421,10 +422,7 @@ def _of_two_data(lines: Sequence[ScriptLine]) -> Iterator[Fraction]:
         tree
         for side in sides
         for tree in walk(side)
-        if isinstance(tree, Binary)
-        and tree.op == "/"
-        and isinstance(tree.left, Number)
-        and isinstance(tree.right, Number)
+        if is_binary(tree, "/") and isinstance(tree.left, Number) and isinstance(tree.right, Number)
     ]
     inside = Counter(numbers(fractions))
     everywhere = Counter(numbers(sides))
@@ -441,7 +439,7 @@ def _factors_in(line: ScriptLine) -> Iterator[Fraction]:
                 each = pending.pop()
                 if isinstance(each, Number | Degrees):
                     values[each.value] = None
-                elif isinstance(each, Binary) and each.op == "^":
+                elif is_binary(each, "^"):
                     pending.append(each.left)
                 else:
                     pending.extend(children(each))

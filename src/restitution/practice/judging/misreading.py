@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    is_binary,
     walk,
 )
 from restitution.practice.judging.slips import with_child
@@ -60,7 +61,7 @@ def _once(tree: Expression, typed: Fraction, datum: Fraction) -> Iterator[Expres
         if tree.value == typed:
             yield replace(tree, value=datum)
         return
-    power = isinstance(tree, Binary) and tree.op == "^"
+    power = is_binary(tree, "^")
     for place, child in enumerate(children(tree)):
         for new in _once(child, typed, datum) if not (power and place) else ():
             yield with_child(tree, place, new)

@@ -31,10 +31,13 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
-    Negate,
     Number,
     Quantity,
+    is_binary,
+    is_function,
+    is_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.practice.judgement import Mistake, Use
@@ -323,7 +326,7 @@ class Names:
             # A number alone may be another by its figure, but not twice for one reason.
             return tuple(state for state in by_states if state.id in judge.suspected())
         if by_states:
-            if _is_tangent(entry.claim.left) and any(
+            if is_function(entry.claim.left, "tan", "cot") and any(
                 correction.change == "turned" for correction in mended
             ):
                 return ()  # a quotient upside down
@@ -484,10 +487,7 @@ class Names:
 
 def _is_bare(entry: Entry) -> bool:
     """Whether a claim gives a letter one number: ``-v = -5``."""
-    one, other = (
-        side.operand if isinstance(side, Negate) else side
-        for side in (entry.claim.left, entry.claim.right)
-    )
+    one, other = (unsigned(side) for side in (entry.claim.left, entry.claim.right))
     return isinstance(one, Letter | Quantity) and isinstance(other, Number)
 
 
@@ -552,10 +552,6 @@ def _is_law(correction: Correction, entry: Entry, judge: JudgedSoFar) -> bool:
     )
 
 
-def _is_tangent(tree: Expression) -> bool:
-    return isinstance(tree, Apply) and tree.function in ("tan", "cot")
-
-
 def _stands(variant: VariantAt, mended: Sequence[Correction]) -> bool:
     """Whether no slip explains a line as well as an altered law does."""
     undone = {"square", "radians"} if variant.mistake == "sine-cosine" else {"square"}
@@ -594,7 +590,7 @@ def is_sum_of_angles(entry: Entry) -> bool:
     left, right = entry.claim.left, entry.claim.right
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
     angle = any(isinstance(node, Quantity) and node.kind in ANGLES for node in walk(meant))
-    sums = isinstance(right, Binary) and right.op in ("+", "-")
+    sums = is_binary(right, "+", "-")
     return angle and sums and not any(isinstance(node, Apply | Letter) for node in walk(right))
 
 
@@ -609,7 +605,7 @@ def _is_result(entry: Entry, result: ResultAt, world: World) -> bool:
     if not _is_quantity(entry, result.quantity, world):
         return False
     kind = result.quantity
-    if isinstance(kind, Quantity) and kind.kind == "impulse" and not kind.arguments:
+    if is_quantity(kind, "impulse") and not kind.arguments:
         # Of a size people may write the difference in either order.
         entry = replace(entry, claim=replace(entry.claim, right=Apply("abs", entry.claim.right)))
     if not _gives(entry, result.value, world):
@@ -623,7 +619,7 @@ def _is_quantity(entry: Entry, quantity: Expression, world: World) -> bool:
     if not isinstance(left, Letter | Quantity):
         return False
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-    if isinstance(quantity, Quantity) and quantity.kind == "impulse" and not quantity.arguments:
+    if is_quantity(quantity, "impulse") and not quantity.arguments:
         return _is_impulse(left, entry) and _same_value(Apply("abs", meant), quantity, entry, world)
     if isinstance(meant, Binary) and isinstance(quantity, Binary):
         return _same_value(meant, quantity, entry, world)
@@ -638,10 +634,10 @@ def _is_quantity(entry: Entry, quantity: Expression, world: World) -> bool:
 def _is_impulse(tree: Expression, entry: Entry) -> bool:
     """Whether a side is the size of an impulse, or a component of one."""
     meant = entry.meanings.get(tree.name, tree) if isinstance(tree, Letter) else tree
-    meant = meant.operand if isinstance(meant, Negate) else meant
-    if isinstance(meant, Quantity) and meant.kind in ("along", "across"):
+    meant = unsigned(meant)
+    if is_quantity(meant, "along", "across"):
         meant = meant.arguments[0]
-    return isinstance(meant, Quantity) and meant.kind == "impulse"
+    return is_quantity(meant, "impulse")
 
 
 def _same_value(one: Expression, other: Expression, entry: Entry, world: World) -> bool:

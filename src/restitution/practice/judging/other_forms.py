@@ -23,6 +23,10 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    is_binary,
+    is_function,
+    is_quantity,
+    unsigned,
     walk,
 )
 from restitution.practice.judging.entries import Meanings, is_numeric
@@ -57,10 +61,7 @@ def kind_of(tree: Expression) -> object:
 
 def are_alike(one: Expression, other: Expression) -> bool:
     """Whether two trees are quantities of one kind; so are energies lost, and sizes of vectors."""
-    one, other = (
-        tree.argument if isinstance(tree, Apply) and tree.function == "abs" else tree
-        for tree in (one, other)
-    )
+    one, other = (tree.argument if is_function(tree, "abs") else tree for tree in (one, other))
     kinds = {kind_of(one), kind_of(other)}
     if kinds == {"deflection", "angle"}:
         return is_turn(one) and is_turn(other)
@@ -110,7 +111,7 @@ def as_vectors(claim: Claim, meanings: Meanings) -> Claim:
     """A claim that equates a letter for a component with a vector, of the velocity in its place."""
     meant = meanings.get(claim.left.name) if isinstance(claim.left, Letter) else None
     whole = None if meant is None else _of_other_nature(meant)
-    moving = isinstance(whole, Quantity) and whole.kind == "velocity"
+    moving = is_quantity(whole, "velocity")
     if whole is None or not moving or not is_vector(claim.right, frozenset()):
         return claim
     return replace(claim, left=whole)
@@ -119,7 +120,7 @@ def as_vectors(claim: Claim, meanings: Meanings) -> Claim:
 def has_bars(claim: Claim) -> bool:
     """Whether a letter stands between bars, as that of a vector does: ``|v_A| = 2``."""
     return any(
-        isinstance(node, Apply) and node.function == "abs" and isinstance(node.argument, Letter)
+        is_function(node, "abs") and isinstance(node.argument, Letter)
         for side in (claim.left, claim.right)
         for node in walk(side)
     )
@@ -142,7 +143,7 @@ def _of_other_nature(tree: Expression) -> Expression | None:
 
 def is_signed(tree: Expression) -> bool:
     """Whether a quantity has a sense that may be turned."""
-    return isinstance(tree, Quantity) and tree.kind in ("along", "across", "direction")
+    return is_quantity(tree, "along", "across", "direction")
 
 
 def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expression]:
@@ -150,7 +151,7 @@ def times_sizes(senses: Sequence[Expression], side: Expression) -> Iterator[Expr
     if not is_signed(senses[0]):
         return
     for node in walk(side):
-        if isinstance(node, Quantity) and node.kind == "dot":
+        if is_quantity(node, "dot"):
             for vector in node.arguments:
                 for sense in senses:
                     yield Binary("*", Apply("abs", vector), sense)
@@ -173,17 +174,15 @@ def times_directions(
 
 
 def _is_along(tree: Expression) -> bool:
-    inside = tree.operand if isinstance(tree, Negate) else tree
-    return isinstance(inside, Quantity) and inside.kind in ("along", "across")
+    inside = unsigned(tree)
+    return is_quantity(inside, "along", "across")
 
 
 def _directions_in(claim: Claim, world: World) -> Iterator[Expression]:
     """The vectors of a claim, without letters, that are along or across a line of centres."""
     for side in (claim.left, claim.right):
         parts = (
-            node.arguments
-            for node in walk(side)
-            if isinstance(node, Quantity) and node.kind in ("dot", "along", "across")
+            node.arguments for node in walk(side) if is_quantity(node, "dot", "along", "across")
         )
         for tree in (side, *chain.from_iterable(parts)):
             if any(isinstance(node, Letter | Name) for node in walk(tree)):
@@ -234,7 +233,7 @@ def by_energies(tree: Expression, meanings: Meanings) -> Iterator[Expression]:
             if node.kind in starts:
                 before = Quantity("energy", (), starts[node.kind])
                 losses[node] = Binary("-", before, Quantity("energy", (), node.stage))
-    if isinstance(meant, Binary) and meant.op == "/":
+    if is_binary(meant, "/"):
         yield meant
     if losses:
         yield exchanged(meant, losses)
@@ -312,13 +311,11 @@ def lines_of(world: World) -> Iterator[Expression]:
 
 def is_to_a_line(tree: Expression) -> bool:
     """Whether a quantity is an angle to a line of centres, a wall, i or j."""
-    if not isinstance(tree, Quantity) or tree.kind != "angle":
+    if not is_quantity(tree, "angle"):
         return False
     other = tree.arguments[1]
-    other = other.operand if isinstance(other, Negate) else other
-    return isinstance(other, Unit | Name) or (
-        isinstance(other, Quantity) and other.kind == "line_of_centres"
-    )
+    other = unsigned(other)
+    return isinstance(other, Unit | Name) or (is_quantity(other, "line_of_centres"))
 
 
 def is_oblique(axis: Expression, world: World) -> bool:
@@ -335,9 +332,9 @@ def is_impulse(tree: Expression, meanings: Meanings) -> bool:
     """Whether a side is the size of an impulse."""
     if isinstance(tree, Letter):
         tree = meanings.get(tree.name, tree)
-    if isinstance(tree, Apply) and tree.function == "abs":
+    if is_function(tree, "abs"):
         return True
-    return isinstance(tree, Quantity) and tree.kind == "impulse" and not tree.arguments
+    return is_quantity(tree, "impulse") and not tree.arguments
 
 
 def with_units(claim: Claim, world: World) -> Iterator[Claim]:
@@ -346,7 +343,7 @@ def with_units(claim: Claim, world: World) -> Iterator[Claim]:
     Only of what a phrase names, of a square, and of what is worked out: a letter has its value.
     """
     named = isinstance(claim.left, Letter) and is_phrase(claim.left.name)
-    squared = isinstance(claim.left, Binary) and claim.left.op == "^"
+    squared = is_binary(claim.left, "^")
     data = {node.name for node in walk(claim.left) if isinstance(node, Letter)}
     worked = isinstance(claim.left, Binary) and data <= world.letters.keys()
     if claim.sign != "=" or claim.others or not (named or squared or worked):

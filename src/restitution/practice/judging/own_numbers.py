@@ -19,6 +19,8 @@ from restitution.expression.tree import (
     Negate,
     Number,
     children,
+    is_binary,
+    unsigned,
     walk,
 )
 from restitution.practice.judging.entries import Meanings
@@ -67,11 +69,11 @@ class OwnNumbers:
 
         ``others`` are what a phrase that was meant may mean as well.
         """
-        if isinstance(value, Binary) and value.op in ("*", "/") and _letters_in(value) > 1:
+        if is_binary(value, "*", "/") and _letters_in(value) > 1:
             own = _in_meanings(meant, meanings)
             self._terms[value] = tuple(dict.fromkeys((own, *others)))[:_MEANT], line
         value, meant = _without_root(value, meant)
-        behind = value.right if isinstance(value, Binary) and value.op == "*" else None
+        behind = value.right if is_binary(value, "*") else None
         value, meant = _without_letters(value, meant)
         size = _size(value)
         if size is None or size in _SMALL:
@@ -169,8 +171,8 @@ def _letters_in(tree: Expression) -> int:
 def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Expression]:
     """A number above a root, which cancels later, and what is right in its place."""
     turned = isinstance(value, Negate)
-    inside = value.operand if isinstance(value, Negate) else value
-    if not (isinstance(inside, Binary) and inside.op == "/" and _size(inside.right) is None):
+    inside = unsigned(value)
+    if not (is_binary(inside, "/") and _size(inside.right) is None):
         return value, meant
     above = Negate(inside.left) if turned else inside.left
     return above, Binary("*", meant, inside.right)
@@ -178,7 +180,7 @@ def _without_root(value: Expression, meant: Expression) -> tuple[Expression, Exp
 
 def _without_letters(value: Expression, meant: Expression) -> tuple[Expression, Expression]:
     """A number before a letter, which cancels later, and what is right in its place."""
-    if not (isinstance(value, Binary) and value.op == "*" and isinstance(value.right, Letter)):
+    if not (is_binary(value, "*") and isinstance(value.right, Letter)):
         return value, meant
     if _size(value.left) is None:
         return value, meant
@@ -193,7 +195,7 @@ def _is_near(number: Fraction, other: Fraction) -> bool:
 
 def _size(tree: Expression) -> Fraction | None:
     """The size of a number as it stands; None for any other tree."""
-    inside = tree.operand if isinstance(tree, Negate) else tree
+    inside = unsigned(tree)
     return inside.value if isinstance(inside, Number | Degrees) else None
 
 
@@ -205,7 +207,7 @@ def _sizes(tree: Expression) -> Iterator[Fraction]:
     """The numbers of a tree, without exponents."""
     if isinstance(tree, Number | Degrees):
         yield tree.value
-    elif isinstance(tree, Binary) and tree.op == "^":
+    elif is_binary(tree, "^"):
         yield from _sizes(tree.left)
     else:
         for child in children(tree):
@@ -227,7 +229,7 @@ def _with_one(
     if isinstance(tree, Number | Degrees):
         if tree.value == size and behind is None:
             yield other
-    elif isinstance(tree, Binary) and tree.op == "*" and _size(tree.left) == size:
+    elif is_binary(tree, "*") and _size(tree.left) == size:
         if tree.right == behind:
             yield replace(tree, left=other)
     elif isinstance(tree, Binary):
@@ -245,6 +247,6 @@ def _with(tree: Expression, put: dict[Fraction, Expression]) -> Expression:
     """A tree with other trees in place of some numbers; exponents stay."""
     if isinstance(tree, Number | Degrees):
         return put.get(tree.value, tree)
-    if isinstance(tree, Binary) and tree.op == "^":
+    if is_binary(tree, "^"):
         return replace(tree, left=_with(tree.left, put))
     return exchanged(tree, {child: _with(child, put) for child in children(tree)})

@@ -14,10 +14,11 @@ from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Expression,
     Letter,
     Quantity,
+    is_binary,
+    is_quantity,
     letters,
 )
 from restitution.practice.judgement import Mistake, Use
@@ -292,7 +293,7 @@ class OwnValues(Holding):
 
     def _is_of_data(self, tree: Expression, line: ScriptLine) -> bool:
         """Whether a product has letters of what the question fixes alone: ``u cos θ``."""
-        if not isinstance(tree, Binary) or tree.op not in ("*", "/"):
+        if not is_binary(tree, "*", "/"):
             return False
         meanings = self.meanings(line.number)
         own = [
@@ -370,7 +371,7 @@ def _angle_of_line(entry: Entry) -> tuple[Expression, Expression] | None:
         case _:
             return None
     meant = entry.meanings.get(name)
-    if not isinstance(meant, Quantity) or meant.kind != "angle":
+    if not is_quantity(meant, "angle"):
         return None
     kinds = {x.kind for x in meant.arguments if isinstance(x, Quantity)}
     return (meant, value) if "line_of_centres" in kinds and "velocity" not in kinds else None

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    is_function,
     letters,
     walk,
 )
@@ -95,7 +96,7 @@ def is_fraction_of_line(entry: Entry, world: World) -> bool:
 def is_tangent_inverted(entry: Entry, world: World) -> bool:
     """Whether the tangent after a wall is that before it over e, and not times e."""
     left = entry.claim.left
-    if not (isinstance(left, Apply) and left.function == "tan"):
+    if not is_function(left, "tan"):
         return False
     if not any(isinstance(node, Apply) for node in walk(entry.claim.right)):
         return False

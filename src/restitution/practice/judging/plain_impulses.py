@@ -16,6 +16,8 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_quantity,
+    unsigned,
     walk,
 )
 from restitution.practice.judging.claimed import has_value, meant_by
@@ -33,8 +35,8 @@ def is_impulse_of_speeds(entry: Entry, world: World) -> bool:
     They are those of one body before and after, rounded as the student has them.
     """
     meant = meant_by(entry)
-    meant = meant.operand if isinstance(meant, Negate) else meant
-    if not (isinstance(meant, Quantity) and meant.kind == "impulse"):
+    meant = unsigned(meant)
+    if not is_quantity(meant, "impulse"):
         return False
     number = meant.stage if isinstance(meant.stage, int) else len(world.events)
     for body in world.start:
@@ -79,10 +81,10 @@ def _are_near(own: Expression, wanted: Expression, entry: Entry, world: World) -
 def is_impulse_reversed(entry: Entry, world: World) -> bool:
     """Whether a velocity after an impulse is worked out with the impulse in the other sense."""
     given = (node for tree in trees(world.problem) for node in walk(tree))
-    if not any(isinstance(each, Quantity) and each.kind == "impulse" for each in given):
+    if not any(is_quantity(each, "impulse") for each in given):
         return False
     meant = meant_by(entry)
-    inside = meant.operand if isinstance(meant, Negate) else meant
+    inside = unsigned(meant)
     match inside:
         case Quantity("velocity", _, int(stage)) if stage:
             after: Expression = inside

@@ -22,7 +22,9 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    is_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.practice.judging.claimed import has_value, meant_by
@@ -191,7 +193,7 @@ def cannot_be(variant: VariantAt, entry: Entry, world: World) -> bool:
     each sphere keeps its component along the line: with one of zero an equation tells nothing.
     """
     meant = meant_by(entry)
-    meant = meant.operand if isinstance(meant, Negate) else meant
+    meant = unsigned(meant)
     match meant:
         case Quantity("along" | "across", (Quantity("velocity", (Name(body),), int(stage)), _)):
             before = stage < variant.event.number and variant.mistake not in _OF_COMPONENTS
@@ -221,8 +223,8 @@ def _is_zero(tree: Expression, world: World) -> bool:
 
 
 def _is_along(tree: Expression) -> bool:
-    inner = tree.operand if isinstance(tree, Negate) else tree
-    return isinstance(inner, Quantity) and inner.kind == "along"
+    inner = unsigned(tree)
+    return is_quantity(inner, "along")
 
 
 def _has_part(
@@ -235,7 +237,7 @@ def _has_part(
 
 def _events_of(meant: Expression, world: World) -> tuple[int, ...]:
     """The impacts of which a quantity is the coefficient of restitution."""
-    if isinstance(meant, Quantity) and meant.kind == "restitution":
+    if is_quantity(meant, "restitution"):
         return (meant.stage,) if isinstance(meant.stage, int) else ()
     if not isinstance(meant, Letter):
         return ()

@@ -24,7 +24,11 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_binary,
+    is_function,
+    is_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.practice.judgement import Use
@@ -94,20 +98,17 @@ def plainly(
 
 def _is_square_put(correction: Correction) -> bool:
     """Whether a correction squares a number or a letter."""
-    square = isinstance(correction.put, Binary) and correction.put.op == "^"
+    square = is_binary(correction.put, "^")
     return correction.change == "square" or (correction.change == "power" and square)
 
 
 def _is_other_component(entry: Entry, world: World) -> bool:
     """Whether a component is given that at right angles to it, by a sine or a cosine."""
-    if not any(
-        isinstance(node, Apply) and node.function in ("sin", "cos")
-        for node in walk(entry.claim.right)
-    ):
+    if not any(is_function(node, "sin", "cos") for node in walk(entry.claim.right)):
         return False  # a number may be one by a slip
     meant = meant_by(entry)
-    meant = meant.operand if isinstance(meant, Negate) else meant
-    if not isinstance(meant, Quantity) or meant.kind not in ("along", "across"):
+    meant = unsigned(meant)
+    if not is_quantity(meant, "along", "across"):
         return False
     other = "across" if meant.kind == "along" else "along"
     size = Apply("abs", replace(meant, kind=other))
@@ -175,7 +176,7 @@ def _spread_in(tree: Expression, entry: Entry, world: World) -> Array:
 def is_speed_by_energies(entry: Entry, world: World) -> bool:
     """Whether a speed is that before in the ratio of the energies: V = kU where V² = kU²."""
     meant = meant_by(entry)
-    if not isinstance(meant, Quantity) or meant.kind != "speed":
+    if not is_quantity(meant, "speed"):
         return False
     number = len(world.events) if meant.stage is None else meant.stage
     for stage in range(number) if isinstance(number, int) else ():
@@ -191,7 +192,7 @@ def is_whole_speed(entry: Entry, world: World) -> bool:
     if not letters(entry.claim.right) <= world.letters.keys():
         return False
     meant = meant_by(entry)
-    meant = meant.operand if isinstance(meant, Negate) else meant
+    meant = unsigned(meant)
     match meant:
         case Quantity("along", (Quantity("velocity", (Name(),) as body, stage), _)):
             claim = replace(entry.claim, left=Quantity("speed", body, stage))
@@ -259,7 +260,7 @@ def _is_energy_of_one(entry: Entry, world: World) -> bool:
                 lost = replace(quantity, stage=stage)
                 entry = replace(entry, claim=replace(entry.claim, left=lost, right=other))
     meant = meant_by(entry)
-    if not (isinstance(meant, Quantity) and meant.kind in ("energy", "energy_lost")):
+    if not is_quantity(meant, "energy", "energy_lost"):
         return False
     if meant.arguments or len(world.start) < 2:
         return False
@@ -345,7 +346,7 @@ def _bodies_of(meant: Quantity, world: World) -> list[str]:
 def _is_of_other_masses(entry: Entry, world: World) -> bool:
     """Whether the energies of two spheres have each the mass of the other."""
     meant = meant_by(entry)
-    if not isinstance(meant, Quantity) or meant.kind not in ("energy", "energy_lost"):
+    if not is_quantity(meant, "energy", "energy_lost"):
         return False
     number = len(world.events) if meant.stage is None else meant.stage
     if not isinstance(number, int):
@@ -392,8 +393,8 @@ def _is_relative_speed_across(entry: Entry, world: World) -> bool:
     if not (isinstance(left, Letter) and is_phrase(left.name) and is_relative(left.name)):
         return False
     meant = meant_by(entry)
-    meant = meant.operand if isinstance(meant, Negate) else meant
-    if not isinstance(meant, Quantity) or meant.kind != "along":
+    meant = unsigned(meant)
+    if not is_quantity(meant, "along"):
         return False
     across = Apply("abs", replace(meant, kind="across"))
     return has_value(across, Apply("abs", entry.claim.right), entry, world)
@@ -570,7 +571,7 @@ def _is_ratio_of_relative_speeds(entry: Entry, world: World) -> bool:
 def is_energetic(entry: Entry) -> bool:
     """Whether a claim speaks of energies, or of squares of speeds."""
     return is_of_energy(entry) or any(
-        isinstance(node, Binary) and node.op == "^" and not isinstance(node.left, Apply)
+        is_binary(node, "^") and not isinstance(node.left, Apply)
         for side in (entry.claim.left, entry.claim.right)
         for node in walk(side)
     )
@@ -581,7 +582,7 @@ def _is_of_squares(entry: Entry) -> bool:
     left = entry.claim.left
     if all(map(has_square, (left, entry.claim.right))):
         return True
-    left = left.left if isinstance(left, Binary) and left.op == "^" else left
+    left = left.left if is_binary(left, "^") else left
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
     return isinstance(meant, Quantity) and (meant.kind == "speed" or "energy" in meant.kind)
 
@@ -610,7 +611,7 @@ def is_deflection_as_angle(entry: Entry, world: World) -> bool:
     Either angle is one to the line of centres: ``tan 30° = usinθ/v`` for a sphere turned by 30°.
     """
     left = entry.claim.left
-    if not (isinstance(left, Apply) and left.function == "tan"):
+    if not is_function(left, "tan"):
         return False
     for number in world.lines:
         line = Quantity("line_of_centres", (), number)
@@ -635,7 +636,7 @@ def is_coefficient(entry: Entry) -> bool:
     left = entry.claim.left
     meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
     named = isinstance(left, Letter) and left.name == "e" and meant == left
-    named = named or (isinstance(meant, Quantity) and meant.kind == "restitution")
+    named = named or is_quantity(meant, "restitution")
     numbers = {Letter, Quantity}.isdisjoint(map(type, walk(entry.claim.right)))
     trigonometric = any(
         isinstance(x, Apply) and x.function != "sqrt" for x in walk(entry.claim.right)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Apply, Degrees, Expression, walk
+from restitution.expression.tree import Degrees, Expression, is_function, walk
 from restitution.practice.judging.deduction import deduced_from
 from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.script import Claim
@@ -66,7 +66,7 @@ def _gives_angle(above: Entry, entry: Entry) -> bool:
     angle, own = entry.claim.left, above.claim.left
     if above.claim.sign != "=" or not isinstance(entry.claim.right, Degrees):
         return False
-    if isinstance(own, Apply) and own.function in ("sin", "cos", "tan"):
+    if is_function(own, "sin", "cos", "tan"):
         return own.argument == angle
     return own != angle and above.is_value and above.claim.right == entry.claim.right
 

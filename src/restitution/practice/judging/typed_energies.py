@@ -12,6 +12,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_binary,
     letters,
     walk,
 )
@@ -76,6 +77,4 @@ def are_energies(entry: Entry) -> bool:
 
 def has_square(tree: Expression) -> bool:
     """Whether something is squared in a tree."""
-    return any(
-        isinstance(node, Binary) and node.op == "^" and node.right == _TWO for node in walk(tree)
-    )
+    return any(is_binary(node, "^") and node.right == _TWO for node in walk(tree))

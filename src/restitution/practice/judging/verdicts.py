@@ -25,7 +25,9 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Quantity,
+    is_binary,
     letters,
+    unsigned,
 )
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in
@@ -408,7 +410,7 @@ class Judge(Unlabelled):
             ratio = self._base.scalar(left) / self._base.scalar(right)
         except (RestitutionError, ZeroDivisionError):
             return False
-        return isinstance(left, Binary) and left.op in "+-" and bool(np.ptp(ratio) < _SAME_RATIO)
+        return is_binary(left, "+", "-") and bool(np.ptp(ratio) < _SAME_RATIO)
 
     def _explain(self, number: int, explained: Explained) -> None:
         """Keep what explains a false line; altered laws of which two lines are instances stand."""
@@ -607,7 +609,7 @@ class Judge(Unlabelled):
         for claim in link.readings:
             left = claim.left
             meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else None
-            inside = meant.operand if isinstance(meant, Negate) else meant
+            inside = unsigned(meant)
             if claim.sign != "=" or claim.others or inside is None or not is_signed(inside):
                 continue
             turned = replace(claim, right=Negate(claim.right))

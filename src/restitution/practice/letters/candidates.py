@@ -18,6 +18,8 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Unit,
+    is_function,
+    negated,
     walk,
 )
 from restitution.problem import Event, Impact, Kick, Part, Problem, Wall, bodies_of
@@ -91,12 +93,7 @@ class Candidate:
 
     def turned(self) -> Candidate:
         """The same quantity in the other sense."""
-        return replace(self, quantity=turned(self.quantity), cost=self.cost + _TURNED)
-
-
-def turned(tree: Expression) -> Expression:
-    """An expression with the other sign."""
-    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+        return replace(self, quantity=negated(self.quantity), cost=self.cost + _TURNED)
 
 
 def candidates(problem: Problem, part: Part | None = None) -> tuple[Candidate, ...]:
@@ -282,7 +279,7 @@ def _of_event(problem: Problem, event: Event, number: int) -> Iterator[Candidate
             )
             loss = Binary("-", before, after)
             yield Candidate(loss, "energy", "scalar", body, number, cost=0.3)
-            yield Candidate(turned(loss), "energy", "scalar", body, number, cost=0.4)
+            yield Candidate(negated(loss), "energy", "scalar", body, number, cost=0.4)
             yield Candidate(
                 Quantity("deflection", (Name(body),), number),
                 "deflection",
@@ -400,7 +397,7 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
 def is_odd(letter: str, quantity: Expression) -> bool:
     """Whether nobody would take a letter for a quantity by its look: T for a tangent."""
     kinds = {_KINDS.get(node.kind) for node in walk(quantity) if isinstance(node, Quantity)}
-    tangent = isinstance(quantity, Apply) and quantity.function == "tan"
+    tangent = is_function(quantity, "tan")
     known = "tangent" if tangent else next((each for each in _ORDER if each in kinds), None)
     usual = kinds_of(letter, False)
     if known == "angle":

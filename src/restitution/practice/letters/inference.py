@@ -17,7 +17,7 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
-from restitution.expression.tree import Binary, Negate, letters, walk
+from restitution.expression.tree import Negate, is_binary, letters, walk
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.slots import Slot, shaped
 from restitution.practice.letters.trial import Frame, Tester, everywhere
@@ -582,7 +582,7 @@ def _adds(item: Item) -> bool:
     """Whether an item gives its letter the value of a sum, or of a difference."""
     sides = (item.readings[0].left, item.readings[0].right)
     return any(
-        isinstance(node, Binary) and node.op in "+-"
+        is_binary(node, "+", "-")
         for side in sides
         if letters(side).isdisjoint(item.slots)
         for node in walk(side)

@@ -19,8 +19,8 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Quantity,
+    unsigned,
 )
 from restitution.practice.letters.inference import Item
 from restitution.practice.letters.options import staged
@@ -288,7 +288,7 @@ def _stands_alone(item: Item, slot: int) -> bool:
     names = {name for name, s in item.slots.items() if s == slot}
     for claim in item.readings:
         for side in (claim.left, claim.right):
-            inner = side.operand if isinstance(side, Negate) else side
+            inner = unsigned(side)
             inner = inner.argument if isinstance(inner, Apply) else inner
             if isinstance(inner, Letter) and inner.name in names:
                 return True

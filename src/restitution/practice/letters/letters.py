@@ -20,7 +20,9 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
-    Quantity,
+    is_binary,
+    is_quantity,
+    unsigned,
 )
 from restitution.practice.judgement import By, Meaning
 from restitution.practice.letters.candidates import Candidate, kinds_of
@@ -522,16 +524,11 @@ def _is_momentum(item: Item) -> bool:
 
 def _is_multiple(tree: Expression) -> bool:
     """Whether a component is told as a multiple of a speed: the x of ``v = x u i``."""
-    inner = tree.operand if isinstance(tree, Negate) else tree
-    return isinstance(inner, Binary) and inner.op == "/"
+    inner = unsigned(tree)
+    return is_binary(inner, "/")
 
 
 def _is_along_the_line(tree: Expression) -> bool:
     """Whether a quantity is the component along a line of centres of two spheres."""
-    inner = tree.operand if isinstance(tree, Negate) else tree
-    return (
-        isinstance(inner, Quantity)
-        and inner.kind == "along"
-        and isinstance(inner.arguments[1], Quantity)
-        and inner.arguments[1].kind == "line_of_centres"
-    )
+    inner = unsigned(tree)
+    return is_quantity(inner, "along") and is_quantity(inner.arguments[1], "line_of_centres")

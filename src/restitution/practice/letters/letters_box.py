@@ -9,9 +9,18 @@ from restitution.components.frames import Frame
 from restitution.components.models import Model
 from restitution.components.telling import model
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Expression, Name, Negate, Polar, Quantity, Unit, walk
+from restitution.expression.tree import (
+    Expression,
+    Name,
+    Negate,
+    Polar,
+    Quantity,
+    Unit,
+    negated,
+    walk,
+)
 from restitution.expression.writing import write_expression
-from restitution.practice.letters.candidates import turned, velocity
+from restitution.practice.letters.candidates import velocity
 from restitution.practice.letters.options import staged
 from restitution.practice.letters.surroundings import letters_of
 from restitution.practice.letters.wordings import words_of
@@ -95,7 +104,7 @@ def _rows(problem: Problem, part: Part, letters_model: Model) -> Iterator[BoxRow
 
 
 def _row(letter: str, quantity: Expression, problem: Problem, *, sensed: bool) -> BoxRow:
-    other = turned(quantity) if sensed else None
+    other = negated(quantity) if sensed else None
     return BoxRow(
         letter,
         write_expression(quantity),

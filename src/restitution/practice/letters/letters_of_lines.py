@@ -8,13 +8,14 @@ from functools import cached_property
 import numpy as np
 
 from restitution.expression.tree import (
-    Binary,
     Expression,
     Letter,
     Name,
-    Negate,
     Quantity,
+    is_binary,
+    is_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.practice.letters.candidates import Candidate, earlier, suffix
@@ -158,7 +159,7 @@ class LettersOfLines:
 
     def _factors(self, tree: Expression) -> frozenset[str]:
         """The letters of a scalar product of which one stands alone and is a direction."""
-        if not isinstance(tree, Quantity) or tree.kind != "dot":
+        if not is_quantity(tree, "dot"):
             return frozenset()
         alone = {argument.name for argument in tree.arguments if isinstance(argument, Letter)}
         named = any(is_direction(name) and name not in self.around.letters for name in alone)
@@ -390,7 +391,7 @@ class LettersOfLines:
     def turned_speeds(self) -> frozenset[str]:
         """The letters that an angle of the student's own resolves, alone on a side: ``V cos β``."""
         alone = (
-            side.operand if isinstance(side, Negate) else side
+            unsigned(side)
             for line in self.lines
             for link in line.links
             for side in (link.readings[0].left, link.readings[0].right)
@@ -398,7 +399,7 @@ class LettersOfLines:
         return frozenset(
             name
             for side in alone
-            if isinstance(side, Binary) and side.op == "*"
+            if is_binary(side, "*")
             if inside_angles(side) and not inside_angles(side) & self.around.letters
             for name in resolved_in(side) - self.around.letters
         )

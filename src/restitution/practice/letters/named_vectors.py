@@ -22,7 +22,9 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    is_quantity,
     letters,
+    unsigned,
 )
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.trial import NOWHERE, Frame, Tester
@@ -90,7 +92,7 @@ def _lettered(
         case _:
             return
     for component, axis in _parts(vector):
-        inner = component.operand if isinstance(component, Negate) else component
+        inner = unsigned(component)
         along: Expression = Quantity("along", (velocity, axis))
         match inner:
             case Binary("*", Letter(name) as letter, Letter() as unit) if is_open(name):
@@ -167,7 +169,7 @@ def _component(meant: Candidate, axis: Unit, problem: Problem) -> Expression | N
     if len(problem.events) > 1:
         return None
     velocity = meant.quantity
-    if not isinstance(velocity, Quantity) or velocity.kind != "velocity":
+    if not is_quantity(velocity, "velocity"):
         return None
     (body,) = velocity.arguments
     assert isinstance(body, Name)

@@ -17,6 +17,8 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
     Unit,
+    is_quantity,
+    unsigned,
     walk,
 )
 from restitution.practice.letters.candidates import (
@@ -374,11 +376,11 @@ def multiples(
 
 
 def _is_component(tree: Expression) -> bool:
-    inner = tree.operand if isinstance(tree, Negate) else tree
-    if not isinstance(inner, Quantity) or inner.kind not in ("along", "across"):
+    inner = unsigned(tree)
+    if not is_quantity(inner, "along", "across"):
         return False
     axis = inner.arguments[1]
-    return isinstance(axis, Quantity) and axis.kind == "line_of_centres"
+    return is_quantity(axis, "line_of_centres")
 
 
 _MOMENTS = frozenset(
@@ -404,7 +406,7 @@ def _moved(tree: Expression, stage: int) -> Expression:
             return Quantity(kind, arguments, stage)
         case Quantity(kind, arguments, own):
             return Quantity(kind, tuple(_moved(argument, stage) for argument in arguments), own)
-        case Binary(op, left, right) if not (isinstance(left, Quantity) and left.kind == "energy"):
+        case Binary(op, left, right) if not is_quantity(left, "energy"):
             return Binary(op, _moved(left, stage), _moved(right, stage))
         case Apply(function, argument):
             return Apply(function, _moved(argument, stage))
@@ -414,7 +416,7 @@ def _moved(tree: Expression, stage: int) -> Expression:
 
 
 def _of_tree(tree: Expression, cost: float) -> Candidate:
-    inner = tree.operand if isinstance(tree, Negate) else tree
+    inner = unsigned(tree)
     kind: Kind = "definition"
     body = next((n.name for n in walk(inner) if isinstance(n, Name)), None)
     event = next(

@@ -11,7 +11,7 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
-from restitution.expression.tree import Expression, Negate, Quantity
+from restitution.expression.tree import Expression, Quantity, is_quantity, unsigned
 from restitution.practice.letters.candidates import AXES, Candidate
 from restitution.practice.letters.trial import Tester
 from restitution.practice.worlds.arrays import Array, angle
@@ -136,8 +136,8 @@ def _way(tester: Tester, tree: Expression) -> Any:
 
     A fact may make the components along two lines equal: they are two quantities all the same.
     """
-    inner = tree.operand if isinstance(tree, Negate) else tree
-    if not isinstance(inner, Quantity) or inner.kind not in ("along", "across"):
+    inner = unsigned(tree)
+    if not is_quantity(inner, "along", "across"):
         return None
     units = (Quantity(inner.kind, (unit, inner.arguments[1])) for unit in AXES)
     values = [tester.value(unit, {}) for unit in units]

@@ -22,7 +22,9 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.practice.letters.candidates import Candidate, before_event, candidates
@@ -136,10 +138,10 @@ class Surroundings:
     def _is_of_the_axes(self, candidate: Candidate) -> bool:
         """Whether an angle is that of a line along i or j to i or j: nobody has a letter for it."""
         tree = candidate.quantity
-        if not isinstance(tree, Quantity) or tree.kind != "angle":
+        if not is_quantity(tree, "angle"):
             return False
         line, axis = tree.arguments
-        if not isinstance(line, Quantity) or line.kind != "line_of_centres":
+        if not is_quantity(line, "line_of_centres"):
             return False
         value = self.tester.value(tree, {}) if isinstance(axis, Unit) else None
         return isinstance(value, Angle) and makes_idle(value, self.tester)
@@ -199,7 +201,7 @@ class Surroundings:
             for link in line.links:
                 for side in (link.readings[0].left, link.readings[0].right):
                     for tree in walk(side):
-                        if isinstance(tree, Quantity) and tree.kind == "dot":
+                        if is_quantity(tree, "dot"):
                             for argument in tree.arguments:
                                 sizes.setdefault(self._size(argument), argument)
         for step in self.events:
@@ -220,7 +222,7 @@ class Surroundings:
                             case _:
                                 continue
                         for factor, vector in pairs:
-                            own = factor.operand if isinstance(factor, Negate) else factor
+                            own = unsigned(factor)
                             if isinstance(own, Letter) and self._size(vector) not in (0.0, 1.0):
                                 directions.setdefault(own.name, vector)
         return directions

@@ -14,12 +14,13 @@ from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
     Apply,
-    Binary,
     Degrees,
     Expression,
     Letter,
     Number,
     Quantity,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -272,15 +273,15 @@ def resolved_in(tree: Expression) -> frozenset[str]:
     return frozenset(
         factor.name
         for node in walk(tree)
-        if isinstance(node, Binary) and node.op == "*"
-        if isinstance(node.right, Apply) and node.right.function in ("sin", "cos")
+        if is_binary(node, "*")
+        if is_function(node.right, "sin", "cos")
         for factor in _factors(node.left)
         if isinstance(factor, Letter)
     )
 
 
 def _factors(tree: Expression) -> Iterator[Expression]:
-    if isinstance(tree, Binary) and tree.op == "*":
+    if is_binary(tree, "*"):
         yield from _factors(tree.left)
         yield from _factors(tree.right)
     else:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from restitution.errors import StatementError
-from restitution.expression.tree import Expression, Letter, Name, Quantity, Stage, walk
+from restitution.expression.tree import Expression, Letter, Name, Quantity, Stage, is_quantity, walk
 from restitution.practice.judgement import Accuracy, JudgedLine, Judgement
 from restitution.practice.judging.bench import Bench, bench_of
 from restitution.practice.judging.judging import judge
@@ -146,8 +146,7 @@ def _meant(asked: str, value: str, bench: Bench) -> ItemResult | None:
         item
         for item in bench.solved.items
         if isinstance(item.item, Value)
-        and isinstance(item.item.expression, Quantity)
-        and item.item.expression.kind in ("speed", "velocity")
+        and is_quantity(item.item.expression, "speed", "velocity")
         and isinstance(body := item.item.expression.arguments[0], Name)
         and _plain(asked).replace("_", "") == f"v{body.name}".casefold()
     ]

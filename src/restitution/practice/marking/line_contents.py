@@ -6,7 +6,6 @@ import re
 from dataclasses import dataclass
 
 from restitution.expression.tree import (
-    Binary,
     Degrees,
     Expression,
     Letter,
@@ -14,6 +13,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_binary,
+    is_quantity,
     letters,
     walk,
 )
@@ -30,20 +31,20 @@ _UNITS = re.compile(r"m\s?s\^?-1|ms⁻¹|N\s?s|kg|deg(?:rees)?|and|sqrt", re.IGN
 def _is_of_velocity(point: MarkPoint) -> bool:
     """Whether a point is for a velocity."""
     left = point.link.left if point.link is not None else None
-    return isinstance(left, Quantity) and left.kind == "velocity" and not point.shown
+    return is_quantity(left, "velocity") and not point.shown
 
 
 def _is_sum_of_vectors(tree: Expression) -> bool:
     """Whether a multiple of a vector in brackets is added: ``4i + 3j - 2(3i - 4j)/5``."""
-    if not (isinstance(tree, Binary) and tree.op in "+-"):
+    if not is_binary(tree, "+", "-"):
         return False
-    products = (node for node in walk(tree) if isinstance(node, Binary) and node.op in "*/")
+    products = (node for node in walk(tree) if is_binary(node, "*", "/"))
     return any(_is_sum(part) for product in products for part in walk(product))
 
 
 def _is_sum(tree: Expression) -> bool:
     """Whether vectors are added up."""
-    added = isinstance(tree, Binary) and tree.op in "+-"
+    added = is_binary(tree, "+", "-")
     return added and any(isinstance(node, Unit) for node in walk(tree))
 
 

@@ -19,6 +19,7 @@ from restitution.explaining.lines.derivation import (
     Line,
     Link,
     Relation,
+    numbers_in,
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style
 from restitution.explaining.lines.saying import say
@@ -211,12 +212,12 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
     count = 0
 
     def above(line: Line) -> tuple[str, ...]:
-        seen, open_ = set[int](), [ref for ref in line.premises if isinstance(ref, int)]
+        seen, open_ = set[int](), numbers_in(line.premises)
         while open_:
             number = open_.pop()
             if number not in seen and number in lines:
                 seen.add(number)
-                open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
+                open_ += numbers_in(lines[number].premises)
         return tuple(point.id for n in sorted(seen) for point in by_line.get(n, ()))
 
     for line in derivation.lines:
@@ -309,7 +310,7 @@ def _nearest_methods(
 ) -> list[str]:
     """The methods on which a value directly rests: those of the nearest lines that have some."""
     methods: list[str] = []
-    seen, open_ = set[int](), [ref for ref in line.premises if isinstance(ref, int)]
+    seen, open_ = set[int](), numbers_in(line.premises)
     while open_:
         number = open_.pop(0)
         if number in seen or number not in lines:
@@ -318,7 +319,7 @@ def _nearest_methods(
         own = [point.id for point in by_line.get(number, ()) if point.letter == "M"]
         methods += own
         if not own:
-            open_ += [ref for ref in lines[number].premises if isinstance(ref, int)]
+            open_ += numbers_in(lines[number].premises)
     return methods
 
 

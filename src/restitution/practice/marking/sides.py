@@ -25,6 +25,9 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    is_binary,
+    is_function,
+    is_quantity,
     letters,
     walk,
 )
@@ -59,7 +62,7 @@ class Sides:
 
     def _is_of_velocity(self, side: Expression, quantity: Expression, line: JudgedLine) -> bool:
         """Whether a side is a component of the velocity, or of the speed, that a quantity is."""
-        if not (isinstance(quantity, Quantity) and quantity.kind in ("velocity", "speed")):
+        if not is_quantity(quantity, "velocity", "speed"):
             return False
         meanings = self._meanings(line)
         meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
@@ -150,7 +153,7 @@ class Sides:
         for link in line.line.links:
             for side in (link.readings[0].left, link.readings[0].right):
                 for node in walk(side):
-                    if not isinstance(node, Binary) or node.op not in ("*", "^"):
+                    if not is_binary(node, "*", "^"):
                         continue
                     try:
                         own = world.value(node, meanings, line.line.scope)
@@ -249,7 +252,7 @@ class Sides:
             return False
         if self.value_of(quantity, line, open_) is not None:
             return True
-        ratio = isinstance(quantity, Binary) and quantity.op == "/"
+        ratio = is_binary(quantity, "/")
         return ratio and self._gives_ratio(quantity, line, open_)  # type: ignore[arg-type]
 
     def _gives_ratio(self, ratio: Binary, line: JudgedLine, open_: bool) -> bool:
@@ -279,7 +282,7 @@ class Sides:
         if self._names(side, quantity, meanings, line):
             return True
         meant = meanings.get(side.name, side) if isinstance(side, Letter) else side
-        speed = isinstance(quantity, Quantity) and quantity.kind == "speed"
+        speed = is_quantity(quantity, "speed")
         return speed and self._is_component(meant) and self._is_worth(side, quantity, line)
 
     def _gives_multiple(self, quantity: Expression, line: JudgedLine, open_: bool) -> bool:
@@ -316,7 +319,7 @@ class Sides:
         for chain in chains(line):
             first, last = chain[0].left, chain[-1].right
             impulse = isinstance(first, Letter) and first.name in _IMPULSE
-            impulse = impulse and isinstance(quantity, Quantity) and quantity.kind == "impulse"
+            impulse = impulse and is_quantity(quantity, "impulse")
             nameless = self._is_nameless(first, meanings, line, open_)
             if not nameless and not impulse:
                 continue
@@ -364,7 +367,7 @@ class Sides:
 
     def _squares(self, quantity: Expression, line: JudgedLine) -> list[Array]:
         """The true squares of the components of a velocity that a sound line gives a value."""
-        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+        if not is_quantity(quantity, "velocity", "speed"):
             return []
         if line.verdict not in ("true", "follows", "false"):
             return []
@@ -393,11 +396,11 @@ class Sides:
         """Whether a tree is a component of a velocity, or that turned round."""
         if isinstance(tree, Negate):
             (tree,) = children(tree)
-        return isinstance(tree, Quantity) and tree.kind in ("along", "across")
+        return is_quantity(tree, "along", "across")
 
     def _size(self, quantity: Expression) -> Array | None:
         """The true size of a velocity or speed; None where a quantity is neither."""
-        if not isinstance(quantity, Quantity) or quantity.kind not in ("velocity", "speed"):
+        if not is_quantity(quantity, "velocity", "speed"):
             return None
         try:
             return spread_of(self._base, self._base.value(replace(quantity, kind="speed")))
@@ -444,10 +447,10 @@ class Sides:
         self, side: Expression, quantity: Expression, meanings: Mapping[str, Expression]
     ) -> bool:
         """Whether a side is the size, or a component, of an impulse: smooth bodies meet."""
-        inner = side.argument if isinstance(side, Apply) and side.function == "abs" else side
+        inner = side.argument if is_function(side, "abs") else side
         meant = meanings.get(inner.name, inner) if isinstance(inner, Letter) else inner
         meant = meant if inner is side else Apply("abs", meant)
-        if not isinstance(quantity, Quantity) or quantity.kind != "impulse" or quantity.arguments:
+        if not is_quantity(quantity, "impulse") or quantity.arguments:
             return False
         try:
             own, asked = self._base.value(meant), self._base.value(quantity)
@@ -523,7 +526,7 @@ def chains(line: JudgedLine) -> Iterator[Sequence[Claim]]:
 def _of_direction(claim: Claim) -> Claim:
     """A vector that has no part across a line, as the direction of that line."""
     right = claim.right
-    if claim.left == Number(Fraction(0)) and isinstance(right, Quantity) and right.kind == "across":
+    if claim.left == Number(Fraction(0)) and is_quantity(right, "across"):
         vector, line = right.arguments
         return Claim(line, "=", vector)
     return claim

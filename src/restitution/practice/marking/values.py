@@ -22,6 +22,9 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_binary,
+    is_function,
+    is_quantity,
     walk,
 )
 from restitution.practice.judgement import JudgedLine
@@ -246,8 +249,7 @@ class Values(LineContents):
         meanings = self._meanings(line)
         angle = link.left.argument if isinstance(link.left, Apply) else link.left
         return any(
-            isinstance(node, Apply)
-            and node.function in ("sin", "cos", "tan", "cot")
+            is_function(node, "sin", "cos", "tan", "cot")
             and self._names(node.argument, angle, meanings, line)
             and self.velocities_in(claim, line) <= {node.argument}
             for chain in chains(line)
@@ -351,10 +353,8 @@ class Values(LineContents):
         With ``known`` those of a tangent have to be components of a velocity.
         """
         return any(
-            isinstance(node, Apply)
-            and node.function in ("arctan", "arcsin", "arccos")
-            and isinstance(node.argument, Binary)
-            and node.argument.op == "/"
+            is_function(node, "arctan", "arcsin", "arccos")
+            and is_binary(node.argument, "/")
             and is_bare(node.argument)
             and not (known and node.function == "arctan" and not self._is_slope(node.argument))
             for chain in chains(line)
@@ -392,7 +392,7 @@ class Values(LineContents):
         That is what stands in place of its speed where a path turns through a sum of angles.
         """
         left = None if point.link is None else point.link.left
-        if not (isinstance(left, Quantity) and left.kind == "speed"):
+        if not is_quantity(left, "speed"):
             return False
         world = self._base
         try:
@@ -415,7 +415,7 @@ class Values(LineContents):
     def is_velocity(self, point: MarkPoint) -> bool:
         """Whether a point is for a velocity."""
         left = point.link.left if point.link is not None else None
-        return isinstance(left, Quantity) and left.kind == "velocity" and not point.shown
+        return is_quantity(left, "velocity") and not point.shown
 
     def shows(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether the value of a velocity stands in a remark: ``so both 0.6i + j``."""
@@ -447,7 +447,7 @@ class Values(LineContents):
             return None
         if point.link.sign == "=" and isinstance(point.link.right, Binary):
             unit = any(isinstance(node, Unit) for node in walk(point.link.right))
-            vector = isinstance(point.link.left, Quantity) and point.link.left.kind == "impulse"
+            vector = is_quantity(point.link.left, "impulse")
             return _CONCLUSIONS["parallel to"] if unit and vector else None
         return _CONCLUSIONS.get(point.link.sign)
 
@@ -458,16 +458,13 @@ class Values(LineContents):
     def is_direction(self, point: MarkPoint) -> bool:
         """Whether a point is for a direction."""
         left = point.link.left if point.link is not None else None
-        return isinstance(left, Quantity) and left.kind == "direction" and not point.shown
+        return is_quantity(left, "direction") and not point.shown
 
     def has_rebound(self, line: JudgedLine) -> bool:
         """Whether a line has e and, but for an impulse, nothing else that an impact decides."""
         meanings = self._meanings(line)
         meant = (meanings.get(getattr(tree, "name", ""), tree) for tree in self.unknowns(line))
-        impulses = all(
-            tree == Letter("e") or (isinstance(tree, Quantity) and tree.kind == "impulse")
-            for tree in meant
-        )
+        impulses = all(tree == Letter("e") or is_quantity(tree, "impulse") for tree in meant)
         return impulses and any(
             node == Letter("e")
             for link in line.line.links

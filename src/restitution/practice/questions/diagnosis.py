@@ -16,7 +16,7 @@ from typing import Any
 
 from restitution.explaining.mistakes.altered import AlteredProblem, altered
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
-from restitution.expression.tree import Binary, Degrees, Number, Quantity
+from restitution.expression.tree import Degrees, Number, Quantity, is_binary
 from restitution.practice.questions import doubles
 from restitution.practice.questions.dice import Dice
 from restitution.problem import Event, Given, Let, Problem, Value
@@ -259,7 +259,7 @@ def _rebuilt(value: Any, dice: Dice) -> Any:
     if isinstance(value, Number | Degrees):
         factor = 1 + Fraction(dice.between(-60, 60), 1000)
         return replace(value, value=value.value * factor)
-    if isinstance(value, Binary) and value.op == "^":
+    if is_binary(value, "^"):
         return replace(value, left=_rebuilt(value.left, dice))
     if isinstance(value, Quantity):
         return value

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution import law
-from restitution.expression.tree import Binary, Number, Unit, walk
+from restitution.expression.tree import Binary, Number, Unit, is_binary, walk
 from restitution.expression.writing import write_expression
 from restitution.practice.questions.dice import Dice
 from restitution.problem import Problem, trees
@@ -307,7 +307,7 @@ def ugly_value(solution: Solution) -> str:
         for node in walk(tree):
             if isinstance(node, Number) and node.value.denominator > MOST_DENOMINATOR:
                 return write_expression(node)
-            if isinstance(node, Binary) and node.op == "/" and _is_large(node):
+            if is_binary(node, "/") and _is_large(node):
                 return write_expression(node)
     for part in solution.parts.values():
         for branch in part.branches[:1]:

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Polar,
     Unit,
     has_quantity,
+    is_binary,
     letters,
     walk,
 )
@@ -459,7 +460,7 @@ def _asked_forward(
 def _subject(relation: Compare) -> Expression:
     """What is worked out again: of ``Q = 36% energy(0)`` the share."""
     left, right = relation.operands
-    if has_quantity(right) and isinstance(right, Binary) and right.op == "*":
+    if has_quantity(right) and is_binary(right, "*"):
         return Binary("/", left, right.right)
     return left
 

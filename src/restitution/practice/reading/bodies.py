@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from restitution.expression.tree import Binary, Expression, Letter, Name, Negate, Quantity, walk
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Quantity,
+    is_binary,
+    walk,
+)
 from restitution.practice.reading.readings import Side
 from restitution.problem import Problem
 
@@ -21,10 +29,7 @@ def vectors_of(body: str, problem: Problem) -> tuple[Side, ...]:
 
 def _is_signed(tree: Expression) -> bool:
     """Whether a value may be negative as it is typed: ``-2``, ``u(2 - 3e)``."""
-    return any(
-        isinstance(node, Negate) or (isinstance(node, Binary) and node.op == "-")
-        for node in walk(tree)
-    )
+    return any(isinstance(node, Negate) or is_binary(node, "-") for node in walk(tree))
 
 
 def worths_of(body: str, value: Expression) -> tuple[Side, ...]:

@@ -17,6 +17,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -31,12 +33,12 @@ from restitution.practice.reading.readings import Side, read_sides
 from restitution.practice.reading.relations import (
     claims,
     decimals,
-    is_function,
     is_heading,
     is_law,
     is_letter,
     is_numeric,
     is_percentage,
+    is_ratio,
     sides_of,
     worked_out,
 )
@@ -135,13 +137,13 @@ def _in_hundredths(
 
 def _is_sum_of_numbers(tree: Expression) -> bool:
     """Whether a side works out a number: a sum, a product, or the root of one."""
-    root = isinstance(tree, Apply) and tree.function == "sqrt"
+    root = is_function(tree, "sqrt")
     return (root or isinstance(tree, Binary)) and not letters(tree)
 
 
 def _is_root(tree: Expression) -> bool:
     """Whether a side is the root of a sum, as a speed is, perhaps times a letter or divided."""
-    if isinstance(tree, Binary) and tree.op in ("*", "/"):
+    if is_binary(tree, "*", "/"):
         return _is_root(tree.left) or _is_root(tree.right)
     match tree:
         case Apply("sqrt", Binary("+")):
@@ -151,7 +153,7 @@ def _is_root(tree: Expression) -> bool:
 
 def _is_lettered_sum(tree: Expression) -> bool:
     """Whether a side is a sum with letters: between two of them stands an equation."""
-    return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(letters(tree))
+    return is_binary(tree, "+", "-") and bool(letters(tree))
 
 
 class Chains:
@@ -334,7 +336,7 @@ class Chains:
             name = None
         if not signs:
             return
-        short = len(signs) > 1 and is_letter(read[0][0].tree) and is_function(read[1][0].tree)
+        short = len(signs) > 1 and is_letter(read[0][0].tree) and is_ratio(read[1][0].tree)
         if short and self.declaration(segment, sides[:2], read[:2], signs[:1]):
             # y = tan δ = 5t/(1 + 6t²) says first what y is.
             sides, read, signs = sides[1:], read[1:], signs[1:]
@@ -480,7 +482,7 @@ class Chains:
         law = is_law(read) and not (lost and known <= self.usage.letters)
         evaluates = evaluates and set(signs) == {"="} and not law
         if label.kind == "name":
-            product = isinstance(first, Binary) and first.op == "*"  # as mass × velocity is
+            product = is_binary(first, "*")  # as mass × velocity is
             if evaluates and not product and self._is_moving(first) and self.body_of(label):
                 self.link(vectors_of(label.name, self.problem), "=", read[0], sides[0], label)
             elif evaluates and _is_root(first) and self.body_of(label):
@@ -493,7 +495,7 @@ class Chains:
         )
         if label.name == _LAW or (label.name == _LAW_OF_RESTITUTION and letters(first)):
             return
-        if evaluates and not isinstance(first, Letter) and not is_function(first):
+        if evaluates and not isinstance(first, Letter) and not is_ratio(first):
             self.link(self._worth_of(label, first), "=", read[0], sides[0], label)
 
     def _is_of_squares(self, first: Expression, label: Token) -> bool:
@@ -502,16 +504,14 @@ class Chains:
         So it is in ``rel vel: 4² + s² = 5²``; of energies it may be the value of the label.
         """
         heads = {HEADS[word] for word in label.name.split() if word in HEADS}
-        square = any(isinstance(node, Binary) and node.op == "^" for node in walk(first))
+        square = any(is_binary(node, "^") for node in walk(first))
         return square and self._is_sum_of_letters(first) and not heads & {"energy", "loss", "gain"}
 
     def _worth_of(self, label: Token, first: Expression) -> tuple[Side, ...]:
         """What a label before a chain is: a speed before a sum of squares may be its square."""
         name = Letter(label.name)
-        square = any(
-            isinstance(node, Binary) and node.op == "^" for node in walk(first) if node is not first
-        )
-        summed = isinstance(first, Binary) and first.op == "+"
+        square = any(is_binary(node, "^") for node in walk(first) if node is not first)
+        summed = is_binary(first, "+")
         if summed and square and HEADS.get(label.name.split()[0]) in ("speed", "magnitude"):
             return Side(name), Side(Binary("^", name, Number(Fraction(2))))
         return (Side(name), *self.became.get(label.name, ()))
@@ -540,12 +540,12 @@ class Chains:
     def _is_timed(self, tree: Expression) -> bool:
         """Whether a side is a product with a time: a distance, and no component."""
         times = {letter for letter in letters(tree) if letter.partition("_")[0] in ("t", "T")}
-        return bool(times - self.usage.angles) and isinstance(tree, Binary) and tree.op == "*"
+        return bool(times - self.usage.angles) and is_binary(tree, "*")
 
     def _is_sum_of_letters(self, tree: Expression) -> bool:
         """Whether a side adds a letter of the student's own: it is no value of a component."""
         own = letters(tree) - self.usage.letters
-        return isinstance(tree, Binary) and tree.op in ("+", "-") and bool(own)
+        return is_binary(tree, "+", "-") and bool(own)
 
     def alternative(
         self, segment: Segment, read: Sequence[tuple[Side, ...]], signs: Sequence[Sign]

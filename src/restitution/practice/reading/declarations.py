@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from restitution.expression.tree import Apply, Expression, Letter, Negate
+from restitution.expression.tree import Expression, Letter, Negate, is_function
 from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.script import Declaration
@@ -104,10 +104,6 @@ def _with_senses(meanings: Sequence[Expression]) -> tuple[Expression, ...]:
 
     Who says *let the speeds after be v and w* goes on with momentum, and with v < 0.
     """
-    inside = [
-        meaning.argument
-        for meaning in meanings
-        if isinstance(meaning, Apply) and meaning.function == "abs"
-    ]
+    inside = [meaning.argument for meaning in meanings if is_function(meaning, "abs")]
     signed = (sense for tree in inside for sense in (tree, Negate(tree)))
     return tuple(dict.fromkeys((*meanings, *signed)))

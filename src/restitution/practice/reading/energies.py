@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    is_binary,
     letters,
     line_and_column,
     walk,
@@ -53,20 +54,20 @@ def energy_links(
 
 def _has_squares(energy: Expression, problem: Problem) -> bool:
     """Whether every term has a square in it, unless its letters are masses."""
-    if isinstance(energy, Binary) and energy.op in ("+", "-"):
+    if is_binary(energy, "+", "-"):
         return _has_squares(energy.left, problem) and _has_squares(energy.right, problem)
     masses = {"m", "M"}.union(
         *(letters(x.mass) for x in problem.spheres if isinstance(x.mass, Expression))
     )
-    squared = any(isinstance(node, Binary) and node.op == "^" for node in walk(energy))
+    squared = any(is_binary(node, "^") for node in walk(energy))
     return squared or letters(energy) <= masses
 
 
 def _may_be_a_component(energy: Expression, problem: Problem) -> bool:
     """Whether the half is a coefficient of the question, and no speed is squared: 0.5 × 2√5."""
-    if isinstance(energy, Binary) and energy.op in ("+", "-"):
+    if is_binary(energy, "+", "-"):
         return False
-    squared = any(isinstance(factor, Binary) and factor.op == "^" for factor in _factors(energy))
+    squared = any(is_binary(factor, "^") for factor in _factors(energy))
     halves = {
         event.e for event in problem.events if isinstance(event, Impact) and event.e is not None
     }
@@ -92,11 +93,11 @@ def _names(scope: Scope, problem: Problem) -> Iterator[Letter]:
 
 def _is_energy(tree: Expression) -> bool:
     """Whether every term is half a product of two factors at least."""
-    if isinstance(tree, Binary) and tree.op in ("+", "-"):
+    if is_binary(tree, "+", "-"):
         return _is_energy(tree.left) and _is_energy(tree.right)
     factors = list(_factors(tree))
     halves = [factor for factor in factors if factor == Number(_HALF)]
-    squares = [factor for factor in factors if isinstance(factor, Binary) and factor.op == "^"]
+    squares = [factor for factor in factors if is_binary(factor, "^")]
     return len(halves) == 1 and len(factors) + len(squares) > 2
 
 

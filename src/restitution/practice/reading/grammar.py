@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Pi,
     Quantity,
     Unit,
+    is_binary,
     walk,
 )
 from restitution.practice.reading.angles import angular, radians
@@ -326,7 +327,7 @@ class Parser(Cursor):
 
     def is_column(self, tree: Expression, first: int) -> bool:
         """Whether brackets hold ``3 -4``: a difference, or a column on one line."""
-        if not (isinstance(tree, Binary) and tree.op in "+-" and self.position - first == 3):
+        if not (is_binary(tree, "+", "-") and self.position - first == 3):
             return False
         sign, right = self.tokens[first + 1], self.tokens[first + 2]
         return sign.gap > 0 and right.gap == 0
@@ -366,7 +367,7 @@ class Parser(Cursor):
 
     def share_of_angle(self, name: str, tree: Expression) -> Expression:
         """An argument in brackets; ``tan(1/2)α``, as of ``tan½α``, is that of half the angle."""
-        half = isinstance(tree, Binary) and tree.op == "/" and _is_number(tree)
+        half = is_binary(tree, "/") and _is_number(tree)
         angle = self.kind() == "letter" and self.token().name in self.usage.angles
         if half and angle and name in _TRIGONOMETRIC:
             return Binary("*", tree, self.primary())
@@ -489,7 +490,7 @@ class Parser(Cursor):
         """A root over a sum without brackets: ``√3^2 + 4^2``."""
         if self.kind() not in ("+", "-"):
             return tree
-        usual = isinstance(tree, Binary) and tree.op == "^"
+        usual = is_binary(tree, "^")
         last = self.kind(1) == "number" and self.kind(2) == ""
         if not usual and not (last and isinstance(tree, Number) and self.position == 2):
             return tree

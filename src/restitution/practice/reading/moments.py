@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.expression.tree import Expression, Name, Quantity, Stage
+from restitution.expression.tree import Expression, Name, Quantity, Stage, is_quantity
 from restitution.practice.reading.features import Features
 from restitution.problem import Compare, Find, Impact, Kick, Problem, Range, Show, Value
 
@@ -21,7 +21,7 @@ class Moments:
     def asked(self, kind: str) -> Iterator[Expression]:
         """The quantities of a kind for which the question asks."""
         for tree in self.values_asked():
-            if isinstance(tree, Quantity) and tree.kind == kind:
+            if is_quantity(tree, kind):
                 yield tree
 
     def values_asked(self) -> Iterator[Expression]:

@@ -29,6 +29,9 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
     Unit,
+    is_binary,
+    is_quantity,
+    negated,
     walk,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
@@ -179,8 +182,7 @@ def _exact(text: str, problem: Problem) -> Expression | None:
 def _is_of_velocities(angle: Expression) -> bool:
     """Whether an angle is one between two velocities."""
     return isinstance(angle, Quantity) and all(
-        isinstance(argument, Quantity) and argument.kind == "velocity"
-        for argument in angle.arguments
+        is_quantity(argument, "velocity") for argument in angle.arguments
     )
 
 
@@ -346,7 +348,7 @@ class _Reader(Moments):
             for value in self.components(velocity, event, body):
                 yield value
                 if not self.features.sense:
-                    yield value.operand if isinstance(value, Negate) else Negate(value)
+                    yield negated(value)
 
     def _is_of_another_wall(self, angle: Expression, event: int) -> bool:
         """Whether an angle is to another wall than that of which a heading speaks: ``at BC:``."""
@@ -363,7 +365,7 @@ class _Reader(Moments):
             ):
                 for value in self.components(vector, event, body):
                     yield value
-                    yield value.operand if isinstance(value, Negate) else Negate(value)
+                    yield negated(value)
 
     def components(self, velocity: Expression, event: int, body: str) -> Iterator[Expression]:
         features, line, wall = self.features, self.line(event), self.wall(event)
@@ -674,7 +676,5 @@ class _Reader(Moments):
     def ratios_asked(self) -> Iterator[Expression]:
         """The ratios for which the question asks, of the bodies that are named first."""
         named = {name for name in self.features.names if name in self.spheres}
-        asked = [
-            tree for tree in self.values_asked() if isinstance(tree, Binary) and tree.op == "/"
-        ]
+        asked = [tree for tree in self.values_asked() if is_binary(tree, "/")]
         yield from sorted(asked, key=lambda tree: not named <= _names_in(tree))

@@ -5,11 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from restitution.expression.tree import (
-    Binary,
-    Expression,
-    walk,
-)
+from restitution.expression.tree import Expression, is_binary, walk
 from restitution.practice.reading.angles import in_degrees
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.grammar import Parser, is_vector
@@ -74,7 +70,4 @@ def _further(picks: dict[str, int], asked: dict[str, int]) -> Iterator[dict[str,
 
 def _is_absurd(tree: Expression) -> bool:
     """Whether a reading divides by a vector, which nobody means."""
-    return any(
-        isinstance(node, Binary) and node.op == "/" and is_vector(node.right, frozenset())
-        for node in walk(tree)
-    )
+    return any(is_binary(node, "/") and is_vector(node.right, frozenset()) for node in walk(tree))

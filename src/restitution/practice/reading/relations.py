@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Measured,
     Number,
     Pi,
+    is_function,
     letters,
     walk,
 )
@@ -129,9 +130,9 @@ def is_heading(label: Token) -> bool:
     return not has_head(label) and bool(words & {"direction", "opposite"}) and not named
 
 
-def is_function(tree: Expression) -> bool:
+def is_ratio(tree: Expression) -> bool:
     """Whether a side is a sine, cosine or tangent."""
-    return isinstance(tree, Apply) and tree.function in ("sin", "cos", "tan")
+    return is_function(tree, "sin", "cos", "tan")
 
 
 def is_law(read: Sequence[tuple[Side, ...]]) -> bool:

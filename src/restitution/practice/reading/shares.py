@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from restitution.expression.tree import Binary, Quantity, walk
+from restitution.expression.tree import Quantity, is_binary, walk
 from restitution.problem import Find, Problem, trees_of_step
 
 _SO = r"(?:so|hence|therefore|thus|∴|→|⇒|=>)"
@@ -69,7 +69,7 @@ def lost(match: re.Match[str], problem: Problem) -> str:
     ]
     if not asked:
         return match[0]
-    shares = [isinstance(tree, Binary) and tree.op == "/" for tree in asked]
+    shares = [is_binary(tree, "/") for tree in asked]
     if any(shares) != all(shares):
         return match[0]
     return f"{'fraction' if all(shares) else 'KE'} lost = {match[1]}"

@@ -9,12 +9,12 @@ from dataclasses import replace
 from itertools import pairwise, permutations
 
 from restitution.expression.tree import (
-    Binary,
     Expression,
     Letter,
     Name,
     Number,
-    Quantity,
+    is_binary,
+    is_quantity,
     walk,
 )
 from restitution.practice.reading.angles import without_marks
@@ -104,8 +104,7 @@ def read_statements(
 def _asks_time(problem: Problem) -> bool:
     """Whether a question asks for a time."""
     return any(
-        isinstance(item, Value)
-        and any(isinstance(x, Quantity) and x.kind == "time" for x in walk(item.expression))
+        isinstance(item, Value) and any(is_quantity(x, "time") for x in walk(item.expression))
         for _, step in problem.steps()
         for item in (step.items if isinstance(step, Find) else ())
     )
@@ -113,11 +112,8 @@ def _asks_time(problem: Problem) -> bool:
 
 def _is_share(tree: Expression) -> bool:
     """Whether a quantity that is asked is a share of an energy."""
-    return (
-        isinstance(tree, Binary)
-        and tree.op == "/"
-        and isinstance(tree.left, Quantity)
-        and tree.left.kind in ("energy", "energy_lost", "total_energy_lost")
+    return is_binary(tree, "/") and is_quantity(
+        tree.left, "energy", "energy_lost", "total_energy_lost"
     )
 
 

@@ -12,7 +12,6 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
-    Binary,
     Degrees,
     Expression,
     Letter,
@@ -20,6 +19,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_binary,
     walk,
 )
 from restitution.practice.judgement import Accuracy
@@ -328,8 +328,7 @@ def _numbers_of(problem: Problem) -> Collection[Fraction]:
         node.left.value / node.right.value
         for tree in exact
         for node in walk(tree)
-        if isinstance(node, Binary)
-        and node.op == "/"
+        if is_binary(node, "/")
         and isinstance(node.left, Number)
         and isinstance(node.right, Number)
         and node.right.value
@@ -419,7 +418,7 @@ def _terms(tree: Expression) -> Iterator[Expression]:
     """The terms of a sum."""
     if isinstance(tree, Negate):
         yield from _terms(tree.operand)
-    elif isinstance(tree, Binary) and tree.op in ("+", "-"):
+    elif is_binary(tree, "+", "-"):
         yield from _terms(tree.left)
         yield from _terms(tree.right)
     else:

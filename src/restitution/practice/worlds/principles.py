@@ -20,6 +20,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    is_binary,
+    unsigned,
     walk,
 )
 from restitution.practice.judgement import Use
@@ -475,7 +477,7 @@ def _letters_of(claim: Claim, meanings: Meanings) -> frozenset[str]:
 def _is_value(claim: Claim, world: World, meanings: Meanings) -> bool:
     """Whether a line gives one quantity, or one letter to be found, its value and no more."""
     for one, other in ((claim.left, claim.right), (claim.right, claim.left)):
-        lone = one.operand if isinstance(one, Negate) else one
+        lone = unsigned(one)
         named = isinstance(lone, Quantity) or (
             isinstance(lone, Letter) and (lone.name in meanings or lone.name in world.determined)
         )
@@ -530,5 +532,5 @@ def _letters_in_product(tree: Expression) -> tuple[str, ...] | None:
 
 def _is_plain(tree: Expression) -> bool:
     return isinstance(tree, Number) or (
-        isinstance(tree, Binary) and tree.op == "/" and is_bare(tree) and not is_worked(tree)
+        is_binary(tree, "/") and is_bare(tree) and not is_worked(tree)
     )

@@ -17,7 +17,7 @@ import numpy as np
 
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.mistakes.misconceptions import LawAt, VariantAt, variants_at
-from restitution.expression.tree import Number, Quantity
+from restitution.expression.tree import Number, Quantity, is_quantity
 from restitution.practice.script import Claim, Scope
 from restitution.practice.worlds.agreement import difference
 from restitution.practice.worlds.arrays import Array, UnvaluedError
@@ -379,9 +379,7 @@ def _is_of_two(relation: Relation) -> bool:
     if not isinstance(relation, Aligned):
         return False
     moving = [
-        side.arguments
-        for side in (relation.left, relation.right)
-        if isinstance(side, Quantity) and side.kind == "velocity"
+        side.arguments for side in (relation.left, relation.right) if is_quantity(side, "velocity")
     ]
     return len(moving) == 2 and moving[0] != moving[1]
 

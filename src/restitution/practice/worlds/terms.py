@@ -19,8 +19,11 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
-    Quantity,
+    is_binary,
+    is_quantity,
     letters,
+    negated,
+    unsigned,
     walk,
 )
 from restitution.practice.judgement import Use
@@ -115,7 +118,7 @@ def terms_of(claim: Claim) -> tuple[tuple[Expression, ...], ...]:
     expansions = []
     for left, right in _forms(claim):
         try:
-            terms = (*_expanded(left), *(_negative(tree) for tree in _expanded(right)))
+            terms = (*_expanded(left), *(negated(tree) for tree in _expanded(right)))
         except _TooManyError:
             continue
         if len(terms) <= _MOST:
@@ -131,15 +134,15 @@ def _forms(claim: Claim) -> Iterator[tuple[Expression, Expression]]:
     """Both sides as they stand, and without a quotient that is alone on its side."""
     left, right = claim.left, claim.right
     yield left, right
-    if isinstance(left, Binary) and left.op == "/":
+    if is_binary(left, "/"):
         yield left.left, _times(right, left.right)
-    if isinstance(right, Binary) and right.op == "/":
+    if is_binary(right, "/"):
         yield _times(left, right.right), right.left
 
 
 def _expanded(tree: Expression) -> list[Expression]:
     if isinstance(tree, Negate):
-        return [_negative(other) for other in _expanded(tree.operand)]
+        return [negated(other) for other in _expanded(tree.operand)]
     if not isinstance(tree, Binary) or tree.op == "^":
         return [tree]
     left = _expanded(tree.left)
@@ -149,7 +152,7 @@ def _expanded(tree: Expression) -> list[Expression]:
     if tree.op == "+":
         terms = left + right
     elif tree.op == "-":
-        terms = left + [_negative(tree) for tree in right]
+        terms = left + [negated(tree) for tree in right]
     else:
         terms = [_times(one, other) for one in left for other in right]
     if len(terms) > _MOST:
@@ -159,10 +162,6 @@ def _expanded(tree: Expression) -> list[Expression]:
 
 def _times(left: Expression, right: Expression) -> Expression:
     return Binary("*", left, right)
-
-
-def _negative(tree: Expression) -> Expression:
-    return tree.operand if isinstance(tree, Negate) else Negate(tree)
 
 
 # --- laws -----------------------------------------------------------------------------------------
@@ -345,7 +344,7 @@ def _resolves(tree: Expression) -> bool:
     """Whether a tree is a sine or a cosine, or a scalar product."""
     if isinstance(tree, Apply):
         return tree.function in _RESOLVING
-    return isinstance(tree, Quantity) and tree.kind == "dot"
+    return is_quantity(tree, "dot")
 
 
 @dataclass(frozen=True)
@@ -362,7 +361,7 @@ def _relative(velocities: Sequence[Vector]) -> Vector:
 def _products(claim: Claim) -> Iterator[tuple[Expression, Expression | _Divided]]:
     """A factor of a side with the product of the others, or with what stands above it."""
     for side in (claim.left, claim.right):
-        tree = side.operand if isinstance(side, Negate) else side
+        tree = unsigned(side)
         if not isinstance(tree, Binary):
             continue
         if tree.op == "/":
@@ -378,7 +377,7 @@ def _products(claim: Claim) -> Iterator[tuple[Expression, Expression | _Divided]
 
 
 def _factors(tree: Expression) -> list[Expression]:
-    if isinstance(tree, Binary) and tree.op == "*":
+    if is_binary(tree, "*"):
         return [*_factors(tree.left), *_factors(tree.right)]
     return [tree]
 
@@ -405,7 +404,7 @@ def is_triangle(claim: Claim, world: World, meanings: Meanings, scope: Scope) ->
         and _is_size(node.right, sizes, world, meanings, scope)
         for side in _ratios(claim)
         for node in walk(side)
-        if isinstance(node, Binary) and node.op == "/"
+        if is_binary(node, "/")
     )
 
 

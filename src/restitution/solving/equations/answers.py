@@ -10,7 +10,15 @@ import sympy as sp
 from restitution import exact
 from restitution.errors import ImpossibleError, MissingError
 from restitution.exact.symbols import symbol_names
-from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Quantity
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    is_quantity,
+)
 from restitution.problem import Value
 from restitution.render.layout import Layout, display, display_point, display_vector
 from restitution.render.text import to_text
@@ -74,7 +82,7 @@ def has_dimension(tree: Expression) -> bool:
 
 def is_unit(tree: Expression) -> bool:
     """A line of centres is a unit vector; that of a wall is up to scale."""
-    return isinstance(tree, Quantity) and tree.kind == "line_of_centres"
+    return is_quantity(tree, "line_of_centres")
 
 
 def name_of(item: Value) -> str:

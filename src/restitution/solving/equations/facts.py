@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
-from restitution.expression.tree import Expression, Name, Place, Quantity
+from restitution.expression.tree import Expression, Name, Place, is_quantity
 from restitution.expression.writing import write_expression
 from restitution.problem import (
     Aligned,
@@ -112,7 +112,7 @@ def _compare(relation: Compare, story: Story, now: int, place: Place | None) -> 
 def _look_for_a_size(trees: Sequence[Expression], values: Sequence[Value]) -> None:
     """Raises StatementError where a line of centres would equal what is no unit vector."""
     for tree, other, value in zip(trees, reversed(trees), reversed(values), strict=True):
-        if not (isinstance(tree, Quantity) and tree.kind == "line_of_centres"):
+        if not is_quantity(tree, "line_of_centres"):
             continue
         size = None if not isinstance(value, Vector) else value.x**2 + value.y**2
         if isinstance(size, sp.Expr) and size.is_number and sp.simplify(size - 1) != 0:

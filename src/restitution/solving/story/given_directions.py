@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -115,7 +116,7 @@ def _given_line(
             pass
         case _:
             return None
-    if isinstance(right, Quantity) and right.kind == "line_of_centres":
+    if is_quantity(right, "line_of_centres"):
         left, right = right, left
     match left:
         case Quantity("line_of_centres", (), stage):

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_quantity,
     letters,
     walk,
 )
@@ -141,9 +142,9 @@ def _angles(problem: Problem) -> tuple[set[str], set[str]]:
                 used.update(_linear_letters(node.argument))
             elif isinstance(node, Polar):
                 used.update(_linear_letters(node.angle))
-            elif isinstance(node, Quantity) and node.kind in ("along", "across"):
+            elif is_quantity(node, "along", "across"):
                 direction(node.arguments[1] if len(node.arguments) > 1 else None)
-            elif isinstance(node, Quantity) and node.kind == "angle":
+            elif is_quantity(node, "angle"):
                 for argument in node.arguments:
                     direction(argument)
     for wall in problem.walls:
@@ -322,8 +323,7 @@ def _measured(problem: Problem) -> dict[str, Role]:
             role = TO_180
         elif tree.kind == "angle":
             sharp = any(
-                _name(argument) in walls
-                or (isinstance(argument, Quantity) and argument.kind == "line_of_centres")
+                _name(argument) in walls or is_quantity(argument, "line_of_centres")
                 for argument in tree.arguments
             )
             role = Role("angle", sp.Integer(0), sp.pi / 2, (True, True)) if sharp else TO_180

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_quantity,
     is_zero,
     line_and_column,
     walk,
@@ -291,7 +292,7 @@ class State(ABC):
                     return True
                 if isinstance(node, Polar) and node.wall is None:
                     return True
-                if isinstance(node, Quantity) and node.kind == "direction":
+                if is_quantity(node, "direction"):
                     return True
         return False
 

@@ -7,7 +7,7 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Degrees, Expression, Negate, Polar, Unit
+from restitution.expression.tree import Degrees, Expression, Negate, Polar, Unit, negated
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.wording.scene import scene_of, wall_before
@@ -35,7 +35,7 @@ def senses_of_axes(problem: Problem) -> Sentence | None:
         along = Negate(along)
     across, towards = _left(along), velocity.wall is None
     if isinstance(velocity.angle, Degrees) and velocity.angle.value > _RIGHT:
-        along = along.operand if isinstance(along, Negate) else Negate(along)
+        along = negated(along)
     if isinstance(across, Negate):
         across, towards = across.operand, not towards
     assert isinstance(across, Unit)

@@ -9,7 +9,7 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Mean
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, Slot, say
 from restitution.explaining.lines.sentences import SentenceId
-from restitution.expression.tree import Expression, Letter, Quantity, is_zero, letters
+from restitution.expression.tree import Expression, Letter, Quantity, is_quantity, is_zero, letters
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
@@ -80,7 +80,7 @@ class Carried:
             part, source = self._ends.part(line), self._sources.of(line)
             cited = () if source is None else source.numbered
             for ref in line.premises:
-                own = self._derivation.line(ref) if isinstance(ref, int) else None
+                own = self._derivation.line(ref)
                 if own is None or ref in cited or (part, ref) in self._named:
                     continue
                 label = self._ends.part(own)
@@ -107,7 +107,7 @@ class Carried:
         for each in self._derivation.lines:
             if isinstance(each.relation, Meaning) and left == Letter(each.relation.letter):
                 left = each.relation.quantity
-        return isinstance(left, Quantity) and left.kind in ("along", "across")
+        return is_quantity(left, "along", "across")
 
     def beside(
         self,

@@ -5,13 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from restitution.explaining.definitions.ties import tie_of
-from restitution.explaining.lines.derivation import (
-    Event,
-    Line,
-    Link,
-    Meaning,
-    Relation,
-)
+from restitution.explaining.lines.derivation import Event, Line, Link, Meaning, Relation, equality
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
@@ -25,7 +19,9 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     Unit,
+    is_quantity,
     is_zero,
+    unsigned,
     walk,
 )
 from restitution.render import layout as lay
@@ -89,12 +85,9 @@ class ComponentLeads(LinesAround):
 
     def _of_a_vector(self, line: Line) -> bool:
         """Whether a line rests on a velocity that a fact or a line above gives as a vector."""
-        above = (
-            self._derivation.line(ref) if isinstance(ref, int) else self._derivation.fact(ref)
-            for ref in line.premises
-        )
+        above = (self._derivation.cited(ref) for ref in line.premises)
         return any(
-            isinstance(link.left, Quantity) and link.left.kind == "velocity"
+            is_quantity(link.left, "velocity")
             for own in above
             if own is not None and isinstance(own.relation, Relation)
             for links in own.relation.options
@@ -169,8 +162,7 @@ class ComponentLeads(LinesAround):
             and line.move.event == event.number
             and line.shown == "silent"
             and isinstance(line.relation, Relation)
-            and isinstance(line.relation.only[0].left, Quantity)
-            and line.relation.only[0].left.kind == "across"
+            and is_quantity(line.relation.only[0].left, "across")
             and is_zero(line.relation.only[-1].right)
             for line in self._derivation.lines
         )
@@ -182,7 +174,7 @@ class ComponentLeads(LinesAround):
         body, layout = line.move.bodies[0], self._naming.layout(angle)
         if isinstance(angle, Binary):
             turn = in_degrees(angle)
-            layout = self._naming.relation(Relation(((Link(angle, "=", turn),),)))
+            layout = self._naming.relation(equality(angle, turn))
         match only_component(self._derivation, self._naming, line, event):
             case (Quantity("across", (_, Quantity())), _):
                 name = _ACROSS[event.wall]
@@ -194,8 +186,8 @@ class ComponentLeads(LinesAround):
     def _since_nothing(self, line: Line) -> Sentence | None:
         """That a component is zero, by which a direction is what it is."""
         assert isinstance(line.relation, Relation)
-        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
-        equations = [e.relation.only for e in above if e and isinstance(e.relation, Relation)]
+        above = self._derivation.lines_in(line.premises)
+        equations = [e.relation.only for e in above if isinstance(e.relation, Relation)]
         zero = [links for links in equations if is_zero(links[-1].right)]
         if line.relation.only[0].sign not in ("parallel to", "perpendicular to") or len(zero) != 1:
             return None
@@ -232,7 +224,7 @@ class ComponentLeads(LinesAround):
         if line.move.record != "parallel" or not is_zero(line.relation.only[-1].right):
             return None
         for ref in line.premises:
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self._derivation.fact(ref)
             match fact.relation.options[0][0] if fact is not None else None:
                 case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if (
                     fact is not None and is_square(angle)
@@ -275,8 +267,7 @@ class ComponentLeads(LinesAround):
         if tie is None:
             return None
         cited = [other.relation for other in map(self._cited, line.premises) if other is not None]
-        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
-        cited += [fact.relation for fact in facts if fact is not None]
+        cited += [fact.relation for fact in self._derivation.facts_in(line.premises)]
         vectors = {
             own.only[0].left: own.only[-1].right for own in cited if isinstance(own, Relation)
         }
@@ -307,5 +298,5 @@ class ComponentLeads(LinesAround):
 
 def is_square(angle: Expression) -> bool:
     """Whether an angle is one of 90°, to either side."""
-    own = angle.operand if isinstance(angle, Negate) else angle
+    own = unsigned(angle)
     return own == RIGHT_ANGLE

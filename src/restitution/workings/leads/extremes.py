@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equality
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     Quantity,
+    is_function,
     is_zero,
     letters,
     walk,
@@ -85,7 +86,7 @@ def _where(
     place_alone = Relation(((place,),))
     relation: Sentence | lay.Layout = naming.relation(place_alone)
     if square is not None:
-        zero = naming.relation(equation(square, Number(Fraction(0))))
+        zero = naming.relation(equality(square, Number(Fraction(0))))
         relation = say("extremum.at-zero", square=zero, place=relation)
     match place:
         case Link(Apply("tan" | "sin" | "cos" as ratio, Letter() as angle), "=", right) if (
@@ -94,13 +95,13 @@ def _where(
             inverse = Apply(f"arc{ratio}", right)
             worth = None if letters(right) else sp.deg(in_letters(inverse))
             if worth is not None and worth.is_Rational:
-                exact = naming.relation(equation(angle, Degrees(Fraction(worth.p, worth.q))))
+                exact = naming.relation(equality(angle, Degrees(Fraction(worth.p, worth.q))))
                 if square is None:
                     return exact
                 return say("extremum.at-zero", square=zero, place=exact)
             added = as_answer(inverse)
             if len(added) == 1 or letters(right):
-                also = naming.relation(equation(angle, Apply(f"arc{ratio}", under_one_root(right))))
+                also = naming.relation(equality(angle, Apply(f"arc{ratio}", under_one_root(right))))
                 if len(added) == 1:
                     ((value, sign),) = added
                     also = lay.Relation((naming.layout(angle), value), (sign,))
@@ -156,10 +157,7 @@ def _above(derivation: Derivation, line: Line) -> Iterator[Relation]:
 
 def _is_of_the_motion(tree: Expression) -> bool:
     """Whether a quantity, or the tangent of an angle, stands in an expression."""
-    return any(
-        isinstance(node, Quantity) or (isinstance(node, Apply) and node.function == "tan")
-        for node in walk(tree)
-    )
+    return any(isinstance(node, Quantity) or is_function(node, "tan") for node in walk(tree))
 
 
 def value_compared(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
@@ -181,16 +179,15 @@ def value_compared(derivation: Derivation, naming: Naming, line: Line) -> Senten
             continue
         if line.relation not in _above(derivation, answer):
             continue
-        behind = [derivation.line(ref) for ref in answer.premises if isinstance(ref, int)]
+        behind = derivation.lines_in(answer.premises)
         places = [
             naming.relation(Relation(((reached[0],),)))
             for line in behind
-            if line is not None
-            and isinstance(line.relation, Relation)
+            if isinstance(line.relation, Relation)
             and (reached := value_reached(line.relation.options)) is not None
         ]
         if places:
-            there = naming.relation(equation(own, value))
+            there = naming.relation(equality(own, value))
             return say("extremum.value", places=tuple(places), value=there)
     return None
 
@@ -199,7 +196,7 @@ def _bound_above(derivation: Derivation, line: Line) -> Relation | None:
     """The bound that a value reaches, where that is the answer of an earlier item."""
     ends = {end.line for end in derivation.items}
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         bound = None if own is None or own.number not in ends else own.relation
         if isinstance(bound, Relation) and bound == line.relation:
             return bound
@@ -231,7 +228,7 @@ def _angle_there(derivation: Derivation, line: Line, place: Link) -> Link | None
     if not isinstance(place.left, Letter):
         return None
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         match None if own is None else own.relation:
             case Relation(((Link(Apply("tan", Letter() as angle), "="), *_) as links,)):
                 pass

@@ -23,6 +23,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_binary,
+    is_quantity,
     is_zero,
     walk,
 )
@@ -52,7 +54,7 @@ def flight_title(derivation: Derivation, naming: Naming, line: Line) -> Sentence
             if one
             else say("flight.time-of", body=body, speed=speed)
         )
-    if isinstance(left, Quantity) and left.kind == "position":
+    if is_quantity(left, "position"):
         if is_of_a_body_at_rest(derivation, line):
             if other := _touched(derivation, line):
                 return say("flight.rest-beside", body=body, other=other)
@@ -116,8 +118,7 @@ def _left_at(derivation: Derivation, line: Line, place: Quantity) -> Event | Non
 
 def _times_of(derivation: Derivation, line: Line) -> Iterator[tuple[int, int]]:
     """Between which events the times are on which a line rests, or that it has."""
-    cited = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-    relations = [line.relation for line in cited if line is not None]
+    relations = [own.relation for own in derivation.lines_in(line.premises)]
     trees = [relation.only[0].left for relation in relations if isinstance(relation, Relation)]
     if isinstance(line.relation, Relation):
         trees += [node for tree in trees_of(line.relation) for node in walk(tree)]
@@ -181,7 +182,7 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
         if any(str(ref).split()[0] == "position" for ref in line.premises) and not is_time(right):
             return say("chord.from-centre", body=line.move.bodies[0], wall=wall)
         return say("chord.as-before") if is_time(right) else say("chord.time")
-    if isinstance(left, Quantity) and left.kind == "distance":
+    if is_quantity(left, "distance"):
         return _length_title(derivation, line, wall)
     if _is_on_a_diameter(derivation, line):
         return say("chord.through", body=line.move.bodies[0])
@@ -191,13 +192,12 @@ def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:
     if before and line.shown == "line":
         if before[-1].move.event != line.move.event:
             return say("chord.again")
-        tangential = isinstance(left, Quantity) and left.kind == "across"
+        tangential = is_quantity(left, "across")
         return say("chord.along-tangent" if tangential else "chord.along-radius")
     own = (line for line in derivation.lines if line.move.record == "chord")
     sensed = any(
         isinstance(line.relation, Relation)
-        and isinstance(line.relation.only[0].left, Quantity)
-        and line.relation.only[0].left.kind == "across"
+        and is_quantity(line.relation.only[0].left, "across")
         and not is_zero(line.relation.only[-1].right)
         for line in own
     )
@@ -270,18 +270,14 @@ def distance_title(derivation: Derivation, line: Line) -> Sentence:
 
 def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
     """Whether a distance is a coordinate that a line gives: no time is among its premises."""
-    premises = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+    premises = derivation.lines_in(line.premises)
     subjects = [
-        ref.relation.options[0][0].left
-        for ref in premises
-        if ref is not None and isinstance(ref.relation, Relation)
+        ref.relation.options[0][0].left for ref in premises if isinstance(ref.relation, Relation)
     ]
-    places = [
-        subject for subject in subjects if isinstance(subject, Quantity) and subject.kind == "along"
-    ]
-    return any(
-        isinstance(e.arguments[0], Quantity) and e.arguments[0].kind == "position" for e in places
-    ) and not any(is_time(subject) or is_duration(subject) for subject in subjects)
+    places = [subject for subject in subjects if is_quantity(subject, "along")]
+    return any(is_quantity(e.arguments[0], "position") for e in places) and not any(
+        is_time(subject) or is_duration(subject) for subject in subjects
+    )
 
 
 def _alone_displaced(derivation: Derivation, line: Line) -> Unit | None:
@@ -303,7 +299,7 @@ def _alone_displaced(derivation: Derivation, line: Line) -> Unit | None:
 
 def _tells_a_displacement(derivation: Derivation, ref: Ref) -> bool:
     """Whether a premise is the line of how far a body comes in one direction."""
-    own = derivation.line(ref) if isinstance(ref, int) else None
+    own = derivation.line(ref)
     match None if own is None else own.relation:
         case Relation(options=((Link(left), *_), *_)):
             return is_displacement(left)
@@ -316,11 +312,11 @@ def _apart_along_the_line(derivation: Derivation, line: Line) -> Sentence | None
     None where they do not move across it, or not with the same component.
     """
     event = next((event for event in derivation.events if event.number == line.move.event), None)
-    cited = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+    cited = derivation.lines_in(line.premises)
     values = [
         line.relation.only[-1].right
         for line in cited
-        if line and isinstance(line.relation, Relation) and line.move.record == "unchanged"
+        if isinstance(line.relation, Relation) and line.move.record == "unchanged"
     ]
     if event is None or len(values) != 2 or values[0] != values[1] or is_zero(values[0]):
         return None
@@ -332,9 +328,7 @@ def _from_the_origin(derivation: Derivation, line: Line) -> bool:
     """Whether a place is a velocity times a time, and nothing more."""
     assert isinstance(line.relation, Relation)
     right = line.relation.options[0][0].right
-    return _speaks_of_a_time(derivation, line) and not (
-        isinstance(right, Binary) and right.op in ("+", "-")
-    )
+    return _speaks_of_a_time(derivation, line) and not (is_binary(right, "+", "-"))
 
 
 def _names_a_time(derivation: Derivation, letter: Letter) -> bool:
@@ -372,8 +366,8 @@ def _by_the_way(derivation: Derivation, line: Line) -> bool:
             return False
     # Of equal components the quotient is not printed.
     right = line.relation.options[0][0].right
-    quotient = any(isinstance(node, Binary) and node.op == "/" for node in walk(right))
-    quotient |= isinstance(right, Binary) and right.op in ("+", "-")
+    quotient = any(is_binary(node, "/") for node in walk(right))
+    quotient |= is_binary(right, "+", "-")
     return moved and quotient and not _speaks_of_a_time(derivation, line)
 
 
@@ -382,7 +376,7 @@ def _tells_a_time(derivation: Derivation, line: Line) -> bool:
     for ref in line.premises:
         if ref == "start":
             return True
-        own = derivation.line(ref) if isinstance(ref, int) else derivation.fact(ref)
+        own = derivation.cited(ref)
         match None if own is None else own.relation:
             case Relation(options=((Link(left=left), *_), *_)) if is_time(left):
                 return True

@@ -24,15 +24,17 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Pair,
     Polar,
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
+    is_quantity,
     is_zero,
     letters,
+    unsigned,
     walk,
 )
 from restitution.render import layout as lay
@@ -217,10 +219,10 @@ class GivenLeads(Leads):
 
     def _is_of_both_velocities(self, ref: Ref) -> bool:
         """Whether a fact is about two velocities, as those before and after an impact."""
-        fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+        fact = self._derivation.fact(ref)
         trees = () if fact is None else trees_of(fact.relation)
         nodes = {node for tree in trees for node in walk(tree)}
-        return sum(isinstance(e, Quantity) and e.kind == "velocity" for e in nodes) > 1
+        return sum(is_quantity(e, "velocity") for e in nodes) > 1
 
     def _straight_on(self, line: Line, fact: Sentence | lay.Layout) -> tuple[Sentence, ...] | None:
         """That a body keeps to one line in an impact, so that it has no component across."""
@@ -237,8 +239,7 @@ class GivenLeads(Leads):
         along = any(
             isinstance(let := other.relation, Meaning)
             and let.letter in inside
-            and isinstance(let.quantity, Quantity)
-            and let.quantity.kind == "along"
+            and is_quantity(let.quantity, "along")
             for other in self._derivation.lines
         )
         name: SentenceId = "given.off-the-line" if along else "given.along-the-line"
@@ -269,14 +270,14 @@ class GivenLeads(Leads):
         """That a scalar product is zero; of a wall that an angle gives, the vector along it too."""
         fact = fact_in_words(self._naming, given)
         for ref in line.premises:
-            wall = self._derivation.fact(ref) if isinstance(ref, str) else None
+            wall = self._derivation.fact(ref)
             match None if wall is None else wall.relation.options[0][0]:
                 case Link(Quantity("direction", (Name(name),)), _, right) if not _has_vector(right):
                     along = unit_vector(right)
                 case _:
                     continue
             if along is not None:
-                whole = along.left if isinstance(along, Binary) and along.op == "/" else along
+                whole = along.left if is_binary(along, "/") else along
                 vector = self._naming.layout(whole)
                 return say("given.product-by-wall", fact=fact, wall=name, vector=vector)
         return say("given.product", fact=fact, product=self._product_of(given))
@@ -349,7 +350,7 @@ class GivenLeads(Leads):
             facts = tuple(velocity_given(self._naming, fact) for fact in velocities)
             return (say("given.velocities", facts=facts),)
         for ref in line.premises if line.move.id == "law" else ():
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self._derivation.fact(ref)
             if fact is None or fact.kind != "given" or fact.id in self._given:
                 continue
             match fact.relation.options[0][0]:
@@ -409,7 +410,7 @@ class GivenLeads(Leads):
             return []
         read: list[Fact] = []
         for ref in line.premises:
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self._derivation.fact(ref)
             if fact is None or fact.kind != "given" or fact.id in self._given or is_rest(fact):
                 continue
             match fact.relation.options:
@@ -448,7 +449,7 @@ class GivenLeads(Leads):
 
 def _across(axis: Expression) -> Unit | None:
     """The other one of **i** and **j**."""
-    own = axis.operand if isinstance(axis, Negate) else axis
+    own = unsigned(axis)
     return Unit("j" if own.axis == "i" else "i") if isinstance(own, Unit) else None
 
 
@@ -473,5 +474,5 @@ def _stages(line: Line) -> set[object]:
     return {
         node.stage
         for node in walk(line.relation.options[0][0].left)
-        if isinstance(node, Quantity) and node.kind == "velocity"
+        if is_quantity(node, "velocity")
     }

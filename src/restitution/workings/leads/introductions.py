@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    unsigned,
     walk,
 )
 from restitution.render import layout as lay
@@ -182,7 +183,7 @@ class Introductions:
         by_places = any(isinstance(node, Quantity) for node in walk(axis))
         if isinstance(axis, Polar) or by_places:
             return None
-        if isinstance(axis.operand if isinstance(axis, Negate) else axis, Degrees | Letter):
+        if isinstance(unsigned(axis), Degrees | Letter):
             unit = self._naming.layout(Negate(Unit("i")) if turned else Unit("i"))
             names, angle = (_CLOCKWISE, axis.operand) if isinstance(axis, Negate) else (_AT, axis)
             return names, {"axis": self._naming.layout(angle), "unit": unit}

@@ -15,6 +15,8 @@ from restitution.explaining.lines.derivation import (
     Meaning,
     Ref,
     Relation,
+    equality,
+    numbers_in,
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
@@ -31,6 +33,7 @@ from restitution.expression.tree import (
     Unit,
     is_zero,
     letters,
+    negated,
 )
 from restitution.render import layout as lay
 from restitution.vector import Vector
@@ -122,7 +125,7 @@ class LinesAround:
         if self._is_just_below(line):
             return None
         for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            own = self._derivation.line(ref)
             if own is not None and parts.get(own.item or "") != parts.get(line.item or ""):
                 continue  # with its part it is named beside the line
             match own.relation if own is not None else None:
@@ -131,7 +134,7 @@ class LinesAround:
                     if number is not None:
                         equation = say("derived.number", number=str(number))
                         return say("derived.add", equations=(equation,))
-                    value = Relation(((Link(letter, "=", links[-1].right),),))
+                    value = equality(letter, links[-1].right)
                     return say("derived.since", facts=(self._naming.relation(value),))
         return None
 
@@ -166,7 +169,7 @@ class LinesAround:
         )
 
     def _cited(self, ref: Ref) -> Line | None:
-        return self._derivation.line(ref) if isinstance(ref, int) else None
+        return self._derivation.line(ref)
 
     def _across_of(self, line: Line, body: str) -> lay.Layout | None:
         """The component of a body across the line of centres, as a line that is cited has it."""
@@ -243,7 +246,7 @@ class LinesAround:
 
     def _standing(self, line: Line) -> dict[str, str]:
         """The bodies of which a component is zero by the lines that are cited, by its kind."""
-        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        refs = numbers_in(line.premises)
         cited = [each for ref in refs if (each := self._derivation.line(ref)) is not None]
         meanings = {e.relation.letter: e.relation for e in cited if isinstance(e.relation, Meaning)}
         still: dict[str, str] = {}
@@ -265,7 +268,7 @@ class LinesAround:
             return None
         sense = None
         for ref in line.premises:
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self._derivation.fact(ref)
             match None if fact is None else fact.relation.options[0][0]:
                 case Link(Quantity("velocity", (Name(own),)), "=", right) if own == body:
                     if all(map(self._reasons.is_positive, letters(right))):
@@ -325,7 +328,7 @@ def _sense_of(velocity: Expression) -> Expression | None:
             return velocity
         case Negate(operand):
             sense = _sense_of(operand)
-            return sense.operand if isinstance(sense, Negate) else sense and Negate(sense)
+            return None if sense is None else negated(sense)
         case Binary("*", Number() | Letter() | Binary("*", Number(), Letter()), Unit() as unit):
             return unit  # numbers carry no sign
         case Polar(_, Degrees(angle), None | Unit("i"), None):

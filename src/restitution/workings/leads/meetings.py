@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation, equality
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import Binary, Letter, Quantity, Unit
 from restitution.problem import Meets, Show
@@ -67,7 +67,7 @@ def passing_of(relation: Meets, fact: Fact, naming: Naming) -> Sentence | None:
         case _:
             return None
     coordinate = {"i": "x", "j": "y"}
-    line = naming.relation(Relation(((Link(Letter(coordinate[across.axis]), "=", level),),)))
+    line = naming.relation(equality(Letter(coordinate[across.axis]), level))
     name = "condition.between" if relation.happens else "condition.beyond"
     body, wall = relation.first.name, relation.second.name
     return say(name, body=body, wall=wall, line=line, axis=coordinate[beside])
@@ -109,7 +109,7 @@ def meetings(derivation: Derivation, ends: Ends, naming: Naming) -> Iterator[tup
 def _first(derivation: Derivation, line: Line) -> int:
     """The line of a difference on which a comparison rests; without one the comparison."""
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         if own is None or own.item != line.item:
             continue
         match own.relation:

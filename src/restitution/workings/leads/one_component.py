@@ -10,11 +10,12 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Pair,
     Quantity,
     Unit,
+    is_binary,
     is_zero,
+    unsigned,
     walk,
 )
 from restitution.render import layout as lay
@@ -64,7 +65,7 @@ def only_component(
         return None
     parts: dict[Expression, Expression] = {}
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         match own.relation if own is not None else None:
             case Relation(((Link(left), *_) as links,)):
                 quantity = _component_of(naming, left)
@@ -127,7 +128,7 @@ def angle_by_degrees(
         if isinstance(node, Apply) and isinstance(node.argument, Degrees)
     ]
     match ratios:
-        case [Apply("sin" | "cos" as ratio, Degrees(size))] if not _is_sum(right):
+        case [Apply("sin" | "cos" as ratio, Degrees(size))] if not is_binary(right, "+", "-"):
             pass
         case _:
             return None
@@ -135,7 +136,7 @@ def angle_by_degrees(
     if isinstance(left.arguments[1], Unit):
         fact = derivation.fact(" ".join(("axis", str(event.number))))
         axis = None if fact is None else fact.relation.only[-1].right
-        axis = axis.operand if isinstance(axis, Negate) else axis
+        axis = unsigned(axis)
         kind = "along" if axis == left.arguments[1] else "across"
     angle = size if (ratio == measured) == (kind == "along") else 90 - size
     turns = []
@@ -147,10 +148,6 @@ def angle_by_degrees(
             case [Degrees(one), Degrees(other)] if not event.wall and one - other == angle:
                 return Binary("-", Degrees(one), Degrees(other))
     return Degrees(angle)
-
-
-def _is_sum(tree: Expression) -> bool:
-    return isinstance(tree, Binary) and tree.op in ("+", "-")
 
 
 def in_degrees(angle: Binary) -> Degrees:

@@ -9,7 +9,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Derivation, Event, Fact, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Binary, Expression, Quantity, Unit
+from restitution.expression.tree import Binary, Expression, Quantity, Unit, is_quantity
 from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 from restitution.vector import Vector
@@ -22,7 +22,7 @@ def _is_of_time(line: Line) -> bool:
     assert isinstance(line.relation, Relation)
     left = line.relation.only[0].left
     return all(
-        isinstance(tree, Quantity) and tree.kind == "time"
+        is_quantity(tree, "time")
         for tree in ((left.left, left.right) if isinstance(left, Binary) else (left,))
     )
 

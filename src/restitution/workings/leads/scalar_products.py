@@ -12,7 +12,7 @@ from restitution.explaining.lines.derivation import (
     Line,
     Link,
     Relation,
-    equation,
+    equality,
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
@@ -90,7 +90,7 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
                 value = _by_components(derivation, line, velocity)
                 if value is None:
                     return None
-                sides.append(naming.relation(equation(velocity, value)))
+                sides.append(naming.relation(equality(velocity, value)))
             return say("derived-between.title-of", one=sides[0], other=sides[1])
     return None
 
@@ -163,7 +163,7 @@ def _by_components(derivation: Derivation, line: Line, velocity: Expression) -> 
     axis = derivation.fact(" ".join(("axis", str(line.move.event))))
     parts: dict[str, Expression] = {}
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         match None if own is None else own.relation:
             case Relation((links,)) if all(link.sign == "=" for link in links):
                 subject: Expression | None = links[0].left

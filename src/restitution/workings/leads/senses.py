@@ -111,7 +111,7 @@ def direction_by_its_sense(derivation: Derivation, naming: Naming, line: Line) -
 def sense_of_a_normal(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
     """What is said before the normal to a wall whose direction the data give; None of another."""
     (ref,) = line.premises if len(line.premises) == 1 else (None,)
-    fact = derivation.fact(ref) if isinstance(ref, str) else None
+    fact = derivation.fact(ref)
     if line.move.id != "rearrange" or fact is None or _direction(line) is None:
         return None
     event = naming.events.get(int(fact.id.rpartition(" ")[2])) if fact.kind == "geometry" else None
@@ -139,7 +139,7 @@ def _change(derivation: Derivation, line: Line) -> Line | None:
     """The line of the change, or of the impulse, of which a direction is made."""
     while line.move.id == "rearrange" and len(line.premises) == 1:
         (ref,) = line.premises
-        above = derivation.line(ref) if isinstance(ref, int) else None
+        above = derivation.line(ref)
         if above is None:
             return None
         if above.move.record in ("along-the-change", "across-the-impulse"):

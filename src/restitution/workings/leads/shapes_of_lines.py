@@ -19,13 +19,15 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Quantity,
+    is_function,
+    is_quantity,
     is_zero,
 )
 
 
 def under_a_root(tree: Expression) -> tuple[Expression, ...]:
     """What stands under a root, and its size if it is no sum."""
-    return (tree.argument,) if isinstance(tree, Apply) and tree.function == "sqrt" else ()
+    return (tree.argument,) if is_function(tree, "sqrt") else ()
 
 
 def ratio_below(speed: Expression) -> str:
@@ -59,7 +61,7 @@ def read_off_lines(derivation: Derivation, line: Line) -> tuple[tuple[str, int],
     moving = tuple(
         (argument.arguments[0].name, argument.stage)
         for argument in arguments
-        if isinstance(argument, Quantity) and argument.kind == "velocity" and argument.stage
+        if is_quantity(argument, "velocity") and argument.stage
         if isinstance(argument.stage, int)
         if isinstance(argument.arguments[0], Name)
     )
@@ -69,7 +71,7 @@ def read_off_lines(derivation: Derivation, line: Line) -> tuple[tuple[str, int],
 
 def _is_of_a_line_of_centres(derivation: Derivation, ref: Ref) -> bool:
     """Whether a fact, or a line, says the direction of a line of centres."""
-    own = derivation.fact(ref) if isinstance(ref, str) else derivation.line(ref)
+    own = derivation.cited(ref)
     match None if own is None else own.relation:
         case Relation(((Link(Quantity("line_of_centres")), *_),)):
             return True

@@ -13,7 +13,7 @@ from restitution.explaining.lines.derivation import (
     Meaning,
     Move,
     Relation,
-    equation,
+    equality,
 )
 from restitution.explaining.lines.notation import read_tree
 from restitution.explaining.lines.saying import Sentence, say
@@ -84,7 +84,7 @@ class SourceLeads(LinesAround):
 
     def _component_equations(self, line: Line) -> list[lay.Layout]:
         """The two equations that the momentum of two spheres as vectors says for one unknown."""
-        laws = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+        laws = self._derivation.lines_in(line.premises)
         assert isinstance(line.relation, Relation)
         value = line.relation.only[0]
         if not isinstance(value.left, Letter) or letters(value.right):
@@ -101,7 +101,7 @@ class SourceLeads(LinesAround):
         if not isinstance(left, Vector) or not isinstance(right, Vector):
             return []
         return [
-            self._naming.relation(equation(_numbers_first(one), _numbers_first(other)))
+            self._naming.relation(equality(_numbers_first(one), _numbers_first(other)))
             for one, other in zip(left, right, strict=True)
         ]
 
@@ -283,7 +283,7 @@ class SourceLeads(LinesAround):
     def _meeting_behind(self, line: Line) -> Sentence | None:
         """When spheres meet again, where that is given and a line says that it is so anyway."""
         for ref in line.premises:
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self._derivation.fact(ref)
             relation = None if fact is None else meeting_of(self._naming, fact)
             if relation is not None:
                 return condition_of(relation, self._naming, inequality=False)
@@ -309,7 +309,7 @@ class SourceLeads(LinesAround):
             case _:
                 return None
         for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            own = self._derivation.line(ref)
             match own.relation if own is not None else None:
                 case Relation(((Link(Letter() as letter, "=", tree),),)) if tree == value:
                     return self._naming.relation(Relation(((Link(letter, sign, right),),)))

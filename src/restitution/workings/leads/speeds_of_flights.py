@@ -132,7 +132,7 @@ def _sides(derivation: Derivation, naming: Naming, line: Line) -> Iterator[Side]
     if own:
         return
     for ref in line.premises:
-        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        fact = derivation.fact(ref)
         if fact is not None and _is_of_the_velocity(fact, line.move.bodies):
             vector = vector_worth(fact.relation.only[-1].right)
             if vector is not None:

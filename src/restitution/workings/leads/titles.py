@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Meaning,
     Ref,
     Relation,
+    numbers_in,
 )
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
@@ -34,8 +35,11 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
+    is_quantity,
     is_zero,
     letters,
+    unsigned,
     walk,
 )
 from restitution.workings.leads.component_leads import ComponentLeads
@@ -116,7 +120,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """Whether a speed is read off a velocity that is a multiple of another."""
         above = [own.relation for own in map(self._cited, line.premises) if own is not None]
         return any(
-            isinstance(node, Quantity) and node.kind == "velocity"
+            is_quantity(node, "velocity")
             for own in above
             if isinstance(own, Relation)
             for links in own.options
@@ -291,7 +295,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _moves_along(self, line: Line) -> bool:
         """Whether a direction is that of the line of centres, as there is no component across."""
-        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        numbers = numbers_in(line.premises)
         lines = [own for ref in numbers if (own := self._derivation.line(ref))]
         event = self._naming.events.get(line.move.event or 0)
         relations = [line for line in lines if isinstance(line.relation, Relation)]
@@ -311,7 +315,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
     def _one_component(self, line: Line) -> Sentence | None:
         """How a body moves whose velocity has one component that is not zero."""
         assert isinstance(line.relation, Relation)
-        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        numbers = numbers_in(line.premises)
         own = [e for e in map(self._cited, numbers) if e is not None]
         lasting = [e.relation.options[0] for e in own if isinstance(e.relation, Relation)]
         parts = [links[0].left for links in lasting if not is_zero(links[-1].right)]
@@ -324,9 +328,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             whole = {links[0].left for links in lasting if _has_one_component(links[-1].right)}
             parts = [part for part in parts if part not in whole]
         right = line.relation.options[0][0].right
-        if len(parts) != 1 or any(
-            isinstance(e, Binary) and e.op == "+" for e in under_a_root(right)
-        ):
+        if len(parts) != 1 or any(is_binary(e, "+") for e in under_a_root(right)):
             return None
         part = parts[0]
         if isinstance(part, Letter) and part.name in self._naming.meanings:
@@ -377,15 +379,10 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _is_given_off(self, line: Line, body: str) -> bool:
         """Whether a line takes the direction that is given of a sphere that was at rest."""
-        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
-        links = [
-            fact.relation.options[0][0]
-            for fact in facts
-            if fact is not None and fact.kind == "given"
-        ]
+        facts = self._derivation.facts_in(line.premises)
+        links = [fact.relation.options[0][0] for fact in facts if fact.kind == "given"]
         return any(
-            link.sign in ("parallel to", "perpendicular to")
-            or (isinstance(link.left, Quantity) and link.left.kind == "direction")
+            link.sign in ("parallel to", "perpendicular to") or is_quantity(link.left, "direction")
             for link in links
         )
 
@@ -393,14 +390,14 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         """Whether a law of restitution is written by scalar products with a cited vector."""
         if line.move.record not in ("restitution", "restitution-wall"):
             return False
-        numbers = [ref for ref in line.premises if isinstance(ref, int)]
+        numbers = numbers_in(line.premises)
         lines = [own for ref in numbers if (own := self._derivation.line(ref))]
         links = [
             line.relation.only[0]
             for line in lines
             if isinstance(line.relation, Relation) and len(line.relation.options) == 1
         ]
-        vectors = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
+        vectors = any(is_quantity(e.left, "velocity") for e in links)
         # The vector holds a letter: along one that is known the components are numbers.
         axes = any(
             isinstance(e.left, Quantity) and e.sign == "parallel to" and letters(e.right)
@@ -472,7 +469,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         if body is not None:
             assert isinstance(line.relation, Relation)
             angle = line.relation.only[0].right
-            size = angle.operand if isinstance(angle, Negate) else angle
+            size = unsigned(angle)
             if size not in (Degrees(Fraction(0)), RIGHT_ANGLE, STRAIGHT_ANGLE):
                 square = isinstance(angle, Binary) and angle.right == RIGHT_ANGLE
                 which = "derived.across-centres" if square else self._along_centres(line, body)
@@ -623,7 +620,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
 
     def _divided(self, line: Line) -> Sentence | None:
         """By what top and bottom of a fraction are divided, where only its form changes."""
-        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        refs = numbers_in(line.premises)
         own = self._derivation.line(refs[0]) if line.move.id == "rearrange" and refs else None
         if own is None or not isinstance(own.relation, Relation):
             return None
@@ -635,7 +632,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                     return None
             case _:
                 return None
-        inside = {node.right for node in walk(below) if isinstance(node, Binary) and node.op == "/"}
+        inside = {node.right for node in walk(below) if is_binary(node, "/")}
         for tree in inside:
             if isinstance(tree, Letter | Apply) and tidy(
                 worth(top) - worth(rest) * worth(tree)
@@ -670,11 +667,8 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         lets = (other.relation for other in map(self._cited, line.premises) if other is not None)
         return any(
             isinstance(let, Meaning)
-            and isinstance(let.quantity, Quantity)
-            and let.quantity.kind == "angle"
-            and not all(
-                isinstance(e, Quantity) and e.kind == "velocity" for e in let.quantity.arguments
-            )
+            and is_quantity(let.quantity, "angle")
+            and not all(is_quantity(e, "velocity") for e in let.quantity.arguments)
             for let in lets
         )
 
@@ -704,7 +698,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                     name = "range.every-holds" if holds else free
                     yield say(name, letter=self._naming.layout(letter))
         for ref in line.premises if line.move.id == "compare" else ():
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            own = self._derivation.line(ref)
             if own is None or own.shown != "silent" or own.move.id != "put":
                 continue
             match own.relation:

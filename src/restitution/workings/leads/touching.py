@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    is_quantity,
     is_zero,
 )
 from restitution.planning.writing.forms import tree_of
@@ -55,7 +56,7 @@ class Touching:
         position = Quantity("position", (Name(body),), number)
         coordinates: dict[str, Expression] = {}
         for ref in line.premises:
-            own = self._derivation.fact(ref) if isinstance(ref, str) else self._derivation.line(ref)
+            own = self._derivation.cited(ref)
             if own is None or not isinstance(own.relation, Relation):
                 continue
             for link in own.relation.options[0]:
@@ -101,16 +102,16 @@ def touching_beside(
             pass
         case _:
             return None
-    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+    cited = derivation.lines_in(line.premises)
     lefts = [
         line.relation.only[0].left
         for line in cited
-        if line and isinstance(line.relation, Relation) and len(line.relation.options) == 1
+        if isinstance(line.relation, Relation) and len(line.relation.options) == 1
     ]
     axes = {
         left.arguments[1]
         for left in lefts
-        if isinstance(left, Quantity) and left.kind == "along" and len(left.arguments) == 2
+        if is_quantity(left, "along") and len(left.arguments) == 2
     }
     if len(axes) != 1:
         return None

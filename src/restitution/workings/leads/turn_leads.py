@@ -12,6 +12,7 @@ from restitution.explaining.lines.derivation import (
     Link,
     Meaning,
     Relation,
+    equality,
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
@@ -28,6 +29,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_binary,
+    is_quantity,
     is_zero,
     walk,
 )
@@ -199,7 +202,7 @@ class TurnLeads(LinesAround):
         if not {sine, cosine} <= {node for side in trees_of(base.relation) for node in walk(side)}:
             return None
         right = Binary("/", sine, Binary("+", Number(Fraction(1)), cosine))
-        formula = self._naming.relation(Relation(((Link(half, "=", right),),)))
+        formula = self._naming.relation(equality(half, right))
         return say("derived.by-formula", formula=formula)
 
     def _by_its_half(self, line: Line, base: Line) -> Sentence | None:
@@ -228,11 +231,8 @@ class TurnLeads(LinesAround):
 
     def _angles_given(self, line: Line) -> Fact | None:
         """The given sum or difference of angles of which a line is the tangent."""
-        facts = (
-            self._derivation.fact(premise) for premise in line.premises if isinstance(premise, str)
-        )
-        for fact in facts:
-            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+        for fact in self._derivation.facts_in(line.premises):
+            if fact.kind == "given" and len(fact.relation.options) == 1:
                 match fact.relation.only:
                     case (Link(Binary("+" | "-"), "=") | Link(_, "=", Binary("+" | "-")),):
                         return fact
@@ -246,7 +246,7 @@ class TurnLeads(LinesAround):
     def _angles_named(self, line: Line) -> Fact | None:
         """The sum or difference of angles that the statement calls by a letter."""
         for ref in line.premises:
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            fact = self._derivation.fact(ref)
             if fact is not None and fact.id.partition(" ")[0] == "let":
                 match fact.relation.only:
                     case (Link(Binary("+" | "-"), "="),):
@@ -262,7 +262,7 @@ class TurnLeads(LinesAround):
             return None
         assert isinstance(line.relation, Relation)
         first = line.relation.options[0][0]
-        if isinstance(first.left, Quantity) and first.left.kind == "energy_lost":
+        if is_quantity(first.left, "energy_lost"):
             return None
         body = line.move.bodies[0]
         if self._by_directions(line):
@@ -284,8 +284,8 @@ class TurnLeads(LinesAround):
                     slots = {"body": body, "wall": event.bodies[1], "bound": rebounds}
                     return say("turned-wall.straight-as", **slots)
             return say(name, body=body, wall=event.bodies[1])
-        cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-        named = [line.relation for line in cited if line and isinstance(line.relation, Meaning)]
+        cited = self._derivation.lines_in(line.premises)
+        named = [line.relation for line in cited if isinstance(line.relation, Meaning)]
         for node in (*walk(first.left), *walk(first.right)):
             if isinstance(node, Letter) and node.name in self._naming.meanings:
                 named.append(self._naming.meanings[node.name])
@@ -404,7 +404,7 @@ class TurnLeads(LinesAround):
         later = line.relation.options[0][0]
         if not isinstance(later.left, Letter) or met.isdisjoint(map(str, line.premises)):
             return say("turned.from", **names)
-        if isinstance(later.right, Binary) and later.right.op == "-":
+        if is_binary(later.right, "-"):
             return say("turned.pushed-towards", **names)
         return say("turned.pushed-away", back=self._naming.layout(Negate(axis)), **names)
 
@@ -412,8 +412,8 @@ class TurnLeads(LinesAround):
         """Whether a deflection is made of directions alone: one of the data, one that stands."""
         stands = False
         for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
-            fact = self._derivation.fact(ref) if isinstance(ref, str) else None
+            own = self._derivation.line(ref)
+            fact = self._derivation.fact(ref)
             match fact.relation if fact is not None else None if own is None else own.relation:
                 case Relation(((Link(Quantity("direction"), "="), *_),)):
                     stands = True
@@ -432,9 +432,8 @@ class TurnLeads(LinesAround):
 
     def _turn_too_wide(self, line: Line, link: Link) -> Expression | None:
         """The given deflection, where a body that keeps its sense is turned through less."""
-        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
-        for fact in facts:
-            match None if fact is None else fact.relation.options[0][0]:
+        for fact in self._derivation.facts_in(line.premises):
+            match fact.relation.options[0][0]:
                 case Link(Quantity("deflection"), "=", Degrees(value) as turn):
                     pass
                 case _:
@@ -479,7 +478,7 @@ class TurnLeads(LinesAround):
         walls = [
             side
             for angle in angles
-            if isinstance(angle, Quantity) and angle.kind == "angle"
+            if is_quantity(angle, "angle")
             for side in angle.arguments
             if isinstance(side, Name)
         ]

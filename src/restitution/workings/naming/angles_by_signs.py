@@ -34,7 +34,7 @@ def signs_behind(derivation: Derivation, line: Line) -> tuple[tuple[Quantity, Or
     weak = all(link.sign in ("<=", ">=") for link in line.relation.options[0])
     signs: list[tuple[Quantity, Order]] = []
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         if own is None or not isinstance(own.relation, Relation):
             continue
         sign = _sign(derivation, own.relation)

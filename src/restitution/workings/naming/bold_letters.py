@@ -41,6 +41,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_function,
     walk,
 )
 from restitution.oracle import REAL, Oracle, Role, compared
@@ -540,7 +541,7 @@ def unit_vector(tree: Expression) -> Expression | None:
 
 def _is_nested(tree: Expression) -> bool:
     """Whether a root stands in a root."""
-    if not isinstance(tree, Apply) or tree.function != "sqrt":
+    if not is_function(tree, "sqrt"):
         return False
     return any(isinstance(node, Apply) for node in walk(tree.argument))
 

@@ -22,9 +22,10 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Polar,
-    Quantity,
     Unit,
+    is_quantity,
     letters,
+    unsigned,
     walk,
 )
 from restitution.planning.writing.forms import tree_of
@@ -117,7 +118,7 @@ class DataAngles:
             case _:
                 return
         back = isinstance(line, Negate)
-        match line.operand if isinstance(line, Negate) else line:
+        match unsigned(line):
             case Degrees(turn) if (direction - (-turn if back else turn)) % 180 == 0:
                 pass
             case _:
@@ -152,7 +153,7 @@ class DataAngles:
 def _is_of_velocity(fact: Fact) -> bool:
     """Whether a fact says what a velocity is, at the start or after an event."""
     links = fact.relation.options[0]
-    given = any(isinstance(e.left, Quantity) and e.left.kind == "velocity" for e in links)
+    given = any(is_quantity(e.left, "velocity") for e in links)
     return fact.id.partition(" ")[0] == "velocity" or given
 
 

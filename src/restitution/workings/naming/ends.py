@@ -11,12 +11,12 @@ import sympy as sp
 from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
-    Apply,
     Expression,
     Letter,
     Number,
     Quantity,
     has_quantity,
+    is_function,
     is_zero,
     letters,
     walk,
@@ -257,9 +257,7 @@ class Ends:
         """The one acute angle of which ratios are factors of a multiple, whose sign they tell."""
         known = roles(self._problem)
         angles = {
-            node.argument
-            for node in walk(multiple)
-            if isinstance(node, Apply) and node.function in ("sin", "cos", "tan")
+            node.argument for node in walk(multiple) if is_function(node, "sin", "cos", "tan")
         }
         match tuple(angles):
             case (Letter(name) as angle,) if name in known:

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     has_quantity,
+    is_quantity,
     is_zero,
 )
 from restitution.planning.writing.inequalities import turned
@@ -74,9 +75,7 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
     left, right = naming.side(link.left), naming.side(link.right)
     if link.sign in ("parallel to", "perpendicular to"):
         left, right = (
-            say("derived.the", quantity=each)
-            if isinstance(own, Quantity) and own.kind == "momentum"
-            else each
+            say("derived.the", quantity=each) if is_quantity(own, "momentum") else each
             for own, each in ((link.left, left), (link.right, right))
         )
         name = "claim.parallel" if link.sign == "parallel to" else "claim.perpendicular"

@@ -22,7 +22,9 @@ from restitution.expression.tree import (
     Number,
     Unit,
     has_quantity,
+    is_function,
     letters,
+    unsigned,
     walk,
 )
 from restitution.planning.writing.forms import product, swept, tree_of
@@ -95,7 +97,7 @@ class Figures:
 
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
-        own = tree.operand if isinstance(tree, Negate) else tree
+        own = unsigned(tree)
         number = _in_figures(own) if _is_long(own) else in_letters_with_figures(own)
         if number is not None:
             self._known[own] = number
@@ -118,7 +120,7 @@ class Figures:
 
         There are as many of them as the angle to three figures needs.
         """
-        own = tree.operand if isinstance(tree, Negate) else tree
+        own = unsigned(tree)
         number = next(
             filter(partial(_same_angle, own), (_in_figures(own, n) for n in _FIGURES_OF_COSINES)),
             None,
@@ -130,7 +132,7 @@ class Figures:
 
     def put(self, tree: Expression) -> Expression:
         """A side of a line with figures for the values in it that are on paper."""
-        own = tree.operand if isinstance(tree, Negate) else tree
+        own = unsigned(tree)
         if own in self._known:
             return tree
         put = rebuilt(exchanged(tree, self._known), self._arctangent)
@@ -176,8 +178,7 @@ def _is_long(tree: Expression) -> bool:
         case Binary("*", left, right) if of_plain_angles(tree):
             return _is_long(left) or _is_long(right)
     return not letters(tree) and any(
-        isinstance(node, Apply) and node.function == "sqrt" and of_plain_angles(node.argument)
-        for node in walk(tree)
+        is_function(node, "sqrt") and of_plain_angles(node.argument) for node in walk(tree)
     )
 
 

@@ -52,7 +52,7 @@ def _given(derivation: Derivation, line: Line) -> Iterator[Expression]:
     if line.move.id != "define":
         return
     for ref in line.premises:
-        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        fact = derivation.fact(ref)
         if fact is None or fact.kind != "given":
             continue
         for links in fact.relation.options:

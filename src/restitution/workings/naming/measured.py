@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Number,
     Unit,
     has_quantity,
+    is_function,
     letters,
     walk,
 )
@@ -119,7 +120,7 @@ def terms_as_decimals(tree: Expression) -> Expression:
     Those below a power are decimals too: ``1.25 − 0.4625``, ``0.5² + 3²``. A factor, such as a
     coefficient of restitution or the half of ½mv², stays as it is.
     """
-    root = tree.argument if isinstance(tree, Apply) and tree.function == "sqrt" else tree
+    root = tree.argument if is_function(tree, "sqrt") else tree
     nodes = walk(root)
     if has_quantity(root) or letters(root) or any(isinstance(e, Apply | Unit) for e in nodes):
         return tree

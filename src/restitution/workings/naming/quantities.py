@@ -25,7 +25,9 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
     Unit,
+    is_quantity,
     is_zero,
+    unsigned,
     walk,
 )
 from restitution.planning.writing.forms import tree_of
@@ -567,7 +569,7 @@ class Naming(Moments):
         question has **i** and **j**, and of any other axis.
         """
         back = isinstance(axis, Negate)
-        own = axis.operand if isinstance(axis, Negate) else axis
+        own = unsigned(axis)
         if not isinstance(own, Unit) or self.has_axes:
             return None
         walls = [event for event in self.impacts if event.wall]
@@ -576,15 +578,15 @@ class Naming(Moments):
         normal, wall = self.unit_of(walls[0], "along"), walls[0].bodies[1]
         if normal is None:
             return None
-        into = normal.operand if isinstance(normal, Negate) else normal
+        into = unsigned(normal)
         if own != into:
             return _PARALLEL, wall
         return (_AWAY if back != isinstance(normal, Negate) else _TOWARDS), wall
 
     def event_of_axis(self, axis: Expression) -> Event | None:
         """The event along whose axis a component is taken."""
-        own = axis.operand if isinstance(axis, Negate) else axis
-        if isinstance(own, Quantity) and own.kind == "line_of_centres":
+        own = unsigned(axis)
+        if is_quantity(own, "line_of_centres"):
             return self.events.get(own.stage) if isinstance(own.stage, int) else None
         return None
 
@@ -597,7 +599,7 @@ class Naming(Moments):
             return None
         axis = fact.relation.only[-1].right
         back = isinstance(axis, Negate)
-        own = axis.operand if isinstance(axis, Negate) else axis
+        own = unsigned(axis)
         if not isinstance(own, Unit):
             return None
         if kind == "across":

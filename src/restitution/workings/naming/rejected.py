@@ -19,6 +19,8 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     Sign,
+    equality,
+    numbers_in,
 )
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.expression.evaluate import in_letters
@@ -28,6 +30,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    is_function,
     letters,
     walk,
 )
@@ -42,7 +45,7 @@ def bound_broken(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], 
     None where several roots are rejected, or by what is known of the letter itself.
     """
     first = line.premises[0] if line.premises else None
-    above = derivation.line(first) if isinstance(first, int) else None
+    above = derivation.line(first)
     if above is None or not isinstance(above.relation, Relation):
         return None
     assert isinstance(line.relation, Relation)
@@ -137,7 +140,7 @@ def _positive_broken(
 
 
 def _line(derivation: Derivation, ref: Ref) -> Line | None:
-    return derivation.line(ref) if isinstance(ref, int) else None
+    return derivation.line(ref)
 
 
 def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ...], int] | None:
@@ -145,7 +148,7 @@ def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ..
 
     It came of squaring that line.
     """
-    cited = [ref for ref in line.premises if isinstance(ref, int)]
+    cited = numbers_in(line.premises)
     if line.move.id != "reject" or len(cited) != 2:
         return None
     roots, other = (derivation.line(number) for number in cited)
@@ -162,10 +165,7 @@ def root_of_a_square(derivation: Derivation, line: Line) -> tuple[tuple[Link, ..
         return None
     nodes = (node for link in own[0] for node in walk(Binary("-", link.left, link.right)))
     unknown = letters(dropped[0][0].left)
-    if not any(
-        isinstance(node, Apply) and node.function == "sqrt" and letters(node) & unknown
-        for node in nodes
-    ):
+    if not any(is_function(node, "sqrt") and letters(node) & unknown for node in nodes):
         return None
     return dropped[0], cited[1]
 
@@ -213,7 +213,7 @@ def made_by_a_root(
         return ()
     lefts: list[Expression] = [Letter(value.name) for value in unknowns[:-1]]
     relations = [
-        Relation(((Link(left, "=", tree),),))
+        equality(left, tree)
         for left, tree in zip((*lefts, bound.left), trees, strict=True)
         if left not in {tree for tree, _ in equations}  # it stands there already
     ]
@@ -254,7 +254,7 @@ def _solved(gaps: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[sp.E
 def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Expression]]:
     """The sides of the equations that a line cites, but for its roots."""
     for ref in line.premises[1:]:
-        above = derivation.line(ref) if isinstance(ref, int) else None
+        above = derivation.line(ref)
         relation = None if above is None else above.relation
         if isinstance(relation, Relation) and len(relation.options) == 1:
             links = relation.only

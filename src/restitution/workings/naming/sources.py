@@ -28,6 +28,7 @@ from restitution.expression.tree import (
     Unit,
     children,
     has_quantity,
+    is_quantity,
     walk,
 )
 from restitution.workings.naming.angles_by_signs import signs_behind
@@ -109,10 +110,7 @@ def is_multiple(relation: Relation | Meaning) -> bool:
     """Whether a velocity is a multiple of another."""
     match relation:
         case Relation(((Link(Quantity("velocity") as one, "=", right),),)):
-            return any(
-                isinstance(node, Quantity) and node.kind == "velocity" and node != one
-                for node in walk(right)
-            )
+            return any(is_quantity(node, "velocity") and node != one for node in walk(right))
     return False
 
 
@@ -180,7 +178,7 @@ class Sources:
         """The equations among premises; of one that is not printed that which says it."""
         numbers: list[int] = []
         for ref in refs:
-            line = self._derivation.line(ref) if isinstance(ref, int) else None
+            line = self._derivation.line(ref)
             if line is None or not isinstance(line.relation, Relation):
                 continue
             if line.shown != "silent":
@@ -194,8 +192,7 @@ class Sources:
         if line.move.record != "component" or not isinstance(line.relation, Relation):
             return False
         value = line.relation.only[-1].right
-        above = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-        links = (line.relation for line in above if line is not None)
+        links = (own.relation for own in self._derivation.lines_in(line.premises))
         return any(
             isinstance(own, Relation)
             and isinstance(own.options[0][0].left, Letter)

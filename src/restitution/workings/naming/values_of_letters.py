@@ -17,6 +17,8 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
+    is_quantity,
     is_zero,
     walk,
 )
@@ -41,7 +43,7 @@ def with_values(
     (own,) = links
     known: dict[Expression, Expression] = {}
     for ref in line.premises:
-        above = derivation.line(ref) if isinstance(ref, int) else None
+        above = derivation.line(ref)
         match above.relation if above is not None else None:
             case Relation(((Link(Letter() as letter, "="), *_),) as options):
                 known[letter] = options[0][-1].right
@@ -51,9 +53,7 @@ def with_values(
                 known[whole] = own_.options[0][-1].right
     if line.move.id == "sign" and own.left in known and is_zero(own.right):
         value = known[own.left]
-        if has_quantity(value) or any(
-            isinstance(e, Binary) and e.op in ("+", "-") for e in walk(value)
-        ):
+        if has_quantity(value) or any(is_binary(e, "+", "-") for e in walk(value)):
             return links
         named = Link(own.left, "=", value)
         return (named,) if is_zero(value) else (named, Link(value, own.sign, own.right))
@@ -80,7 +80,7 @@ def in_the_other_sense(
     if line.move.record != "component" or len(links) > 1 or not isinstance(own.left, Quantity):
         return None
     for ref in line.premises:
-        above = derivation.line(ref) if isinstance(ref, int) else None
+        above = derivation.line(ref)
         match above.relation if above is not None else None:
             case Relation(((Link(Quantity("along" | "across") as whole, "="), *_),)) as component:
                 value = component.only[-1].right
@@ -110,4 +110,4 @@ def _differ(naming: Naming, left: Expression, right: Expression) -> bool:
 
 def _is_line(axis: Expression) -> bool:
     """Whether a component is along a line of centres, or along **i** or **j**."""
-    return isinstance(axis, Unit) or (isinstance(axis, Quantity) and axis.kind == "line_of_centres")
+    return isinstance(axis, Unit) or is_quantity(axis, "line_of_centres")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Letter, Negate, Quantity
+from restitution.expression.tree import Letter, Negate, Quantity, is_quantity
 from restitution.render import layout as lay
 from restitution.workings.naming.quantities import Naming
 
@@ -19,10 +19,10 @@ def along_its_unit(derivation: Derivation, naming: Naming, line: Line) -> Senten
             meaning = naming.meanings.get(name)
         case _:
             return None
-    if meaning is None or not _is_direction(meaning.quantity):
+    if meaning is None or not is_quantity(meaning.quantity, "direction"):
         return None
     for ref in line.premises:
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         match own.relation if own is not None else None:
             case Relation(
                 (
@@ -48,10 +48,6 @@ def along_its_unit(derivation: Derivation, naming: Naming, line: Line) -> Senten
                 along = lay.negative(unit) if isinstance(right, Negate) else unit
                 return say("derived.along-unit", velocity=naming.layout(velocity), unit=along)
     return None
-
-
-def _is_direction(quantity: object) -> bool:
-    return isinstance(quantity, Quantity) and quantity.kind == "direction"
 
 
 __all__ = ["along_its_unit"]

@@ -109,9 +109,8 @@ def _place_at(line: Line) -> tuple[str, Vector] | None:
 
 def _way(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
     """From where a body comes to a place, and after which event."""
-    lines = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-    for own in (line, *lines):
-        if own is None or own.move.record != "straight-line" or own.move.event is None:
+    for own in (line, *derivation.lines_in(line.premises)):
+        if own.move.record != "straight-line" or own.move.event is None:
             continue
         match own.relation:
             case Relation(((Link(_, "=", right), *_),)):

@@ -11,7 +11,16 @@ from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Link
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import evaluate, in_letters
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, letters, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    is_binary,
+    letters,
+    walk,
+)
 from restitution.planning.writing.forms import tree_of
 from restitution.solving.algebra.signs import sign
 
@@ -22,11 +31,7 @@ def wave_of(node: Expression) -> tuple[Expression, tuple[Link, ...]] | None:
     two = Number(Fraction(2))
     match node:
         case Binary("*", before, Apply("sin" | "cos" as one, x)):
-            rest, last = (
-                (before.left, before.right)
-                if isinstance(before, Binary) and before.op == "*"
-                else (None, before)
-            )
+            rest, last = (before.left, before.right) if is_binary(before, "*") else (None, before)
             if last != Apply("cos" if one == "sin" else "sin", x):
                 return None
             half = Binary("/", Number(Fraction(1)), two)

@@ -73,9 +73,9 @@ def equal_tangents(derivation: Derivation, line: Line) -> Relation | None:
             pass
         case _:
             return None
-    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
+    cited = derivation.lines_in(line.premises)
     for own in cited:
-        match own.relation if own is not None and own.move.id == "inverse" else None:
+        match own.relation if own.move.id == "inverse" else None:
             case Relation(((Link(Letter(), "=", Apply("arctan")),),)):
                 pass
             case _:

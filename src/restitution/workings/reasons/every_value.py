@@ -32,7 +32,7 @@ def every_positive_value(
     if not _is_under_a_range(derivation, line):
         return None
     for ref in line.premises:
-        above = derivation.line(ref) if isinstance(ref, int) else None
+        above = derivation.line(ref)
         if above is None or not isinstance(above.relation, Relation):
             continue
         value = above.relation.options[0][-1].right

@@ -17,6 +17,8 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    is_binary,
+    is_function,
     is_zero,
     letters,
     walk,
@@ -36,7 +38,7 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
 def _before_and_after(derivation: Derivation, line: Line) -> tuple[Relation, Relation] | None:
     """What stands in the first line that a line cites, and in itself; None where one has roots."""
     first = line.premises[0] if line.premises else None
-    above = derivation.line(first) if isinstance(first, int) else None
+    above = derivation.line(first)
     if above is None or not isinstance(above.relation, Relation):
         return None
     assert isinstance(line.relation, Relation)
@@ -120,7 +122,7 @@ def _with_letters_for_tangents(
 def _ratios(relation: Relation) -> list[Apply]:
     """The sines, cosines and tangents in a relation."""
     nodes = (node for tree in trees_of(relation) for node in walk(tree))
-    return [e for e in nodes if isinstance(e, Apply) and e.function in ("sin", "cos", "tan")]
+    return [e for e in nodes if is_function(e, "sin", "cos", "tan")]
 
 
 def _residual(relation: Relation) -> sp.Expr:
@@ -148,8 +150,7 @@ def positive_factor_left(
     """
     factor = _factor_beside(derivation, line, frozenset(FLIPPED))
     if factor is None or not any(
-        isinstance(e, Negate | Apply) or (isinstance(e, Binary) and e.op == "-")
-        for e in walk(factor)
+        isinstance(e, Negate | Apply) or is_binary(e, "-") for e in walk(factor)
     ):
         return factor
     if any(isinstance(node, Apply) for node in walk(factor)):
@@ -167,7 +168,7 @@ def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) ->
     The one may be the letter itself.
     """
     (first, *rest) = line.premises or ("",)
-    above = derivation.line(first) if isinstance(first, int) else None
+    above = derivation.line(first)
     if above is None or line.move.id not in ("rearrange", "cancel"):
         return None
     # Of an inequality the bounds of its letters are cited besides.

@@ -9,7 +9,15 @@ from typing import TypeGuard
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Fact, Line, Link, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Fact,
+    Line,
+    Link,
+    Ref,
+    Relation,
+    equality,
+)
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
@@ -24,6 +32,9 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
+    is_function,
+    is_quantity,
     is_zero,
     letters,
     walk,
@@ -63,7 +74,7 @@ def grounds_of(derivation: Derivation, roles: Mapping[str, Role], line: Line) ->
 def _side(derivation: Derivation, line: Line) -> Iterator[Relation]:
     """To which side a velocity is turned, where that is given."""
     for ref in line.premises if line.move.record == "turned" else ():
-        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        fact = derivation.fact(ref)
         match None if fact is None else fact.relation.options:
             case ((Link(Quantity("direction") as angle, "<" | ">" as sign, right),),) if (
                 in_letters(right) == 0
@@ -82,24 +93,23 @@ def _squares_of_sums(derivation: Derivation, line: Line) -> Iterator[Relation]:
                 seen += [node for node in walk(base) if _is_sum_with_a_root(node)]
     for tree in dict.fromkeys(seen):
         worth = tree_of(sp.expand(in_letters(tree) ** 2))
-        yield Relation(((Link(Binary("^", tree, _TWO), "=", worth),),))
+        yield equality(Binary("^", tree, _TWO), worth)
 
 
 def _is_sum_with_a_root(tree: Expression) -> bool:
     """Whether an expression is a number with a root, added to another one."""
-    roots = (isinstance(node, Apply) and node.function == "sqrt" for node in walk(tree))
-    is_sum = isinstance(tree, Binary) and tree.op in ("+", "-")
+    roots = (is_function(node, "sqrt") for node in walk(tree))
+    is_sum = is_binary(tree, "+", "-")
     return is_sum and not letters(tree) and not has_quantity(tree) and any(roots)
 
 
 def compared_quantities(derivation: Derivation, line: Line) -> Fact | None:
     """The given inequality of two quantities that a line compares by what lines above say."""
-    lines = (derivation.line(ref) for ref in line.premises if isinstance(ref, int))
-    cited = [line for line in lines if line is not None and line.shown != "silent"]
+    cited = [own for own in derivation.lines_in(line.premises) if own.shown != "silent"]
     if line.move.id != "compare" or len(cited) < 2:
         return None
     for ref in line.premises:
-        fact = derivation.fact(ref) if isinstance(ref, str) else None
+        fact = derivation.fact(ref)
         if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
             return fact if all(map(has_quantity, trees_of(fact.relation))) else None
     return None
@@ -130,7 +140,9 @@ def acute_by_its_tangent(
     match line.relation.options:
         case ((Link(own),),) if own == tangent:
             return angle if below in cited else None
-        case ((*_, Link(own, "<" | "<=", bound)),) if own == angle or _is_angle(own):
+        case ((*_, Link(own, "<" | "<=", bound)),) if own == angle or is_quantity(
+            own, "angle", "deflection"
+        ):
             if not _is_less_than_90(bound):
                 return None
             acute = {ref.partition(":")[2].strip() for ref in line.premises if _is_acute(ref)}
@@ -178,10 +190,6 @@ def _is_less_than_90(bound: Expression) -> bool:
     return False
 
 
-def _is_angle(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind in ("angle", "deflection")
-
-
 def _is_above_zero(tangent: Expression, relation: Relation | None, acute: Collection[str]) -> bool:
     """Whether a relation bounds a tangent below by zero, or by what is above that.
 
@@ -215,8 +223,8 @@ def _is_positive(tree: Expression, acute: Collection[str]) -> bool:
     return False
 
 
-def _relation(derivation: Derivation, ref: object) -> Relation | None:
-    own = derivation.line(ref) if isinstance(ref, int) else None
+def _relation(derivation: Derivation, ref: Ref) -> Relation | None:
+    own = derivation.line(ref)
     return own.relation if own is not None and isinstance(own.relation, Relation) else None
 
 
@@ -227,7 +235,7 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
     named = meant_by(derivation, link.left)
     angle = line.relation.only[-1].right
     beyond = _is_beyond(angle)
-    if not isinstance(named, Quantity) or named.kind != "direction":
+    if not is_quantity(named, "direction"):
         return
     if not (beyond or _is_negative(angle)):
         return
@@ -236,7 +244,7 @@ def _quadrant(derivation: Derivation, line: Line) -> Iterator[Relation]:
         if relation is None or len(relation.options) > 1:
             continue
         component, value = relation.only[0].left, relation.only[-1].right
-        parts = coordinates(value) if _is_velocity(component) else None
+        parts = coordinates(value) if is_quantity(component, "velocity") else None
         if parts is not None:
             component, value = Quantity("along", (component, Unit("i"))), parts[0]
         if _is_along_i(derivation, component) and _is_negative(value if beyond else Negate(value)):
@@ -249,7 +257,7 @@ def _obtuse(derivation: Derivation, line: Line) -> Iterator[Relation]:
     assert isinstance(line.relation, Relation)
     angle, value = line.relation.only[0].left, line.relation.only[-1].right
     named = meant_by(derivation, angle)
-    if not isinstance(named, Quantity) or named.kind not in ("angle", "deflection"):
+    if not is_quantity(named, "angle", "deflection"):
         return
     match value:
         case Binary("-", Degrees(Fraction(numerator=180, denominator=1)), Apply("arctan")):
@@ -282,7 +290,7 @@ def _half_plane(derivation: Derivation, line: Line) -> Iterator[Relation]:
         for side in sides
         if isinstance(side, Letter) and (meaning := derivation.meanings.get(side.name))
     }
-    if not any(isinstance(side, Quantity) and side.kind == "direction" for side in sides | named):
+    if not any(is_quantity(side, "direction") for side in sides | named):
         return
     for ref in line.premises:
         match _relation(derivation, ref):
@@ -313,10 +321,6 @@ def meant_by(derivation: Derivation, angle: Expression) -> Expression | None:
 def _is_name(fact: Fact) -> bool:
     """Whether a fact says what a letter of the statement stands for."""
     return fact.id.partition(" ")[0] == "let"
-
-
-def _is_velocity(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind == "velocity"
 
 
 def _is_beyond(angle: Expression) -> bool:
@@ -362,7 +366,7 @@ def _roots(derivation: Derivation, line: Line) -> Iterator[Relation]:
         frozenset(letters(node.argument))
         for link in line.relation.options[0]
         for node in walk(link.right)
-        if isinstance(node, Apply) and node.function == "sqrt" and _has_difference(node.argument)
+        if is_function(node, "sqrt") and _has_difference(node.argument)
     }
     for link in given_links(derivation, part):
         if link.sign in _ORDER and letters(link.left) | letters(link.right) in names:
@@ -377,7 +381,7 @@ def given_links(derivation: Derivation, part: str | None) -> Iterator[Link]:
 
 
 def _has_difference(tree: Expression) -> bool:
-    return any(isinstance(node, Binary) and node.op == "-" for node in walk(tree))
+    return any(is_binary(node, "-") for node in walk(tree))
 
 
 def _divisors(roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:
@@ -425,7 +429,7 @@ def _double_angle(derivation: Derivation, line: Line) -> Iterator[Relation]:
             for link in line.relation.options[0]
             for side in (link.left, link.right)
             for node in walk(side)
-            if isinstance(node, Apply) and node.function == "cos"
+            if is_function(node, "cos")
         ),
         None,
     )
@@ -442,5 +446,5 @@ def _double_angle(derivation: Derivation, line: Line) -> Iterator[Relation]:
         square = Binary("*", _TWO, Binary("^", subject, _TWO))
         sine = subject == Apply("sin", half)
         right = Binary("-", _ONE, square) if sine else Binary("-", square, _ONE)
-        yield Relation(((Link(angle, "=", right),),))
+        yield equality(angle, right)
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation, equality
 from restitution.explaining.lines.notation import read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    is_binary,
     letters,
     walk,
 )
@@ -126,7 +127,7 @@ class GrowthReasons:
             elif any(end.line == line.number and end.shown for end in self._derivation.items):
                 reached = reached_at_an_end(above[0].right, line.relation, name, ends)
                 if reached is not None:
-                    at = self._naming.relation(Relation(((Link(letter_, "=", reached[1]),),)))
+                    at = self._naming.relation(equality(letter_, reached[1]))
                     value_there = self._layout(reached[0])
                     yield say("derived.it-is", value=value_there, at=at)
                     return
@@ -232,7 +233,7 @@ def _is_reciprocal(tree: Expression, name: str) -> bool:
 def _part_with(tree: Expression, name: str) -> Expression | None:
     """The one factor of a product, or above in a quotient, that has a letter, if it is short."""
     above = tree
-    if isinstance(tree, Binary) and tree.op == "/":
+    if is_binary(tree, "/"):
         if name in letters(tree.right):
             return None
         above = tree.left

@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     has_quantity,
+    is_binary,
     letters,
     walk,
 )
@@ -32,7 +33,7 @@ def multipliers_of(
 ) -> Iterator[Relation]:
     """The signs of the differences below in an inequality that are gone in the one it becomes."""
     (first, *_) = line.premises or ("",)
-    above = derivation.line(first) if isinstance(first, int) else None
+    above = derivation.line(first)
     if line.move.id != "rearrange" or above is None:
         return
     match above.relation, line.relation:
@@ -62,7 +63,7 @@ def cleared_factors(
     They are the letter itself, and sums of positive numbers and letters.
     """
     (first, *rest) = line.premises or ("",)
-    above = derivation.line(first) if isinstance(first, int) else None
+    above = derivation.line(first)
     if line.move.id not in ("compare", "rearrange") or above is None:
         return
     if any(isinstance(ref, int) or line.move.id == "compare" for ref in rest):
@@ -105,7 +106,7 @@ def _factors_below(relation: Relation) -> Iterator[Expression]:
     """The factors below a line, of powers their bases."""
     for tree in trees_of(relation):
         for node in walk(tree):
-            if isinstance(node, Binary) and node.op == "/" and not has_quantity(node.right):
+            if is_binary(node, "/") and not has_quantity(node.right):
                 for factor in factors(node.right):
                     match factor:
                         case Binary("^", base, Number()):
@@ -118,13 +119,13 @@ def _differences_below(relation: Relation) -> Iterator[Expression]:
     """The factors below a line from which something is taken, in letters alone."""
     for tree in trees_of(relation):
         for node in walk(tree):
-            if isinstance(node, Binary) and node.op == "/" and not has_quantity(node.right):
+            if is_binary(node, "/") and not has_quantity(node.right):
                 yield from (factor for factor in factors(node.right) if _is_difference(factor))
 
 
 def _is_difference(tree: Expression) -> bool:
     plain = not any(isinstance(node, Apply) for node in walk(tree))
-    return plain and isinstance(tree, Binary) and tree.op in "+-" and "-" in _signs(tree)
+    return plain and is_binary(tree, "+", "-") and "-" in _signs(tree)
 
 
 def _signs(tree: Expression) -> set[str]:

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     has_quantity,
+    is_binary,
     letters,
     walk,
 )
@@ -75,7 +76,7 @@ def other_bounds(solution: Solution, derivation: Derivation) -> dict[int, Senten
 def _other_ends(solution: Solution, derivation: Derivation, line: Line) -> Iterator[Link]:
     """The ends of walls that a place cannot pass, where a line tests the other end alone."""
     for ref in lines_under(derivation, line.number):
-        own = derivation.line(ref) if isinstance(ref, int) else None
+        own = derivation.line(ref)
         premises = () if own is None else own.premises
         facts = (_ends_of_a_wall(derivation, ref) for ref in premises)
         tested = next((fact for fact in facts if fact is not None), None)
@@ -96,7 +97,7 @@ def _other_ends(solution: Solution, derivation: Derivation, line: Line) -> Itera
 
 def _ends_of_a_wall(derivation: Derivation, ref: Ref) -> tuple[Link, Link] | None:
     """That a place lies between the ends of a wall, as a fact says it."""
-    fact = derivation.fact(ref) if isinstance(ref, str) else None
+    fact = derivation.fact(ref)
     if (
         fact is None
         or fact.id.partition(" ")[0] != "within"
@@ -168,7 +169,7 @@ def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Ex
     cited = {ref for own in lines for ref in own.premises if isinstance(ref, str)}
     for own in lines:
         named = [ref for ref in own.premises if isinstance(ref, str)]
-        above = [derivation.line(ref) for ref in own.premises if isinstance(ref, int)]
+        above = derivation.lines_in(own.premises)
         if own.move.id != "sign" or len(named) > 1 or len(above) != 1 or above[0] is None:
             continue
         match above[0].relation:
@@ -192,7 +193,7 @@ def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Ex
 
 
 def _has_difference(tree: Expression) -> bool:
-    return any(isinstance(node, Binary) and node.op == "-" for node in walk(tree))
+    return any(is_binary(node, "-") for node in walk(tree))
 
 
 def _holds(

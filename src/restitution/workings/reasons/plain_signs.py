@@ -11,7 +11,7 @@ from restitution.explaining.lines.derivation import Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, walk
+from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, is_function, walk
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import factors_above
 from restitution.planning.writing.inequalities import turned
@@ -45,7 +45,7 @@ def are_squares(squared: Relation, plain: Relation, roles: Mapping[str, Role]) -
         case _:
             return False
     nodes = (*walk(one), *walk(other))
-    if not any(isinstance(node, Apply) and node.function == "sqrt" for node in nodes):
+    if not any(is_function(node, "sqrt") for node in nodes):
         return False
     if not (is_never_negative(one, roles) and is_never_negative(other, roles)):
         return False

@@ -14,6 +14,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     Sign,
+    equality,
 )
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
@@ -29,6 +30,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -222,8 +225,8 @@ class Reasons:
 
     def _in_its_case(self, line: Line) -> bool:
         """Whether a line rests on the condition under which a range has its form."""
-        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
-        return any(fact is not None and fact.kind == "case" for fact in facts)
+        facts = self._derivation.facts_in(line.premises)
+        return any(fact.kind == "case" for fact in facts)
 
     @staticmethod
     def _divided_by_ratios(line: Line) -> bool:
@@ -243,16 +246,15 @@ class Reasons:
         """Whether the bounds of an angle come of those of its cotangent, which falls."""
         if line.move.id != "compare":
             return False
-        cited = (self._derivation.line(ref) for ref in line.premises if isinstance(ref, int))
+        cited = self._derivation.lines_in(line.premises)
         return any(
             isinstance(own.relation, Relation)
             and any(
-                isinstance(side, Apply) and side.function == "cot" and link.sign != "="
+                is_function(side, "cot") and link.sign != "="
                 for link in own.relation.options[0]
                 for side in (link.left, link.right)
             )
             for own in cited
-            if own is not None
         )
 
     def _beyond_a_right_angle(
@@ -267,7 +269,7 @@ class Reasons:
             return ()
         signs: list[Sentence | lay.Layout] = []
         for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            own = self._derivation.line(ref)
             match own.relation if own is not None else None:
                 case Relation(((Link(Apply("cos"), "="), *_),)):
                     return ()  # it tells an angle of up to 180°
@@ -314,7 +316,7 @@ class Reasons:
         """Whether a size of a component is worked out, by what is known of angles."""
         assert isinstance(line.relation, Relation)
         sizes = any(
-            isinstance(node, Apply) and node.function == "abs"
+            is_function(node, "abs")
             for links in line.relation.options
             for link in links[1:]
             for node in walk(link.right)
@@ -333,7 +335,7 @@ class Reasons:
 
     def _by_its_sense(self, line: Line) -> bool:
         """Whether a given speed is that of a component whose sense is given too."""
-        facts = (self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str))
+        facts = self._derivation.facts_in(line.premises)
         return line.move.record == "speed" and any(map(motion_of, facts))
 
     @staticmethod
@@ -450,7 +452,7 @@ class Reasons:
             return bound
         cited = [own for ref in line.premises if (own := self._shapes.relation_of(ref)) is not None]
         nodes = [node for own in cited for node in walk(own.only[-1].right)]
-        below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
+        below = [e.right for e in nodes if is_binary(e, "/")]
         divides = any(bound.left in factors(tree) for tree in below)
         return Link(bound.left, ">", bound.right) if divides else bound
 
@@ -467,10 +469,10 @@ class Reasons:
                 for ref in line.premises:
                     own = self._shapes.relation_of(ref)
                     nodes = () if own is None else walk(own.only[-1].right)
-                    below = [e.right for e in nodes if isinstance(e, Binary) and e.op == "/"]
+                    below = [e.right for e in nodes if is_binary(e, "/")]
                     if own is None or not any(letter in factors(tree) for tree in below):
                         continue
-                    subject, zero_ = own.only[0].left, Relation(((Link(letter, "=", ZERO),),))
+                    subject, zero_ = own.only[0].left, equality(letter, ZERO)
                     if isinstance(subject, Letter):
                         slots = self._naming.layout(subject), self._laid(zero_)
                         yield say("derived.no-value", letter=slots[0], bound=slots[1])
@@ -536,7 +538,7 @@ class Reasons:
     def _cited(self, line: Line) -> Iterator[Line]:
         """The lines among the premises of one."""
         for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            own = self._derivation.line(ref)
             if own is not None:
                 yield own
 
@@ -688,7 +690,7 @@ def _by_its_ends(relation: Relation) -> Relation:
     """A chain of equations as the one of its first and its last side; any other as it is."""
     if len(relation.options) > 1 or any(link.sign != "=" for link in relation.only):
         return relation
-    return Relation(((Link(relation.only[0].left, "=", relation.only[-1].right),),))
+    return equality(relation.only[0].left, relation.only[-1].right)
 
 
 def _is_one_and_more(tree: Expression, is_positive: Callable[[str], bool]) -> bool:

@@ -14,8 +14,8 @@ def pushed_away(derivation: Derivation, naming: Naming, line: Line, fact: Fact) 
     None where a root is rejected by more than the velocity before, and what the letter is.
     """
     _, *rest = line.premises
-    cited = [derivation.line(ref) for ref in rest if isinstance(ref, int)]
-    lets = [own.relation for own in cited if own and isinstance(own.relation, Meaning)]
+    cited = derivation.lines_in(rest)
+    lets = [own.relation for own in cited if isinstance(own.relation, Meaning)]
     if len(lets) != len(cited):
         return None
     (link,) = fact.relation.only

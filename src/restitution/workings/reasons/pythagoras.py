@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from itertools import chain
 
-from restitution.explaining.lines.derivation import Derivation, Line, Relation, equation
+from restitution.explaining.lines.derivation import Derivation, Line, Relation, equality
 from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
 from restitution.expression.tree import Apply, Binary, Expression, Number, walk
 from restitution.planning.writing.forms import square
@@ -18,8 +18,7 @@ def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
     Where a line has the tangent alone in place of the cosine, it is the identity of these two. None
     where there are several such angles, or none.
     """
-    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
-    relations = [own.relation for own in (line, *cited) if own is not None]
+    relations = [own.relation for own in (line, *derivation.lines_in(line.premises))]
     trees = [
         tuple(trees_of(relation)) if isinstance(relation, Relation) else ()
         for relation in relations
@@ -31,14 +30,14 @@ def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
         if tangent.function == "tan" and above - below == {cosine}:
             one = Number(Fraction(1))
             over = Binary("/", one, square(cosine))
-            return equation(over, Binary("+", one, square(tangent)))
+            return equality(over, Binary("+", one, square(tangent)))
     angles = angles_with_both_ratios(chain.from_iterable(trees))
     angles = angles or frozenset(function.argument for function in above | below)
     if len(angles) != 1:
         return None
     (angle,) = angles
     squares = Binary("+", square(Apply("sin", angle)), square(Apply("cos", angle)))
-    return equation(squares, Number(Fraction(1)))
+    return equality(squares, Number(Fraction(1)))
 
 
 def _ratios(trees: Iterable[Expression]) -> set[Apply]:

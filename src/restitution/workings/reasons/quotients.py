@@ -6,7 +6,16 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import FLIPPED, Line, Link, Relation
-from restitution.expression.tree import Binary, Expression, Letter, Number, is_zero, letters, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Number,
+    is_binary,
+    is_zero,
+    letters,
+    walk,
+)
 from restitution.planning.writing.forms import factors
 
 _ZERO = Number(Fraction(0))
@@ -57,7 +66,7 @@ def _names(link: Link) -> frozenset[str]:
 
 
 def _has_a_sum(tree: Expression) -> bool:
-    return any(isinstance(node, Binary) and node.op in "+-" for node in walk(tree))
+    return any(is_binary(node, "+", "-") for node in walk(tree))
 
 
 def _is_positive(tree: Expression) -> bool:

@@ -68,7 +68,7 @@ def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: in
     """
     body, wall = naming.events[number].bodies
     otherwise = say("circle.towards", body=body, wall=wall)
-    above = derivation.line(line.premises[0]) if isinstance(line.premises[0], int) else None
+    above = derivation.line(line.premises[0])
     datum = " ".join(("velocity", body))
     fact = derivation.fact(datum) if datum in line.premises else None
     if above is None or fact is None:

@@ -19,6 +19,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     Sign,
+    equality,
     whole_of,
 )
 from restitution.explaining.lines.saying import Sentence, say
@@ -35,6 +36,8 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     has_quantity,
+    is_binary,
+    is_function,
     letters,
     walk,
 )
@@ -205,7 +208,7 @@ class RightAngles:
         if not pole.upright:
             apart = Relation(((replace(pole.at, sign="!="),),))
             return say("derived.tangent-for", condition=self._naming.relation(apart))
-        right = Relation(((Link(pole.angle, "=", RIGHT_ANGLE),),))
+        right = equality(pole.angle, RIGHT_ANGLE)
         at = Relation(((pole.at,),))
         return say(
             "derived.right-angle", angle=self._naming.relation(right), at=self._naming.relation(at)
@@ -238,7 +241,7 @@ class RightAngles:
         where = Relation(((vertical,),))
         if at.is_number:
             there = tree_of(tidy(at), angle=True)
-        turned = Relation(((Link(turn, "=", there),),))
+        turned = equality(turn, there)
         return say(
             "derived.upright-too",
             at=self._naming.relation(where),
@@ -275,7 +278,7 @@ class RightAngles:
             angle = self._other_angle(own, pole.angle)
             if angle is not None and _holds_at(whole, angle, pole.at):
                 name, value = angle
-                where = Relation(((Link(Letter(name), "=", tree_of(value, angle=True)),),))
+                where = equality(Letter(name), tree_of(value, angle=True))
                 at = self._naming.relation(Relation(((pole.at,),)))
                 return say("derived.upright-too", at=at, angle=self._naming.relation(where))
         return None
@@ -317,9 +320,8 @@ class RightAngles:
 
     def _given_in(self, value: sp.Expr, line: Line) -> sp.Expr:
         """A value in tangents of letters, those put in that a line takes from the data."""
-        facts = [self._derivation.fact(ref) for ref in line.premises if isinstance(ref, str)]
-        for fact in facts:
-            match None if fact is None else fact.relation:
+        for fact in self._derivation.facts_in(line.premises):
+            match fact.relation:
                 case Relation(((Link(Apply("tan", Letter(name)), "=", right),),)):
                     known = in_letters_alone(right)
                     if known is not None:
@@ -354,7 +356,7 @@ class RightAngles:
         # The last side is the plainest, where the first has the size of a component below.
         sides = [line.relation.only[-1].right, value] if _has_size(value) else [value]
         whole = [node for side in sides for node in walk(side)]
-        below = [e.right for e in whole if isinstance(e, Binary) and e.op == "/"]
+        below = [e.right for e in whole if is_binary(e, "/")]
         for factor in (_of_size(factor) for tree in below for factor in factors_above(tree)):
             for at in self._zeros(factor):
                 gap = in_letters_alone(Binary("-", at.left, at.right))
@@ -389,11 +391,11 @@ class RightAngles:
                 if slope != 0 and not slope.free_symbols:
                     root = tidy(symbol - in_tan / slope)
                     yield Link(Apply("tan", Letter(name)), "=", tree_of(root))
-        elif isinstance(factor, Binary) and factor.op == "-":
+        elif is_binary(factor, "-"):
             turned = isinstance(factor.left, Number)
             sides = (factor.right, factor.left) if turned else (factor.left, factor.right)
             yield Link(sides[0], "=", sides[1])
-        elif isinstance(factor, Binary) and factor.op == "+":
+        elif is_binary(factor, "+"):
             yield Link(factor, "=", Number(Fraction(0)))
 
     def _may_hold(self, gap: sp.Expr, given: tuple[Formula, ...]) -> bool:
@@ -411,7 +413,7 @@ class RightAngles:
 
     def _line(self, ref: Ref) -> Line | None:
         """A line with a relation among the premises."""
-        own = self._derivation.line(ref) if isinstance(ref, int) else None
+        own = self._derivation.line(ref)
         return own if own is not None and isinstance(own.relation, Relation) else None
 
 
@@ -441,17 +443,17 @@ def _made_of(line: Line, turn: Letter) -> Expression | None:
 
 
 def _has_size(tree: Expression) -> bool:
-    return any(isinstance(node, Apply) and node.function == "abs" for node in walk(tree))
+    return any(is_function(node, "abs") for node in walk(tree))
 
 
 def _of_size(tree: Expression) -> Expression:
     """What a size is taken of; any other tree as it is."""
-    return tree.argument if isinstance(tree, Apply) and tree.function == "abs" else tree
+    return tree.argument if is_function(tree, "abs") else tree
 
 
 def _quotient(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
     """What is above and below the line of a quotient, nothing cancelled."""
-    if isinstance(tree, Binary) and tree.op == "/":
+    if is_binary(tree, "/"):
         over, under = in_letters_alone(tree.left), in_letters_alone(tree.right)
         return None if over is None or under is None else (over, under)
     worth = in_letters_alone(tree)

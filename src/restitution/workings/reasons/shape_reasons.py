@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Move,
     Ref,
     Relation,
+    numbers_in,
 )
 from restitution.explaining.lines.quotients import NotComparableError, Quotient
 from restitution.explaining.lines.saying import Sentence, say
@@ -30,6 +31,7 @@ from restitution.expression.tree import (
     Letter,
     Number,
     has_quantity,
+    is_binary,
     letters,
     walk,
 )
@@ -117,9 +119,8 @@ class ShapeReasons:
         links = line.relation.options[0]
         if line.move.id != "sign" or len(links) != 1 or links[0].sign not in (">=", "<="):
             return
-        above = [self._derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
-        for own in above:
-            if own is None or not isinstance(own.relation, Relation):
+        for own in self._derivation.lines_in(line.premises):
+            if not isinstance(own.relation, Relation):
                 continue
             left, bound = own.relation.options[0][0].left, links[0].right
             if left == Binary("^", links[0].left, Number(Fraction(2))):
@@ -181,18 +182,16 @@ class ShapeReasons:
     def _factor(self, line: Line) -> Iterator[Sentence]:
         """That a square is not negative, where it is a factor of the difference to a bound."""
         assert isinstance(line.relation, Relation)
-        refs = [ref for ref in line.premises if isinstance(ref, int)]
+        refs = numbers_in(line.premises)
         own = self._derivation.line(refs[0]) if line.move.id == "sign" and len(refs) == 1 else None
         if own is None or not isinstance(own.relation, Relation):
             return
         match own.relation.options:
             case ((Link(Binary("-"), "=", right),),) if line.relation.options[0][0].sign in _WEAK:
-                above = right.left if isinstance(right, Binary) and right.op == "/" else right
+                above = right.left if is_binary(right, "/") else right
                 for factor in factors(above):
                     match factor:
-                        case Binary("^", base, Number(Fraction(numerator=2))) if isinstance(
-                            base, Binary
-                        ) and base.op in ("+", "-"):
+                        case Binary("^", Binary("+" | "-") as base, Number(Fraction(numerator=2))):
                             fact = self._naming.relation(Relation(((Link(factor, ">=", ZERO),),)))
                             place = place_of_zero(base, self._roles, self._derivation)
                             if place is None:
@@ -208,7 +207,7 @@ class ShapeReasons:
         if line.move.id != "sign" or len(links) != 1 or links[0].sign not in UP:
             return
         for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            own = self._derivation.line(ref)
             if own is None or not isinstance(own.relation, Relation):
                 continue
             wholes = [link.right for link in reversed(own.relation.options[0])]
@@ -285,7 +284,7 @@ class ShapeReasons:
             return
         values: dict[Expression, Expression] = {}
         for ref in line.premises:
-            own = self._derivation.line(ref) if isinstance(ref, int) else None
+            own = self._derivation.line(ref)
             if (
                 own is None
                 or not isinstance(own.relation, Relation)

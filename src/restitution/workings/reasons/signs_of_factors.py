@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Expression,
     Number,
     has_quantity,
+    is_binary,
     letters,
     walk,
 )
@@ -68,8 +69,7 @@ def _product(derivation: Derivation, line: Line) -> Expression | None:
     """What the one equation that is cited comes to, where a line tells its sign."""
     if line.move.id != "sign" or not isinstance(line.relation, Relation):
         return None
-    cited = [derivation.line(ref) for ref in line.premises if isinstance(ref, int)]
-    relations = [line.relation for line in cited if line is not None]
+    relations = [own.relation for own in derivation.lines_in(line.premises)]
     match relations, line.relation.options:
         case [Relation((links,))], ((Link(sign=sign),),) if sign in _ORDERS:
             return links[-1].right if all(link.sign == "=" for link in links) else None
@@ -94,10 +94,9 @@ def _bases(tree: Expression) -> Iterator[Expression]:
 def _is_difference(tree: Expression) -> bool:
     """Whether it is a sum in which something is taken away that holds a letter."""
     return (
-        isinstance(tree, Binary)
-        and tree.op in ("+", "-")
+        is_binary(tree, "+", "-")
         and bool(letters(tree))
-        and any(isinstance(node, Binary) and node.op == "-" for node in walk(tree))
+        and any(is_binary(node, "-") for node in walk(tree))
     )
 
 
