@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 import numbers
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Literal, NoReturn
@@ -28,6 +28,7 @@ from restitution import law, measure
 from restitution.errors import ImpossibleError, MissingError, StatementError, UnsupportedError
 from restitution.expression.tree import Expression, Letter, Name, letters
 from restitution.problem import Sphere, Wall
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 Body = Sphere | Wall

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache, wraps
 from typing import Any, Literal, NamedTuple, TypeVar
@@ -17,6 +17,7 @@ from typing import Any, Literal, NamedTuple, TypeVar
 from restitution.errors import StatementError
 from restitution.expression.tree import Expression, Letter, Name, Pair, Place, letters, rational
 from restitution.mending import Note
+from restitution.records import dataclass
 from restitution.shapes import Circle, Line, Segment, Shape
 
 _Result = TypeVar("_Result")

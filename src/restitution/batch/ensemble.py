@@ -29,13 +29,14 @@ from concurrent.futures import (
     ProcessPoolExecutor,
     wait,
 )
-from dataclasses import dataclass, field
+from dataclasses import field
 from itertools import islice
 from typing import Any, Generic, TypeVar
 
 from restitution.batch.progress import progress as progress_bar
 from restitution.counting import counted
 from restitution.errors import RestitutionError, StatementError
+from restitution.records import dataclass
 
 T = TypeVar("T")
 

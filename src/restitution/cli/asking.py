@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from restitution.cli.files import debugging, one_line, parse, pointed, read, say, shown_name
 from restitution.cli.statuses import REPORT, UNANSWERED, UNREADABLE
 from restitution.cli.worker import new_worker
 from restitution.errors import RestitutionError
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.export.job import Job, Reply, Task

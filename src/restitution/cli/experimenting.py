@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -12,6 +11,7 @@ from restitution.cli.files import first_bytes, printable, say, shown_name, termi
 from restitution.cli.output import RefusedError, put, write_file
 from restitution.cli.statuses import UNANSWERED, UNREADABLE
 from restitution.errors import RestitutionError, StatementError
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.experiments.records import Kind

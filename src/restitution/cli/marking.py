@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from restitution.cli.statuses import UNREADABLE
 from restitution.errors import StatementError
 from restitution.export.job import Marking
 from restitution.export.marking import Workings
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.killable import Worker

@@ -6,13 +6,13 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 from typing import Any, TextIO
 
 from restitution.cli.files import say, shown_name
 from restitution.cli.statuses import INTERRUPTED, UNANSWERED
+from restitution.records import dataclass
 
 
 class RefusedError(Exception):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 import time
-from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +12,7 @@ from restitution.cli.files import parse, read, say, shown_name
 from restitution.cli.output import put, write_file
 from restitution.cli.statuses import UNANSWERED, UNREADABLE
 from restitution.errors import RestitutionError, StatementError
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.practice.questions.generate import PracticeQuestion

@@ -10,7 +10,6 @@ import os
 import re
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from restitution.cli.asking import answer, worker_of
@@ -24,6 +23,7 @@ from restitution.cli.output import (
     silent,
     target_of,
 )
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.killable import Worker

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import sympy as sp
 
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 

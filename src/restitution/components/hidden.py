@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import Any
 
@@ -12,6 +12,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import POSITIVE, REAL, Role
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import FIELD, at, plain_sign, sign_there
 from restitution.solving.equations.solution import Branch
 from restitution.solving.story.state import Sign

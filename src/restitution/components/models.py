@@ -6,7 +6,7 @@ import contextlib
 import random
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
 import sympy as sp
@@ -42,6 +42,7 @@ from restitution.oracle import (
     compared,
 )
 from restitution.problem import Part, Problem
+from restitution.records import dataclass
 from restitution.shapes import Circle
 from restitution.solving.algebra.numbers import at, number_of, sign_there
 from restitution.solving.equations.solution import Branch

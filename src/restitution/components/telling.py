@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Literal
 
 import sympy as sp
@@ -19,6 +19,7 @@ from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Symbolic
 from restitution.oracle.roles import ACUTE, DIRECTION, Role
 from restitution.problem import Impact, Part, Problem
+from restitution.records import dataclass
 from restitution.shapes import Circle
 from restitution.solving.algebra.numbers import at
 from restitution.solving.equations.solution import Branch

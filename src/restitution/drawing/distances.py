@@ -5,12 +5,12 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from restitution.errors import RestitutionError
 from restitution.exact.symbols import symbol_names
 from restitution.expression.tree import Name
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.text import to_text

@@ -6,7 +6,6 @@ Lengths are in millimetres on paper, around the point of contact.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 from restitution.drawing.geometry import COMPASS, sides_towards
@@ -14,6 +13,7 @@ from restitution.drawing.ink import Piece, distance, ink, overlap, stick
 from restitution.drawing.sayings import Sayings, VelocityLabels, state_after
 from restitution.drawing.scene import Arrow, Label, Shape
 from restitution.expression.tree import Expression
+from restitution.records import dataclass
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout
 from restitution.staging.values import PartInNumbers, When

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeAlias
 
@@ -25,6 +24,7 @@ from restitution.drawing.scene import (
     Shape,
     StraightWall,
 )
+from restitution.records import dataclass
 from restitution.render.glyphs import Box
 from restitution.staging.geometry import direction
 from restitution.vector import Vector

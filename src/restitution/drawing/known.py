@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from restitution.drawing.sayings import Sayings, has_letters
 from restitution.errors import RestitutionError
 from restitution.exact.simplicity import operations
 from restitution.exact.symbols import multiple_of_a_symbol, symbol_names
 from restitution.expression.tree import Letter as TreeLetter
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.layout import Degrees, Layout, Number, Words
 from restitution.render.short import is_short

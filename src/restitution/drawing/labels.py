@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from restitution.drawing import style
 from restitution.drawing.ink import (
@@ -27,6 +27,7 @@ from restitution.drawing.ink import (
     touched,
 )
 from restitution.drawing.scene import Disc, Label, Panel, Scene, Side
+from restitution.records import dataclass
 from restitution.render.glyphs import Box, outline, union
 from restitution.render.layout import Layout, Phrase, Words
 from restitution.staging.geometry import direction

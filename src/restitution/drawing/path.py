@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 
 from restitution import shapes
@@ -34,6 +34,7 @@ from restitution.drawing.scene import (
 from restitution.errors import RestitutionError
 from restitution.expression.tree import Binary, Degrees, Expression, Pair, Unit, walk
 from restitution.problem import Arrival, Impact, Problem
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.glyphs import union
 from restitution.render.layout import Bold, Layout, Number

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 
 from restitution.errors import RestitutionError
@@ -43,6 +43,7 @@ from restitution.problem import (
     trees_of_relation,
     trees_of_step,
 )
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.render.short import angle_label

@@ -7,9 +7,10 @@ chooses the line that goes with it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal, TypeAlias
 
+from restitution.records import dataclass
 from restitution.render.layout import Layout
 from restitution.vector import Vector
 

@@ -5,9 +5,8 @@ Everything is told by line style alone, so that a picture is the same in black a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from restitution.drawing.scene import LineRole
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy
 from sympy import Add, Expr, S, Symbol
 
 from restitution.exact.factors import factored
 from restitution.exact.simplicity import TERMS, cost
+from restitution.records import dataclass
 from restitution.work import spend
 
 

@@ -12,13 +12,13 @@ import io
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET
 
 from restitution.drawing.svg import INK, INK_ON_DARK, PAPER_OF_DARK
 from restitution.experiments.needs import needed
+from restitution.records import dataclass
 
 POINT = 25.4 / 72
 """Of Matplotlib's units, in millimetres."""

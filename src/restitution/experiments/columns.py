@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from typing import Literal
+
+from restitution.records import dataclass
 
 Dimension = Literal["angle", "speed", "length", "time", "mass", "name"]
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from restitution.experiments.patterns import Pattern, Untested
 from restitution.experiments.records import SpheresTrial, WallReading
 from restitution.experiments.results import ClassValues
 from restitution.experiments.samples import Sample
+from restitution.records import dataclass
 
 STRICT = 0.01
 """The level at which scatter is so large that the errors given are not trusted in other tests."""

@@ -10,10 +10,11 @@ which speed of separation = e × speed of approach.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+
+from restitution.records import dataclass
 
 Array = NDArray[np.float64]
 

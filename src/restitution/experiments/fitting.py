@@ -9,7 +9,6 @@ of F where they are estimated from the same scatter.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from restitution.errors import MissingError
 from restitution.experiments.curves import Array, Law, Readings, sum_of_squares
 from restitution.experiments.distributions import limit_of_square
 from restitution.experiments.needs import needed
+from restitution.records import dataclass
 
 Model = Callable[[Array, Array], Array]
 """y from x, an array of shape (n,), and from the parameters."""

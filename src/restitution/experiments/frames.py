@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 import statistics
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from restitution.experiments.whole import Experiment
+from restitution.records import dataclass
 
 _SQUEEZED = 5.0
 """A reading so many times farther out than the middle one squeezes the others."""

@@ -9,12 +9,13 @@ same velocities, J has its turning with them.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from restitution.experiments.curves import Array
 from restitution.experiments.records import MeasuredSphere, SpheresTrial
+from restitution.records import dataclass
 
 _U_A, _V_A, _U_B, _V_B = (slice(i, i + 2) for i in range(0, 8, 2))
 

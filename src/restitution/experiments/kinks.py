@@ -9,7 +9,7 @@ straight line needs sums over the positions behind τ alone, so that all τ are 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from restitution.experiments.curves import Array
 from restitution.experiments.distributions import upper_tail_of_squares
 from restitution.experiments.needs import needed
+from restitution.records import dataclass
 
 LEAST = 3
 """Positions on either side of an impact."""

@@ -8,9 +8,9 @@ sequentially rejective multiple test procedure", Scandinavian Journal of Statist
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from restitution.experiments.results import Check
+from restitution.records import dataclass
 
 FAMILY = 0.05
 """The probability that any pattern is seen in data that have none."""

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from restitution.counting import listed
@@ -26,6 +26,7 @@ from restitution.experiments.needs import needed
 from restitution.experiments.numbers import decimals, fixed, with_error
 from restitution.experiments.results import Point
 from restitution.experiments.whole import Experiment
+from restitution.records import dataclass
 from restitution.render.glyphs import Box
 from restitution.vector import Vector
 

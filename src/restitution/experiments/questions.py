@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from restitution.records import dataclass
 
 AIM = (
     "To find the coefficient of restitution {e} between a ball and a wall from angles, to say how "

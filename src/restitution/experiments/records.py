@@ -6,8 +6,10 @@ units that `Table.units` names. An error is one standard deviation, and None whe
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
+
+from restitution.records import dataclass
 
 Kind = Literal["wall", "spheres", "tracks"]
 """What was measured: angles to a wall, velocities of two spheres, or positions with times."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from restitution.experiments.curves import Array
 from restitution.experiments.distributions import upper_tail
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

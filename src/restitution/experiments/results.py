@@ -5,10 +5,10 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-from dataclasses import dataclass
 from typing import Any, Literal
 
 from restitution.experiments.records import Kind, Table
+from restitution.records import dataclass
 
 Verdict = Literal["seen", "not seen", "untested"]
 

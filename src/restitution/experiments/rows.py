@@ -10,12 +10,12 @@ import csv
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 
 from restitution.errors import StatementError
 from restitution.experiments.columns import UnitError, column_of
+from restitution.records import dataclass
 
 MAX_BYTES = 4_000_000
 """Of a text; a longer one is refused before it is read."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -19,6 +18,7 @@ from restitution.experiments.curves import (
 )
 from restitution.experiments.distributions import upper_tail_of_squares
 from restitution.experiments.fitting import Fit, Model, fitted, profile
+from restitution.records import dataclass
 
 LEVEL = 0.95
 

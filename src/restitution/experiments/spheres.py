@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import statistics
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from restitution.experiments.records import Fault, MeasuredSphere, SpheresTrial,
 from restitution.experiments.regression import Regression, regression
 from restitution.experiments.results import ClassValues, Point
 from restitution.experiments.samples import Sample
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import statistics
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeVar
 
 from restitution.counting import counted
@@ -34,6 +34,7 @@ from restitution.experiments.records import (
     WallReading,
 )
 from restitution.experiments.rows import Row, number_of, printable, shown
+from restitution.records import dataclass
 
 SAME_TIME = 1e-9
 NOTHING = 1e-30

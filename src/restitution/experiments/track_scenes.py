@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from restitution.counting import counted, listed
 from restitution.drawing.bodies import name_of
@@ -29,6 +29,7 @@ from restitution.experiments.numbers import fixed
 from restitution.experiments.records import Track
 from restitution.experiments.results import FittedTrack, StraightLine
 from restitution.experiments.whole import Experiment
+from restitution.records import dataclass
 from restitution.render.layout import Degrees, Layout, Letter, Number, Phrase, Relation, Words
 from restitution.staging.geometry import direction, length
 from restitution.vector import Vector

@@ -10,7 +10,7 @@ are those at the impact.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -45,6 +45,7 @@ from restitution.experiments.records import (
 )
 from restitution.experiments.results import FittedTrack, StraightLine
 from restitution.experiments.spheres import OF_TWO_TRACKS, OF_WALL, Spheres, impacts_of
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import statistics
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from restitution.experiments.patterns import Pattern, Untested
 from restitution.experiments.records import Measured, WallReading
 from restitution.experiments.results import ClassValues, Point
 from restitution.experiments.samples import Sample
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

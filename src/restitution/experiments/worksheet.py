@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from restitution.counting import listed
 from restitution.drawing.scene import (
@@ -31,6 +30,7 @@ from restitution.experiments.formulas import ALPHA, BETA, TAN_ALPHA, TAN_BETA, E
 from restitution.experiments.numbers import fixed
 from restitution.experiments.planning import HIGHEST, LOWEST, planned
 from restitution.experiments.whole import Plan
+from restitution.records import dataclass
 from restitution.render.document import (
     Block,
     Document,

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from html import escape as escape_html
 from typing import Any, Literal
 
 from restitution.export.units import Units
 from restitution.problem import Value
+from restitution.records import dataclass
 from restitution.render.latex import escape as escape_latex
 from restitution.render.latex import to_latex
 from restitution.render.layout import Layout, Phrase, display, display_point, display_vector

@@ -10,7 +10,7 @@ import sys
 import time
 import traceback
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from importlib import import_module
 from types import ModuleType
@@ -20,6 +20,7 @@ from restitution.errors import RestitutionError, StatementError, TimeLimitError
 from restitution.expression.tree import Binary, Name, Number, Quantity
 from restitution.garbage import collect_seldom
 from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
+from restitution.records import dataclass
 from restitution.work import confirm, limited
 
 if TYPE_CHECKING:

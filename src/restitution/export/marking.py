@@ -6,11 +6,11 @@ import csv
 import io
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 from restitution.errors import RestitutionError, StatementError
 from restitution.problem import require_part
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.practice.marking.answers import AnswerMark

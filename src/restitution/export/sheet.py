@@ -7,10 +7,11 @@ solved it; `to_pdf` and `to_html` put entries together, and need no algebra for 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from html import escape
 from typing import TYPE_CHECKING, Literal
 
+from restitution.records import dataclass
 from restitution.render.page import page
 from restitution.render.typst import NAME, compiled, literal, paper
 

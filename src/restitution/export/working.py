@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from restitution.drawing import figure
@@ -20,6 +20,7 @@ from restitution.export.pictures import chosen
 from restitution.export.player.data import is_hurried, of_solution
 from restitution.export.tree import Tree, tree, trees
 from restitution.export.units import Units
+from restitution.records import dataclass
 from restitution.render.mathml import to_mathml
 from restitution.wording import asked, question
 from restitution.wording.html import inline as words

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from restitution.expression.quantities import KINDS, Kind
 from restitution.expression.tree import (
@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Stage,
     children,
 )
+from restitution.records import dataclass
 
 _EVENT = 10**9  # the number of no event
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -37,6 +36,7 @@ from restitution.expression.tree import (
     Unit,
     letters,
 )
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 Scalar = Any

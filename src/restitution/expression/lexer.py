@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from lark import Token
 
@@ -40,6 +39,7 @@ from restitution.expression.words import (
     PROPERTY_WORDS,
 )
 from restitution.mending import Note
+from restitution.records import dataclass
 
 _WORD = re.compile(r"[A-Za-z]{2,}(?:_[A-Za-z]{2,})+|[A-Za-z]+")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     is_binary,
     walk,
 )
+from restitution.records import dataclass
 
 _OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
 

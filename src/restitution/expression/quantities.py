@@ -7,7 +7,6 @@ units are read from it. How it is worked out from a story stands in ``solving.st
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Literal
 
 from restitution.expression.dimensions import (
@@ -33,6 +32,7 @@ from restitution.expression.tree import (
     has_quantity,
     letters,
 )
+from restitution.records import dataclass
 
 Nature = Literal["scalar", "vector", "angle"]
 Definition = Callable[[tuple[Expression, ...], Stage, Stage], Expression | None]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -56,6 +56,7 @@ from restitution.expression.words import (
 )
 from restitution.expression.writing import write_expression
 from restitution.mending import Fix, Note
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import unicodedata
 from bisect import bisect_right
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from lark import Token
 
 from restitution.errors import StatementError
 from restitution.expression.tree import Place
 from restitution.mending import Edit, Fix
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,12 @@ to hold one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import field, fields
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, Literal, TypeGuard, TypeVar, get_args, overload
+
+from restitution.records import dataclass
 
 _Kind = TypeVar("_Kind")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 
@@ -18,6 +17,7 @@ from restitution.expression.dimensions import (
     TIME,
     Dimension,
 )
+from restitution.records import dataclass
 
 # What a unit of each dimension is called here, and what measures it.
 NAMES: Mapping[Dimension, tuple[str, str]] = {

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from restitution.errors import ImpossibleError, StatementError
 from restitution.gas import kernel as k
 from restitution.motion.contact import TOLERANCE
+from restitution.records import dataclass
 
 # Cells hold this many discs on average where the gas is so thin that they may be larger than discs.
 PER_CELL = 0.7

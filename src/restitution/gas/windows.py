@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
 from itertools import pairwise
 from operator import attrgetter
 from typing import Any
@@ -22,6 +21,7 @@ from restitution.gas import tiles as t
 from restitution.gas.compiled import compiled
 from restitution.gas.state import Box, Discs, Rules, aligned
 from restitution.motion.contact import TOLERANCE
+from restitution.records import dataclass
 
 # Changes of a disc's velocity in one window, on average. In a tile alone only the calendar has
 # to be made anew; a halo has to last for the whole window.

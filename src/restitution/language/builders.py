@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -36,6 +36,7 @@ from restitution.problem import (
     Unknown,
     Value,
 )
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

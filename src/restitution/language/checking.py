@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
 from typing import Any
 
 from restitution.errors import StatementError
@@ -54,6 +53,7 @@ from restitution.problem import (
     Value,
     Wall,
 )
+from restitution.records import dataclass
 
 _POINT = frozenset(("point",))
 _WALL = frozenset(("wall",))

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from restitution.errors import StatementError, require
 from restitution.expression.limits import MAX_LINE_LENGTH, MAX_LINES, MAX_TEXT_BYTES
 from restitution.expression.source import Source
 from restitution.expression.words import MEANT, NAME, near
+from restitution.records import dataclass
 
 _BREAK = re.compile(r"\r\n|\r|\n")
 _FIRST_WORD = re.compile(r"\s*(\w+)")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 from typing import Any
 
@@ -72,6 +72,7 @@ from restitution.problem import (
     once_a_problem,
     trees,
 )
+from restitution.records import dataclass
 
 # N is a unit that nothing here is measured in.
 _ONE_LETTER: Mapping[str, Dimension] = {"m": LENGTH, "s": TIME, "g": MASS, "J": ENERGY, "N": NONE}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from functools import cache, partial
 from itertools import chain, islice
@@ -47,6 +47,7 @@ from restitution.problem import (
     Step,
     Wall,
 )
+from restitution.records import dataclass
 
 _BODIES: Mapping[str, Any] = {
     "sphere": Sphere,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache
 
 from restitution.errors import StatementError
@@ -14,6 +13,7 @@ from restitution.language.lines import shortened
 from restitution.language.outside import outside
 from restitution.language.slip_tables import NAME, SLIPS, Cure
 from restitution.mending import Fix
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from restitution.motion.pieces import Motion, Piece, Track, WallCircle, WallLine
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 #: How much nearer than in contact is too near, as a share of the extent of a motion; far more than

@@ -11,7 +11,7 @@ import itertools
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -21,6 +21,7 @@ from restitution.expression.tree import AtTime, Quantity, walk
 from restitution.motion.pieces import Motion
 from restitution.motion.stage import WIDTH, Attempt, Event, Stage, cleared, numbered, settled
 from restitution.problem import Problem, trees
+from restitution.records import dataclass
 from restitution.solving.equations.solution import Branch, PartSolution, Solution
 from restitution.solving.story.forward import Story
 from restitution.staging import flights, values

@@ -24,7 +24,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from heapq import heapify, heappop, heappush
 from math import hypot
@@ -39,6 +39,7 @@ from restitution.motion.arithmetic import Arithmetic, ExactNumbers, given
 from restitution.motion.contact import TOLERANCE, Contact, Face, leaving, meeting
 from restitution.motion.pieces import Motion, Piece, Struck, Track
 from restitution.motion.table import Post, Ring, Table, is_inside
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 if TYPE_CHECKING:

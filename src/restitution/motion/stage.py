@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from restitution.expression.tree import Name
@@ -24,6 +24,7 @@ from restitution.motion.pieces import (
     WallLine,
 )
 from restitution.problem import Impact, Kick
+from restitution.records import dataclass
 from restitution.solving.story.forward import Story
 from restitution.staging.flights import Given, Move
 from restitution.staging.geometry import floats, length, still, unit

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from itertools import combinations
 from typing import Any, NamedTuple
@@ -13,6 +13,7 @@ from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.motion.arithmetic import Arithmetic, ExactNumbers, Floats, direction, vector
 from restitution.motion.contact import Face
 from restitution.problem import Sphere, Wall
+from restitution.records import dataclass
 from restitution.shapes import Circle, Line, Segment
 from restitution.vector import Vector
 

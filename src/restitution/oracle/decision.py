@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from math import gcd
 from typing import Any, Literal
 
@@ -19,6 +18,7 @@ from sympy.polys.rings import PolyElement
 
 from restitution.oracle.formula import All, Formula, Relation, Some
 from restitution.oracle.polynomials import Polynomials, TooLargeError
+from restitution.records import dataclass
 from restitution.work import seconds_left, spend
 
 STEPS = 1_200_000

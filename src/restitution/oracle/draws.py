@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -17,6 +16,7 @@ import sympy as sp
 
 from restitution.oracle.points import Ball, Value, ball, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
+from restitution.records import dataclass
 
 _NEAR = (Fraction(1, 10**3), Fraction(1, 10**9), Fraction(1, 10**15))
 _USUAL = 16

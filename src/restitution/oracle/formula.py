@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 import sympy as sp
 
 from restitution.exact.symbols import symbol_names
+from restitution.records import dataclass
 
 Operator = Literal["=", "!=", ">", ">="]
 

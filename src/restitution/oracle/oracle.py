@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from threading import local
@@ -44,6 +44,7 @@ from restitution.oracle.testers import (
     holds_with,
     tester_of,
 )
+from restitution.records import dataclass
 from restitution.work import remembered, spend
 
 Answer = Literal["proved", "refuted", "undecided"]

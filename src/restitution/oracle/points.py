@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, TypeAlias
@@ -41,6 +40,7 @@ from restitution.expression.enclosed import (
     sign_of,
     whole_power_in,
 )
+from restitution.records import dataclass
 
 Value: TypeAlias = Fraction | float | sp.Expr
 Point = Mapping[str, Value]

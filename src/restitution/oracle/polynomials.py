@@ -14,7 +14,6 @@ of it beside it as relations and bounds:
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, Literal
@@ -28,6 +27,7 @@ from restitution.oracle.bases import bases_of, multiple_of
 from restitution.oracle.points import BeyondError, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
 from restitution.oracle.senses import Bounds, possible_senses
+from restitution.records import dataclass
 
 Sense = Literal["+", "0+", "real"]
 MOST_TERMS = 3000

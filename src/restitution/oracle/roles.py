@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Literal
 
 import sympy as sp
+
+from restitution.records import dataclass
 
 Kind = Literal["positive", "real", "angle", "restitution"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from restitution.errors import RestitutionError
 from restitution.explaining.data.arrangement import events_of
@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.problem import Find, Given, Part, Problem, Show, Value, count_of_items
+from restitution.records import dataclass
 from restitution.solving import solve
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
 
 from restitution.expression.tree import Expression
 from restitution.practice.script import ANYWHERE, Claim, Scope, ScriptLine
+from restitution.records import dataclass
 
 Verdict = Literal["true", "follows", "false", "asks", "unread", "remark", "unsupported"]
 Accuracy = Literal["exact", "rounded", "coarse"]

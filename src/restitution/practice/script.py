@@ -7,11 +7,12 @@ blank in it. What letters and phrases mean is decided later (`letters`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import Literal
 
 from restitution.expression.tree import Degrees, Expression, Number, Place
+from restitution.records import dataclass
 
 Sign = Literal["=", "<", "<=", ">", ">=", "!="]
 LineKind = Literal["relations", "declaration", "heading", "remark", "crossed", "unread"]

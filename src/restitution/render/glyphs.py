@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
 from xml.etree import ElementTree as ET
 
+from restitution.records import dataclass
 from restitution.render.layout import Layout
 from restitution.render.mathml import to_mathml
 

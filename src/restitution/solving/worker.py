@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import random
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import partial
 from typing import Any
 
@@ -49,6 +49,7 @@ from restitution.problem import (
     Show,
     Value,
 )
+from restitution.records import dataclass
 from restitution.solving.above_events import answered_above
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.numbers import Sample, at, sample

@@ -10,13 +10,14 @@ at one time, and walls stand where they are struck, whether places are given or 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Literal
 
 import numpy as np
 
 from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Kick
+from restitution.records import dataclass
 from restitution.shapes import Circle, Line, Segment
 from restitution.solving.story.forward import Story
 from restitution.solving.story.happenings import Happening

@@ -6,9 +6,9 @@ Lengths and places are in millimetres on paper, x to the right and y up.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal
 
+from restitution.records import dataclass
 from restitution.staging.geometry import unit
 from restitution.vector import Vector
 

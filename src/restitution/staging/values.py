@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal
 
@@ -21,6 +20,7 @@ from restitution.errors import RestitutionError
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role
 from restitution.problem import Impact, Kick
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import FIELD, at
 from restitution.solving.equations.solution import Branch, PartSolution, Solution
 from restitution.solving.story.forward import Story, lets_of

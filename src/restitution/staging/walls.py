@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
+from restitution.records import dataclass
 from restitution.staging.plan import Leg
 from restitution.vector import Vector
 

@@ -9,7 +9,7 @@ import json
 import logging
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from starlette.routing import Route
 
 from restitution.experiments.records import KINDS
 from restitution.killable import LostError
+from restitution.records import dataclass
 from restitution.web import work
 from restitution.web.asking import Kind, RefusedError, asked
 from restitution.web.files import unpacks

@@ -6,12 +6,13 @@ import gzip
 import hashlib
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from posixpath import dirname, join, normpath
 
 from starlette.requests import Request
 from starlette.responses import Response
+
+from restitution.records import dataclass
 
 _KINDS = {
     ".css": "text/css; charset=utf-8",

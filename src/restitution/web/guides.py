@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from base64 import b64encode
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from html import escape
 from itertools import pairwise
 from pathlib import Path
@@ -15,6 +14,8 @@ from urllib.parse import urlencode
 from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererHTML
 from markdown_it.token import Token
+
+from restitution.records import dataclass
 
 _PACKAGE = Path(__file__).parents[1]
 _DOCS = _PACKAGE.parents[1] / "docs"

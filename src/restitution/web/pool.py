@@ -13,11 +13,11 @@ import time
 from collections.abc import AsyncIterator, Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager, suppress
-from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol, TypeVar
 
 from restitution.killable import EndedError, Worker
+from restitution.records import dataclass
 
 _LOADED = "restitution.web.loaded"
 """What all processes begin with."""

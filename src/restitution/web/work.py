@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gzip
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from restitution.export import contract
 from restitution.export.job import Job, Picturing, Setting, Showing, Task, Writing, serve, stopped
 from restitution.language import parse
 from restitution.problem import Problem, require_part
+from restitution.records import dataclass
 from restitution.work import limited
 
 if TYPE_CHECKING:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -11,6 +11,7 @@ from restitution.expression.dimensions import SPEED
 from restitution.expression.evaluate import letters_of_vector
 from restitution.expression.tree import Expression, Letter, Polar, letters, walk
 from restitution.problem import Compare, Given, Impact, Kick, Problem, Relation
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.clauses import mathematics

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from restitution.expression.quantities import KINDS
+from restitution.records import dataclass
 from restitution.wording.scene import INITIALLY
 from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, names, words

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from restitution.counting import ordinal
 from restitution.expression.tree import (
@@ -45,6 +45,7 @@ from restitution.problem import (
     trees_of_relation,
     trees_of_step,
 )
+from restitution.records import dataclass
 from restitution.wording.structure import Named, Words
 from restitution.wording.units import Style, style_of
 from restitution.wording.values import point

@@ -5,9 +5,9 @@ How it looks is for the renderers; nothing here knows a format.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TypeAlias
 
+from restitution.records import dataclass
 from restitution.render.layout import Layout
 
 

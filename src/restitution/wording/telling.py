@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
 from itertools import islice
 from typing import Any
 
@@ -28,6 +28,7 @@ from restitution.problem import (
     count_of_items,
     once_a_problem,
 )
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.wording import facts, formulas
 from restitution.wording.asking import Group, groups, in_terms, names_of, shown

@@ -8,7 +8,6 @@ quantity, letters for it stand for numbers, as in a velocity of (p**i** + 3**j**
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
 from sympy import QQ
@@ -42,6 +41,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.problem import Compare, Given, Impact, Kick, Problem, once_a_problem, trees
+from restitution.records import dataclass
 from restitution.wording.letters import acute_letters
 
 _GAP = "\u00a0"

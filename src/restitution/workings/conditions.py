@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
 from functools import reduce
 
 import sympy as sp
@@ -34,6 +33,7 @@ from restitution.planning.inequalities.forms_of_ranges import relation_of_condit
 from restitution.planning.inequalities.ranges import general_answer
 from restitution.planning.writing.forms import tree_of
 from restitution.problem import Extremum, Find, Given, Impact, Range, Value
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solving.equations.solution import Answer, ItemResult, PartSolution, Solution

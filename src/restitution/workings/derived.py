@@ -12,7 +12,7 @@ together, from the top of a part to its end.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import takewhile
 from operator import is_
 from typing import TYPE_CHECKING, Any
@@ -36,6 +36,7 @@ from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Expression, Quantity, is_quantity, letters, walk
 from restitution.problem import Problem, Show, Value
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.conditions import is_same

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 import sympy as sp
@@ -10,6 +10,7 @@ import sympy as sp
 from restitution.errors import ContradictionError, ImpossibleError, RestitutionError
 from restitution.expression.tree import Letter, Number
 from restitution.problem import Compare, Extremum, Given
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.render.layout import Layout
 from restitution.solving import solve

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from restitution.explaining.lines.derivation import (
     MOVES,
@@ -12,6 +12,7 @@ from restitution.explaining.lines.derivation import (
     NoteKind,
 )
 from restitution.explaining.lines.marks import Mark, Marks, Style, reasoned
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
@@ -26,6 +25,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Oracle, compared
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import sympy as sp
@@ -14,6 +14,7 @@ from restitution.explaining.lines.trees import settled
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, letters
 from restitution.oracle.roles import ACUTE, DIRECTION, REAL, TO_180, Role
+from restitution.records import dataclass
 
 TO_90 = Role("angle", sp.Integer(0), sp.pi / 2, (True, True))
 

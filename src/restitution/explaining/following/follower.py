@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
@@ -49,6 +49,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import Oracle
+from restitution.records import dataclass
 
 Reason = Literal[
     "premise-unknown",

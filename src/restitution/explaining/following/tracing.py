@@ -8,7 +8,7 @@ The answer may be that nothing was recognised; that never makes a line false.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations, pairwise, permutations
 from typing import Literal
 
@@ -47,6 +47,7 @@ from restitution.expression.tree import (
 )
 from restitution.expression.writing import write_expression
 from restitution.oracle import Oracle
+from restitution.records import dataclass
 
 _NEAR = 4
 """So many lines above are tried with moves that are dear to try."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -45,6 +45,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import All, Oracle, broken_off, compared
+from restitution.records import dataclass
 from restitution.work import remembered
 
 

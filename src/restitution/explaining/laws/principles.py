@@ -9,7 +9,6 @@ it holds, and the usual mistakes stand among the sentences, under the id of the 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
@@ -23,6 +22,7 @@ from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.titles import title_of
 from restitution.explaining.lines.trees import renamed, trees_of
 from restitution.expression.tree import Quantity, walk
+from restitution.records import dataclass
 
 
 def _x(body: str, stage: int) -> str:

@@ -8,7 +8,7 @@ the cosine and the sine of each angle (`roots`, `angles`).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 
 import sympy as sp
@@ -44,6 +44,7 @@ from restitution.expression.tree import (
     is_quantity,
 )
 from restitution.oracle.roles import REAL, Role
+from restitution.records import dataclass
 
 
 @dataclass

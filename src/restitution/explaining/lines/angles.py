@@ -8,7 +8,7 @@ sin/cos is free.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from math import lcm
 from typing import Literal
@@ -38,6 +38,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle.roles import REAL
+from restitution.records import dataclass
 
 Identity = Literal["pythagoras", "double-angle", "half-angle", "sum", "complement"]
 

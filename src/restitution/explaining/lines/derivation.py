@@ -9,13 +9,14 @@ language. They are never evaluated when they are built: ``3((-4i - j) - (2i + 7j
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Literal, get_args
 
 from restitution.explaining.lines.marks import Marks
 from restitution.expression.tree import Expression, Letter, Place, keeps_hash, letters
+from restitution.records import dataclass
 
 Ref = int | str
 """A premise: the number of a line, the id of a fact, or the text of what is known of a letter."""

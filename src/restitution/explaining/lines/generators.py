@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from itertools import chain, compress
 from typing import Any, TypeAlias
@@ -24,6 +24,7 @@ from restitution.explaining.lines.quotients import (
 )
 from restitution.expression.tree import Expression
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 
 Value = Quotient | Plane
 

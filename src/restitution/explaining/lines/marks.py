@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal, get_args
 
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.records import dataclass
 
 MarkKind = Literal["M", "A", "B"]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
 from math import isqrt
@@ -14,6 +13,7 @@ from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
 from restitution.exact.irreducible import factor_list
+from restitution.records import dataclass
 
 MOST_GENERATORS = 48
 

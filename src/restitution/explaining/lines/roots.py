@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from math import isqrt, prod
 from typing import Any
@@ -25,6 +25,7 @@ from restitution.explaining.lines.quotients import (
     square_part,
 )
 from restitution.oracle.roles import REAL
+from restitution.records import dataclass
 
 
 @dataclass

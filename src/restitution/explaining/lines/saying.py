@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from string import Formatter
 from typing import TypeAlias
 
 from restitution.explaining.lines.sentences import SENTENCES, SentenceId
+from restitution.records import dataclass
 from restitution.render.layout import Layout, Phrase
 from restitution.render.layout import Words as Text
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
+
+from restitution.records import dataclass
 
 LawName = Literal["momentum", "restitution", "unchanged"]
 Where = Literal["wall", "spheres", "impact"]

@@ -8,7 +8,7 @@ works forwards and backwards.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from restitution.explaining.data.arrangement import events_of
@@ -41,6 +41,7 @@ from restitution.problem import (
     Show,
     Step,
 )
+from restitution.records import dataclass
 
 Change = Callable[[Expression], Expression]
 # Mistakes about a fact: nobody makes them where the quantity itself is asked for.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from restitution import work
 from restitution.errors import (
@@ -19,6 +19,7 @@ from restitution.explaining.mistakes.altered import AlteredProblem, altered
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, VariantAt, misconception
 from restitution.expression.enclosed import UndefinedError
 from restitution.problem import Problem
+from restitution.records import dataclass
 from restitution.solving.equations.solution import Answer, ItemResult, Solution
 from restitution.solving.solver import solve
 

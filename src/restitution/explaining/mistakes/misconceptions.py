@@ -7,7 +7,7 @@ A misconception is a law or a result that is altered; its variants, which the so
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from difflib import get_close_matches
 from functools import cache
 from typing import Literal
@@ -21,6 +21,7 @@ from restitution.explaining.lines.usual_mistakes import PHRASES
 from restitution.explaining.mistakes.alteration import Alteration, LawName
 from restitution.explaining.mistakes.alterations import alterations_of
 from restitution.expression.tree import Expression, Name, Quantity
+from restitution.records import dataclass
 
 World = Literal["motion", "result", "none"]
 _BODIES = dict.fromkeys(("X", "F", "S"), "sphere")

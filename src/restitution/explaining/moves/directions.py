@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
@@ -27,6 +26,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Relation as Claim
 from restitution.oracle import compared
+from restitution.records import dataclass
 
 RIGHT = sp.pi / 2
 ZERO = Number(Fraction(0))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import TypeGuard
@@ -32,6 +31,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import Oracle, compared
+from restitution.records import dataclass
 
 _COMPONENTS = ("along", "across")
 POSITIVE_KINDS = ("speed", "mass")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 from sympy.polys.rings import PolyElement
@@ -20,6 +20,7 @@ from restitution.explaining.lines.quotients import (
     total,
 )
 from restitution.expression.tree import Expression, Quantity
+from restitution.records import dataclass
 
 
 @dataclass

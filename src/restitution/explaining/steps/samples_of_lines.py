@@ -6,7 +6,6 @@ import cmath
 import math
 import random
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations, islice, product
 from typing import Protocol
 
@@ -39,6 +38,7 @@ from restitution.expression.tree import (
     Quantity,
 )
 from restitution.oracle.roles import REAL
+from restitution.records import dataclass
 
 _POINTS = 3
 

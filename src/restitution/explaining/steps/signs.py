@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import prod
 from typing import Literal
 
@@ -15,6 +15,7 @@ from restitution.explaining.lines.generators import AngleKey, Key
 from restitution.explaining.lines.quotients import Quotient, factors_of, is_without, without_common
 from restitution.oracle import Oracle, Relation, joined, letters_of
 from restitution.oracle.roles import REAL
+from restitution.records import dataclass
 
 Sign = Literal[1, -1, 0]
 """Positive, negative, or different from zero."""

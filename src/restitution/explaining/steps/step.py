@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -38,6 +38,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
 from restitution.oracle.roles import POSITIVE, REAL, Role
+from restitution.records import dataclass
 
 _COMPONENTS = ("along", "across")
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +16,7 @@ from restitution import law
 from restitution.errors import ImpossibleError, StatementError
 from restitution.export.lab.reading import a_list, a_name, a_number, a_pair, an_object
 from restitution.language import parse, to_statement
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 _LEAST_MASS = 1e-6

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from restitution.errors import CollapseError, ImpossibleError, RestitutionError, StatementError
@@ -20,6 +20,7 @@ from restitution.export.lab.reading import a_list, a_name, a_number, a_pair, an_
 from restitution.export.player.data import of_motion
 from restitution.motion import Table, simulate
 from restitution.problem import Sphere, Wall
+from restitution.records import dataclass
 
 Object = dict[str, Any]
 

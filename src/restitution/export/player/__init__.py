@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
 from html import escape
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from restitution.errors import StatementError
+from restitution.records import dataclass
 from restitution.render.page import page
 
 if TYPE_CHECKING:

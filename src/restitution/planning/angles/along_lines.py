@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from restitution.exact import tidy
@@ -33,6 +32,7 @@ from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.premises import nonzero
 from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -27,6 +26,7 @@ from restitution.planning.writing.angles import angle_of_approach, data_of_appro
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -35,6 +35,7 @@ from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import ONE, TWO, difference, product, swept, total, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ restitution, by scalar products with that change, is an equation for the letter.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import sympy as sp
@@ -40,6 +40,7 @@ from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import has_nested_roots, plain_direction
 from restitution.planning.writing.vectors import velocity_given
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import number_of
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector

@@ -6,7 +6,6 @@ Where brackets are then multiplied out, what is common to both sides would not b
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -17,6 +16,7 @@ from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import ONE, alike, factors, product, tree_of
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

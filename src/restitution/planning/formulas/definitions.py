@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -34,6 +33,7 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.polynomials import expanded, one_fraction
 from restitution.planning.writing.premises import background, not_negative, sign_known
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 

@@ -7,7 +7,7 @@ angles are added, or taken from each other, or from 180°; in letters, by their 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any, Literal
 
@@ -36,6 +36,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.given_angles import given_angle
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 
 _I = Unit("i")
 NONE = Degrees(Fraction(0))

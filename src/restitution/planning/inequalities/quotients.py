@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -14,6 +13,7 @@ from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.forms import product, square, total, tree_of
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 from restitution.solving.story.letters import roles
 
 

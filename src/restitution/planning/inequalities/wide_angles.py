@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -24,6 +23,7 @@ from restitution.planning.formulas.turns import velocities_of
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.planning.writing.inequalities import turned
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -49,6 +49,7 @@ from restitution.planning.writing.desk import NotPlannedError, Source, together
 from restitution.planning.writing.forms import outer_terms, square, swept, tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 

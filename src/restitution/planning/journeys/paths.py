@@ -7,7 +7,6 @@ equation, in which no time stands.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -61,6 +60,7 @@ from restitution.planning.writing.place_trees import AXES, Axis, place_tree, tim
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.problem import Arrival, Impact
+from restitution.records import dataclass
 from restitution.solving.story.quantities import quantity as quantity_of
 from restitution.vector import Vector
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -32,6 +31,7 @@ from restitution.planning.writing.place_trees import Axis, coordinate_tree, plac
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 

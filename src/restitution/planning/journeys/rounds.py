@@ -8,7 +8,7 @@ before it over the coefficient of restitution between.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -34,6 +34,7 @@ from restitution.planning.writing.place_trees import place_tree
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.problem import Arrival
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

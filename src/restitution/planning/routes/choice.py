@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
 
@@ -19,6 +18,7 @@ from restitution.components.models import Model
 from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import UndefinedError
 from restitution.planning.writing.candidates import Candidate
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import float_at, number_of
 
 # Numbers in a reduced gradient below this share of its largest are rounding.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -45,6 +44,7 @@ from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.polynomials import expanded, one_fraction
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 from restitution.work import remembered
 
 LAWS = {"momentum": momentum, "restitution": restitution}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -20,6 +20,7 @@ from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.polynomials import expanded, factor_powers, one_fraction
 from restitution.planning.writing.scene import GivenEquation, Scene
+from restitution.records import dataclass
 
 SHOWN = "shown "
 """How the ids of lines that were to be shown begin."""

@@ -12,7 +12,6 @@ line that did it all at once would not be followed by a reader. So there are lin
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TypeGuard
 
 import sympy as sp
@@ -46,6 +45,7 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.one_fraction import over_one_line
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
+from restitution.records import dataclass
 
 # So many squares of sums are worked out in one step.
 _AT_ONCE = 1

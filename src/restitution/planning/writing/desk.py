@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import chain as joined
 from typing import Any
 
@@ -33,6 +33,7 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.trees import statement_of
 from restitution.expression.tree import Apply, Binary, Expression, Letter, is_quantity
 from restitution.planning.writing.forms import UnwrittenError, alike
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 # These moves start from the line that is cited first.

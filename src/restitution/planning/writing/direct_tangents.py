@@ -7,7 +7,7 @@ cosine is wanted then, nor what they make of the components.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -39,6 +39,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
+from restitution.records import dataclass
 
 _TANGENTS = ("tan", "tan-direction")
 

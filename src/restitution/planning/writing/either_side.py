@@ -7,7 +7,7 @@ other. So there are two solutions, of which one is the other seen in a mirror.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from restitution.components.frames import Frame as Resolved
@@ -42,6 +42,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.unit_vectors import plain_direction
 from restitution.problem import trees
+from restitution.records import dataclass
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.vector import Vector
 

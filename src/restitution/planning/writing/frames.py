@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -12,6 +11,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Fact, Ref
 from restitution.expression.tree import Expression, Name, Negate, Quantity, Unit
 from restitution.planning.writing.desk import NotPlannedError
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
@@ -29,6 +29,7 @@ from restitution.oracle import BeyondError, Oracle
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import ZERO
 from restitution.problem import Problem
+from restitution.records import dataclass
 from restitution.solving.story.letters import roles
 
 

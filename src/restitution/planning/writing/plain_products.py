@@ -6,7 +6,7 @@ place of (2**i** + **j**)/√5 no root is written.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -35,6 +35,7 @@ from restitution.planning.writing.forms import (
     tree_of,
     vector,
 )
+from restitution.records import dataclass
 
 _LAWS = ("restitution", "restitution-wall")
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from restitution.explaining.lines.derivation import Ref
 from restitution.expression.tree import (
     Expression,
 )
+from restitution.records import dataclass
 
 RANGES = {"deflection": "0° <= {} <= 180°", "direction": "-180° < {} <= 180°"}
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property, lru_cache
 from typing import Any, Literal
 
@@ -42,6 +42,7 @@ from restitution.planning.writing.frames import Frame, frame_of
 from restitution.planning.writing.judging import Judge
 from restitution.planning.writing.polynomials import expanded
 from restitution.problem import Arrival, Find, Part, Problem, Show, trees, trees_of_step
+from restitution.records import dataclass
 from restitution.solving.algebra.forms import bars_of
 from restitution.solving.equations import facts as solve_facts
 from restitution.solving.equations.solution import PartSolution

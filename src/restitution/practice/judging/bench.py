@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -25,6 +25,7 @@ from restitution.practice.worlds.agreement import numbers_of
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Extremum, Find, Given, Problem, Range, Show, trees
+from restitution.records import dataclass
 from restitution.solving.equations.solution import PartSolution, Solution
 
 if TYPE_CHECKING:

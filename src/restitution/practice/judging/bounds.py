@@ -8,7 +8,7 @@ condition does.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from typing import Any
 
@@ -33,6 +33,7 @@ from restitution.practice.judging.entries import Entry
 from restitution.practice.letters.trial import inside_angles
 from restitution.practice.script import Claim, Decimal, Sign, column_of
 from restitution.problem import Aligned, Compare, Given, Part, Problem, Range
+from restitution.records import dataclass
 from restitution.solving.equations.solution import PartSolution
 
 Array = Any

@@ -7,7 +7,7 @@ explains the script nearly as well, is no mistake.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -36,6 +36,7 @@ from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.effort import ExhaustedError, effort
 from restitution.practice.worlds.world import World
+from restitution.records import dataclass
 
 _RIVALS = 8
 _EFFORT = 80_000

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.script import ANYWHERE, Claim, Decimal, Scope
+from restitution.records import dataclass
 
 Meanings = Mapping[str, Expression]
 

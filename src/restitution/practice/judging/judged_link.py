@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 from restitution.expression.tree import (
     Expression,
@@ -13,6 +13,7 @@ from restitution.practice.judging.bounds import Bounds
 from restitution.practice.judging.support import Wanted
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.world import World
+from restitution.records import dataclass
 
 COARSE = "coarse"
 OTHER_ROOT = "other-root"

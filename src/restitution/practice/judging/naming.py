@@ -8,7 +8,7 @@ mistake has no name.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import permutations
@@ -77,6 +77,7 @@ from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.student import altered_world
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Problem
+from restitution.records import dataclass
 
 # A sign that is turned undoes these, and so is no slip beside them.
 _OF_SIGNS = frozenset(

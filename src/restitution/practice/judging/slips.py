@@ -8,7 +8,7 @@ offered in the order in which people make the slips, and never more than `LIMIT`
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 from typing import Literal
@@ -31,6 +31,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judging.entries import Entry
 from restitution.practice.script import Claim
+from restitution.records import dataclass
 
 Change = Literal["sign", "figure", "power", "square", "factor", "letter", "radians", "turned"]
 

@@ -7,7 +7,6 @@ not shown either.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -25,6 +24,7 @@ from restitution.practice.worlds.student import (
 )
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Part, Problem, Show, Value
+from restitution.records import dataclass
 
 # What has so many parts more than the printed side is a line on the way to it.
 _LONGER = 3

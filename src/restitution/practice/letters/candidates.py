@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 from restitution.expression.quantities import Nature
@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.problem import Event, Impact, Kick, Part, Problem, Wall, bodies_of
+from restitution.records import dataclass
 from restitution.shapes import Circle
 
 Kind = Literal[

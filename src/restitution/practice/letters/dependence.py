@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Literal
 
 import numpy as np
@@ -18,6 +18,7 @@ from restitution.expression.evaluate import Angle, Value
 from restitution.practice.letters.trial import Frame, Tester
 from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array, angle
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 Relation = Literal["new", "follows", "contradicts"]

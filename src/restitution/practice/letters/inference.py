@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import product
 from typing import Any
 
@@ -24,6 +24,7 @@ from restitution.practice.letters.trial import Frame, Tester, everywhere
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim, Decimal
 from restitution.practice.worlds.arrays import Array
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 # Interpretations that are kept from item to item, and the best ways to satisfy one item.

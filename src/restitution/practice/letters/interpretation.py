@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
 from restitution.expression.tree import Expression
 from restitution.practice.judgement import Meaning
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

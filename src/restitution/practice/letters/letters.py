@@ -8,7 +8,7 @@ a heading opens one, and outside it the meaning holds on.
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise, permutations
@@ -67,6 +67,7 @@ from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.sampling import true_worlds
 from restitution.practice.worlds.world import World
 from restitution.problem import Problem
+from restitution.records import dataclass
 from restitution.solving.equations.solution import Solution
 
 # Meanings that explain a script nearly as well as the best are kept.

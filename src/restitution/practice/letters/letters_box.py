@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from restitution.components.frames import Frame
 from restitution.components.models import Model
@@ -25,6 +24,7 @@ from restitution.practice.letters.options import staged
 from restitution.practice.letters.surroundings import letters_of
 from restitution.practice.letters.wordings import words_of
 from restitution.problem import Impact, Part, Problem, trees
+from restitution.records import dataclass
 from restitution.solving.equations.solution import Solution
 from restitution.solving.story.forward import lets_of
 

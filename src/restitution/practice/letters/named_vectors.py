@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -31,6 +30,7 @@ from restitution.practice.letters.trial import NOWHERE, Frame, Tester
 from restitution.practice.script import Claim, Scope, ScriptLine
 from restitution.practice.worlds.arrays import Array
 from restitution.problem import Impact, Problem
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 # A number may stand in the vector with fewer figures.

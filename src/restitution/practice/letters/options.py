@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Literal
 
 from restitution.expression.quantities import KINDS
@@ -30,6 +30,7 @@ from restitution.practice.letters.candidates import (
 )
 from restitution.practice.script import ANYWHERE, Scope
 from restitution.problem import Event, Impact, Kick, Part, Problem
+from restitution.records import dataclass
 
 _OF_VELOCITIES = frozenset("uvwUVW")
 # Of another kind than the look of a letter tells: only where numbers cannot agree by chance.

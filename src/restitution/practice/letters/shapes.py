@@ -8,7 +8,6 @@ second, whatever the numbers are.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -28,6 +27,7 @@ from restitution.practice.letters.trial import Frame, Tester
 from restitution.practice.script import Claim, Scope
 from restitution.practice.worlds.arrays import Array
 from restitution.problem import Event, Impact
+from restitution.records import dataclass
 
 _SAME = 1e-3
 

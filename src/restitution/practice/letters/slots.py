@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from restitution.expression.tree import Expression, Quantity, is_quantity, unsig
 from restitution.practice.letters.candidates import AXES, Candidate
 from restitution.practice.letters.trial import Tester
 from restitution.practice.worlds.arrays import Array, angle
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 _SAME = 1e-9

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import permutations
@@ -38,6 +38,7 @@ from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Event, Find, Given, Impact, Let, Part, Problem, Show, trees
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 # What a quantity costs that is no usual one, but asked for.

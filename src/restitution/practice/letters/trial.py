@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from typing import Any
 
@@ -31,6 +31,7 @@ from restitution.practice.worlds.arrays import FIELD, Array, angle, is_bare
 from restitution.practice.worlds.telling import NO_MEANINGS, Meanings, Telling
 from restitution.practice.worlds.world import World
 from restitution.problem import trees
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 _NEAR = 1e-7

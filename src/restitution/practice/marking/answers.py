@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from restitution.errors import StatementError
@@ -19,6 +19,7 @@ from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError
 from restitution.practice.worlds.world import World
 from restitution.problem import Problem, Value
+from restitution.records import dataclass
 from restitution.solving.equations.solution import ItemResult, PartSolution, Solution
 from restitution.solving.solver import solve
 

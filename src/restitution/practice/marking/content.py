@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from restitution.expression.writing import write_expression
@@ -10,6 +9,7 @@ from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.marking.answers import AnswerMark
 from restitution.practice.marking.marks import Marks, PointMark
 from restitution.practice.marking.messages import Message
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.practice.marking.objects import (

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from restitution.expression.tree import (
     Degrees,
@@ -23,6 +22,7 @@ from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import Sides, chains, quantities_in
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.problem import Impact
+from restitution.records import dataclass
 
 _WORD = re.compile(r"[A-Za-z]{2,}")
 _UNITS = re.compile(r"m\s?s\^?-1|ms⁻¹|N\s?s|kg|deg(?:rees)?|and|sqrt", re.IGNORECASE)

@@ -6,7 +6,6 @@ It is made of the data that mark: the points of the usual way, and the table of 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -17,6 +16,7 @@ from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import Binary, Letter, Quantity
 from restitution.practice.marking.scheme import MarkPoint, schemes
 from restitution.problem import Value
+from restitution.records import dataclass
 from restitution.render.layout import Layout
 from restitution.render.text import to_text
 from restitution.solving.equations.solution import Answer, ItemResult, Solution

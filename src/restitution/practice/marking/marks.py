@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from restitution.practice.marking.scheme import MarkPoint, Scheme
+from restitution.records import dataclass
 
 State = Literal["earned", "lost", "open"]
 

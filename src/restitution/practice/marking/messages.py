@@ -7,7 +7,6 @@ leads to, 4 gives the line itself. A true line gets no words unless it wants som
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
@@ -21,6 +20,7 @@ from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.values import Values
 from restitution.practice.reading.lines import text_of
 from restitution.problem import Find, Impact, Problem, Value
+from restitution.records import dataclass
 
 LEVELS = (0, 1, 2, 3, 4)
 

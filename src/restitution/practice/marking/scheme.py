@@ -8,7 +8,6 @@ marked by the one that gives most.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 
 from restitution.explaining.awarding.awards import awarded
 from restitution.explaining.awarding.mark_rules import CONCLUDING, UNWRITTEN
@@ -28,6 +27,7 @@ from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Expression, Letter
 from restitution.planning.planner import plan
 from restitution.problem import Compare, Show, Value
+from restitution.records import dataclass
 from restitution.solving.equations.solution import PartSolution, Solution
 
 ROUTES = 3

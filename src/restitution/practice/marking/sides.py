@@ -8,7 +8,7 @@ there changes it.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -38,6 +38,7 @@ from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.student import scattered_world, told_world
 from restitution.practice.worlds.world import World
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 _NEAR = 1e-7

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from typing import Literal
 
@@ -43,6 +43,7 @@ from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError, is_bare
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 Match = Literal["true", "own"]

@@ -12,12 +12,12 @@ What is missing or no such value is left out of account, as the data are a user'
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
 
 from restitution.practice.questions.dice import Dice
 from restitution.practice.questions.topics import LEVELS, TOPICS
+from restitution.records import dataclass
 
 PAUSES = (1, 3, 7, 16)
 """Days after which a topic comes back: after the first success in a row, the second, and so on."""

@@ -9,7 +9,7 @@ left to the lines of the working: they are known by numbers that are shaken a li
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -20,6 +20,7 @@ from restitution.expression.tree import Degrees, Number, Quantity, is_binary
 from restitution.practice.questions import doubles
 from restitution.practice.questions.dice import Dice
 from restitution.problem import Event, Given, Let, Problem, Value
+from restitution.records import dataclass
 from restitution.solving.equations.solution import Solution
 
 RIGHT = "the right answer"

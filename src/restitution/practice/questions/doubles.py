@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,6 +16,7 @@ from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
 from restitution.planning.writing.checking import Floats
 from restitution.problem import Part, Problem, Value
+from restitution.records import dataclass
 from restitution.solving.equations import facts
 from restitution.solving.story.conditions import Equation
 from restitution.solving.story.forward import Story, lets_of

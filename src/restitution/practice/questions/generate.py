@@ -8,12 +8,12 @@ to each item, of nice values, and its answers tell mistakes apart (`diagnosis`).
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from restitution.errors import RestitutionError, StatementError, UnsupportedError
 from restitution.practice.questions.topics import LEVELS, topic
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

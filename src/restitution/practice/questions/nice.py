@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import combinations
@@ -15,6 +14,7 @@ from restitution.expression.tree import Binary, Number, Unit, is_binary, walk
 from restitution.expression.writing import write_expression
 from restitution.practice.questions.dice import Dice
 from restitution.problem import Problem, trees
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 if TYPE_CHECKING:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ import sympy as sp
 from restitution.expression.tree import Binary, Number, walk
 from restitution.practice.questions import doubles
 from restitution.problem import Problem, trees
+from restitution.records import dataclass
 
 if TYPE_CHECKING:
     from restitution.solving.equations.solution import Solution

@@ -8,13 +8,14 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Any, Literal
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError
 from restitution.practice.questions.choosing import next_question
 from restitution.practice.questions.generate import MOST_SEED, PracticeQuestion, practice_question
 from restitution.practice.questions.topics import LEVELS
+from restitution.records import dataclass
 from restitution.work import limited
 
 if TYPE_CHECKING:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from restitution.errors import StatementError
+from restitution.records import dataclass
 
 LEVELS = (1, 2, 3, 4)
 

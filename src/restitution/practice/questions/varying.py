@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from math import isqrt
 from typing import Any
@@ -34,6 +34,7 @@ from restitution.expression.tree import (
 from restitution.practice.questions.dice import Dice
 from restitution.practice.questions.nice import COEFFICIENTS, TRIPLES, ugly_value
 from restitution.problem import Compare, Find, Given, Impact, Problem, Relation, Show, Step, Value
+from restitution.records import dataclass
 from restitution.solving.equations.solution import ItemResult, Solution
 
 MOST_DRAWS = 2000

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from fractions import Fraction
 from itertools import pairwise, product
 
@@ -47,6 +47,7 @@ from restitution.practice.reading.tokens import Token, Usage
 from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS, STAGES
 from restitution.practice.script import Claim, Decimal, Declaration, Link, Sign, column_of
 from restitution.problem import Impact, Problem
+from restitution.records import dataclass
 
 MAX_CLAIMS = 24
 # Letters that stand for a sine, a cosine or a tangent where they are equated with one.

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
+
+from restitution.records import dataclass
 
 _SAME: dict[str, str] = {
     **dict.fromkeys("−–—‐‑‒﹣－➖", "-"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from restitution.expression.tree import Expression, Negate, Unit
 from restitution.practice.reading.vocabulary import (
@@ -17,6 +17,7 @@ from restitution.practice.reading.vocabulary import (
     STAGES,
 )
 from restitution.problem import Problem
+from restitution.records import dataclass
 
 _WORD = re.compile(r"[A-Za-z]+[0-9]*|[0-9](?:st|nd|rd|th)|-(?=[ij]\b)|&|\d")
 _SENSES = frozenset(("left", "right", "up", "down", "towards", "away", "opposite"))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from restitution.expression.tree import Expression, is_binary, walk
 from restitution.practice.reading.angles import in_degrees
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.grammar import Parser, is_vector
 from restitution.practice.reading.tokens import Token, Usage
+from restitution.records import dataclass
 
 MAX_READINGS = 12
 

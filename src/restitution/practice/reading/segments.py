@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from typing import Literal
 
@@ -12,6 +12,7 @@ from restitution.practice.reading.vocabulary import (
     HEADS,
     SWALLOWING,
 )
+from restitution.records import dataclass
 
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
 
 import numpy as np
 
 from restitution.practice.worlds.arrays import Array
 from restitution.problem import Event, Let, Part, Point, Problem, Sphere, Wall
+from restitution.records import dataclass
 from restitution.solving.story.forward import Story
 from restitution.vector import Vector
 

@@ -7,7 +7,7 @@ set of laws; a line that holds in a block is a consequence of these laws and of 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain, combinations
@@ -34,6 +34,7 @@ from restitution.problem import (
     Kick,
     Relation,
 )
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 # The share by which components are scattered, and the samples of a block for one of the world.

@@ -9,7 +9,7 @@ they are solved by Gauss-Newton from the true values, in every sample.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from restitution.practice.worlds.telling import Telling
 from restitution.practice.worlds.timing import retimed
 from restitution.practice.worlds.world import World
 from restitution.problem import Aligned, AtRest, Compare, Given, Impact, Kick, Relation
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 Array = Any

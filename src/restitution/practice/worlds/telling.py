@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -20,6 +19,7 @@ from restitution.practice.worlds.arrays import (
 )
 from restitution.practice.worlds.motion import SampledMotion, Stop
 from restitution.problem import Arrival, Event, Impact, Let
+from restitution.records import dataclass
 from restitution.solving.story import quantities
 from restitution.solving.story.happenings import Happening
 from restitution.vector import Vector

@@ -8,7 +8,6 @@ factor: each is a term of the law, or a sum of some, as it is or with its value 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -33,6 +32,7 @@ from restitution.practice.worlds.states import States
 from restitution.practice.worlds.telling import Meanings, Telling
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 _MOST = 7

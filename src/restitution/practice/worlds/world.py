@@ -9,7 +9,7 @@ breaks.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -31,6 +31,7 @@ from restitution.practice.worlds.telling import (
 )
 from restitution.practice.worlds.turning import turned, unit
 from restitution.problem import Part
+from restitution.records import dataclass
 from restitution.shapes import Circle
 from restitution.solving.story.forward import Story
 from restitution.vector import Vector

@@ -5,9 +5,9 @@ It is written by `html` and `typst`, which know no word of what it says.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
+from restitution.records import dataclass
 from restitution.render.layout import Layout
 
 Inline: TypeAlias = "str | Layout | tuple[str | Layout, ...]"

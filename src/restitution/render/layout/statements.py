@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction as Ratio
 from functools import lru_cache
 
 from restitution.expression import tree as trees
 from restitution.expression.quantities import KINDS
+from restitution.records import dataclass
 from restitution.render.layout.algebra import plain_number
 from restitution.render.layout.builders import bracketed, function, letter, power, product, total
 from restitution.render.layout.nodes import (

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
 
 import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 from restitution.solving.algebra.cosines import gathered, has_cosines
 from restitution.solving.algebra.neat import neat
 from restitution.solving.algebra.numbers import vanishes

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -14,6 +13,7 @@ from restitution.exact.degrees import function_of
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, root
 from restitution.oracle import Oracle, Relation, Some
+from restitution.records import dataclass
 from restitution.solving.algebra.neat import neat
 from restitution.solving.algebra.numbers import FIELD, at, sign_at
 from restitution.vector import Vector

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -16,6 +15,7 @@ from restitution.oracle import (
     Relation,
     Some,
 )
+from restitution.records import dataclass
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.numbers import Sample, at
 

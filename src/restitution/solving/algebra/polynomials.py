@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -29,6 +28,7 @@ from sympy.polys.rings import PolyRing
 from restitution.errors import UnsupportedError
 from restitution.exact.degrees import sine_beside
 from restitution.exact.irreducible import factor_list
+from restitution.records import dataclass
 from restitution.work import remembered, spend
 
 Element = Any

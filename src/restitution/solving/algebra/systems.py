@@ -13,12 +13,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
 from restitution.errors import UnsupportedError
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 from restitution.solving.algebra.clearing import (
     Known,
     angle_of,

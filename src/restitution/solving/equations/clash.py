@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -12,6 +12,7 @@ from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.writing import relation_text
 from restitution.problem import Arrival, Compare, Given, Impact, Kick, Part, Problem, Relation
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import at
 from restitution.solving.equations.facts import givens
 from restitution.solving.equations.part import work_out

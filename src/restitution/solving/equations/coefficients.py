@@ -8,7 +8,7 @@ question gets a coefficient of its own, and a quantity is kept if the facts fix 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 import sympy as sp
@@ -20,6 +20,7 @@ from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Expression, Letter, Quantity, letters, line_and_column, walk
 from restitution.expression.writing import write_expression
 from restitution.problem import Event, Impact, Step
+from restitution.records import dataclass
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.algebra.numbers import Sample

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import sympy as sp
@@ -16,6 +16,7 @@ from restitution.expression.tree import Place
 from restitution.oracle import Oracle
 from restitution.oracle.roles import REAL
 from restitution.problem import Extremum, Part, Problem, Range, Show
+from restitution.records import dataclass
 from restitution.render.layout import display
 from restitution.render.text import to_text
 from restitution.solving.algebra.numbers import Sample

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import permutations
 
 import sympy as sp
@@ -24,6 +23,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle, Some, compared
 from restitution.oracle.roles import REAL, Role
 from restitution.problem import Compare, Find, Impact, Show
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import at
 from restitution.solving.algebra.systems import Root, solve_system
 from restitution.solving.equations.setting import Setting, out_of_range

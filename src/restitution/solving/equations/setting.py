@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 
 import sympy as sp
@@ -29,6 +29,7 @@ from restitution.problem import (
     Unknown,
 )
 from restitution.problem import Value as ValueItem
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import FIELD, Sample, at, bound, number_of, sample
 from restitution.solving.algebra.systems import Root
 from restitution.solving.equations.facts import givens, requirements

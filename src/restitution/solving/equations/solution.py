@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
@@ -16,6 +16,7 @@ from restitution.oracle import Oracle, Proof
 from restitution.oracle.points import Value as NumberOfPoint
 from restitution.oracle.roles import Role
 from restitution.problem import Extremum, Part, Problem, Range, Show, Value
+from restitution.records import dataclass
 from restitution.render.layout import Layout
 from restitution.solving.story.forward import Story
 from restitution.solving.story.state import Unknowns

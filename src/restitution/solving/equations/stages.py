@@ -9,13 +9,13 @@ what it gives is put in before the next.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
 
 from restitution.expression.enclosed import UndefinedError
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 from restitution.solving.algebra.neat import neat
 from restitution.solving.algebra.numbers import at
 from restitution.solving.algebra.polynomials import numerator

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Protocol
 
@@ -19,6 +18,7 @@ from restitution.exact.symbols import symbol_names
 from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.oracle import BeyondError, Formula, Oracle, Proof, Relation, Verdict
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.intervals import End, Piece, inside_of, to_set
 from restitution.solving.algebra.numbers import Sample, at, bound, sample

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from functools import cached_property, partial
 from itertools import pairwise, product
@@ -29,6 +29,7 @@ from restitution.oracle import (
     letters_of,
 )
 from restitution.oracle.roles import DIRECTION, REAL, TO_180, Role
+from restitution.records import dataclass
 from restitution.solving.algebra.intervals import (
     INFINITE,
     End,

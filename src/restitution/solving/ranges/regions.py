@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -35,6 +34,7 @@ from restitution.oracle import (
     relations,
 )
 from restitution.oracle.roles import Role
+from restitution.records import dataclass
 from restitution.solving.algebra.intervals import Piece, inside_of, joined_cells, reconcile
 from restitution.solving.algebra.numbers import Sample, at, number_of, sample
 from restitution.solving.equations.part import Outcome

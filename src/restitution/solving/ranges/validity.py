@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import product
 from typing import Literal
 
@@ -30,6 +30,7 @@ from restitution.oracle import (
     relations,
 )
 from restitution.oracle.roles import REAL, Role
+from restitution.records import dataclass
 from restitution.render.layout import Layout, Phrase, Words, from_set, relation
 from restitution.render.text import to_text
 from restitution.solving.algebra import forms

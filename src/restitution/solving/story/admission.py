@@ -8,7 +8,7 @@ points are tried in compiled form.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 
 import sympy as sp
@@ -27,6 +27,7 @@ from restitution.oracle import (
 )
 from restitution.oracle.points import Value
 from restitution.oracle.roles import COEFFICIENT, Role
+from restitution.records import dataclass
 from restitution.solving.algebra.forms import tidy
 from restitution.solving.algebra.numbers import sign_at
 from restitution.solving.algebra.signs import sign as sign_of

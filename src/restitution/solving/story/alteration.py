@@ -13,7 +13,7 @@ speeds after, or energies, leaves one unknown component along a line of values; 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any
@@ -22,6 +22,7 @@ from restitution.errors import ImpossibleError, UnsupportedError
 from restitution.expression.evaluate import Evaluator, Scalar
 from restitution.expression.tree import Binary, Expression, Name, Quantity, walk
 from restitution.problem import AlteredEquation, AlteredImpact, Impact
+from restitution.records import dataclass
 from restitution.solving.story import quantities
 from restitution.solving.story.conditions import Condition, Equation
 from restitution.solving.story.state import State

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Place
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,13 @@ rest has as its velocity afterwards.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 
 import sympy as sp
 
 from restitution.expression.evaluate import Scalar
 from restitution.expression.tree import Name
 from restitution.problem import Arrival, Impact, Part, Problem
+from restitution.records import dataclass
 from restitution.shapes import Circle
 from restitution.solving.story.conditions import Condition, Equation
 from restitution.solving.story.state import State

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from restitution.expression.evaluate import Scalar
 from restitution.problem import Event, Impact
+from restitution.records import dataclass
 from restitution.vector import Vector
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, Literal, Protocol
@@ -46,6 +46,7 @@ from restitution.problem import (
     trees_of_relation,
     trees_of_step,
 )
+from restitution.records import dataclass
 from restitution.shapes import Circle, Line, Segment, Shape
 from restitution.solving.algebra.neat import neat, ratio_in_numbers
 from restitution.solving.story import missing

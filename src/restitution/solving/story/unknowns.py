@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections import ChainMap
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
@@ -14,6 +14,7 @@ from restitution.expression.enclosed import Enclosed, UndefinedError
 from restitution.expression.evaluate import Angle, Symbolic, Value
 from restitution.oracle import Formula, Oracle, Relation
 from restitution.oracle.roles import POSITIVE, REAL, Role
+from restitution.records import dataclass
 from restitution.solving.algebra.numbers import Sample, plain_sign, sample, sign_at
 from restitution.solving.story.admission import formula_of
 from restitution.solving.story.conditions import AnyOf, Condition

@@ -9,7 +9,7 @@ the wall and **t** at right angles to it, so that a component is a scalar produc
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
@@ -47,6 +47,7 @@ from restitution.expression.tree import (
 from restitution.oracle import REAL, Oracle, Role, compared
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.unit_vectors import whole_direction
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.naming.in_force import inequalities

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from restitution.explaining.lines.derivation import Derivation, Event, Meaning
 from restitution.explaining.lines.saying import Sentence, say, slots_of
@@ -11,6 +10,7 @@ from restitution.explaining.lines.sentences import SENTENCES, SentenceId
 from restitution.explaining.lines.trees import settled
 from restitution.expression.tree import AtTime, Binary, Expression, Number, Quantity, Stage, walk
 from restitution.problem import Arrival, Problem
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import Measures, with_unit
 

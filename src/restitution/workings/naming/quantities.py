@@ -7,7 +7,7 @@ it is not plain from what stands above: the heading of an impact, or the end of 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 from restitution.errors import RestitutionError
@@ -32,6 +32,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.straight_walls import equation_of_line
+from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.solving.story.letters import roles

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from typing import Literal
@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     is_quantity,
     walk,
 )
+from restitution.records import dataclass
 from restitution.workings.naming.angles_by_signs import signs_behind
 from restitution.workings.naming.rejected import bound_broken, root_of_a_square
 

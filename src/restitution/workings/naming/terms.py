@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from restitution.explaining.lines.derivation import Derivation, Line, Meaning
 from restitution.explaining.lines.layouts import Forms, shares_in
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters, walk
 from restitution.problem import Problem, comparisons, trees
+from restitution.records import dataclass
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 import sympy as sp
@@ -44,6 +44,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Formula, Oracle, Role, compared
 from restitution.oracle import Relation as Claim
 from restitution.planning.writing.forms import factors_above, tree_of
+from restitution.records import dataclass
 from restitution.workings.naming.in_force import inequalities
 from restitution.workings.naming.quantities import Naming
 

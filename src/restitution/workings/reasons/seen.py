@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -21,6 +20,7 @@ from restitution.expression.evaluate import evaluate
 from restitution.expression.tree import Expression, Letter, has_quantity
 from restitution.oracle import REAL, BeyondError, Formula, Oracle, Role, compared
 from restitution.planning.writing.forms import tree_of
+from restitution.records import dataclass
 from restitution.render import layout as lay
 
 _MOST = 24

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from restitution.explaining.awarding.awards import awarded
+from restitution.records import dataclass
 from restitution.workings.rendering.steps import PartExplanation, Working
 from restitution.workings.rendering.text import to_text
 

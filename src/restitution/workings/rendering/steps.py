@@ -7,12 +7,13 @@ How it looks is for the renderers.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Literal
 
 from restitution.explaining.lines.derivation import Derivation
 from restitution.explaining.lines.marks import Marks, written
 from restitution.explaining.lines.saying import Sentence, Words, say, words_of
+from restitution.records import dataclass
 from restitution.render.layout import Layout
 from restitution.render.text import NO_BREAK
 

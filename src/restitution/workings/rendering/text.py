@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from string import ascii_letters, digits
 
 from restitution.explaining.lines.saying import note
+from restitution.records import dataclass
 from restitution.render.layout import Brackets, Fraction, Layout, Phrase, Relation, Sum
 from restitution.render.layout import Words as Upright
 from restitution.render.text import NO_BREAK, bold, wrapped
