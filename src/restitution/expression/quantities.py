@@ -49,8 +49,8 @@ class Kind:
 
     A ``staged`` quantity takes the number of an event, or with ``before`` that word, or with
     ``at_time`` a time; with ``stage_needed`` it cannot do without. One ``of_an_event`` has none
-    at the start. ``names`` are the bodies whose names may be arguments. ``in_statements`` is
-    False where only the lines of a working speak of it.
+    at the start. A ``signed`` angle has a sense. ``names`` are the bodies whose names may be
+    arguments. ``in_statements`` is False where only the lines of a working speak of it.
 
     ``noun`` is what people call it, of one body, and ``nouns`` of several; ``short`` among
     mathematics, where that is another; ``link`` is the word before its bodies, and ``of_all`` what
@@ -70,6 +70,7 @@ class Kind:
     alone: Nature | None = None
     staged: bool = False
     before: bool = False
+    signed: bool = False
     at_time: bool = False
     stage_needed: bool = False
     of_an_event: bool = False
@@ -164,6 +165,7 @@ KINDS: Mapping[str, Kind] = {
             NONE,
             staged=True,
             before=True,
+            signed=True,
             names=frozenset({"sphere", "wall"}),
             noun="direction of motion",
             nouns="directions of motion",
@@ -362,8 +364,25 @@ KINDS: Mapping[str, Kind] = {
     )
 }
 
-ANGLES = frozenset(kind.word for kind in KINDS.values() if kind.nature == "angle")
+
+def _words(belongs: Callable[[Kind], bool]) -> frozenset[str]:
+    return frozenset(word for word, kind in KINDS.items() if belongs(kind))
+
+
+ANGLES = _words(lambda kind: kind.nature == "angle")
 """The kinds of quantities that are angles."""
+UNSIGNED_ANGLES = _words(lambda kind: kind.nature == "angle" and not kind.signed)
+"""Angles from 0 to 180°, which are the same in either sense."""
+ENERGIES = _words(lambda kind: kind.dimension == ENERGY)
+"""Energies and what is lost of them."""
+LOSSES = _words(lambda kind: kind.dimension == ENERGY and not kind.before)
+"""What is lost of energies."""
+PLACED = _words(lambda kind: kind.dimension in (LENGTH, TIME))
+"""Quantities of the way from one event to the next."""
+CHANGED = _words(lambda kind: kind.before and kind.dimension not in (NONE, LENGTH))
+"""Quantities that last from one event to the next, which changes how much they are."""
+LASTING = _words(lambda kind: kind.before and kind.dimension != LENGTH)
+"""Quantities of a body that are the same after an event in which it took no part."""
 
 # The words that a statement may hold.
 QUANTITIES = tuple(word for word, kind in KINDS.items() if kind.in_statements)

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     GREEK,
     Apply,
@@ -41,7 +42,6 @@ from restitution.problem import (
 
 _TURN = Fraction("6.2832")  # radians; whoever types more than a full turn means degrees
 _OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "sec", "cosec"))
-_ANGLES = frozenset(("direction", "angle", "deflection"))
 
 
 def doubts(problem: Problem, text: str) -> Iterator[Note]:
@@ -130,7 +130,7 @@ def _argument(tree: Apply) -> list[Expression]:
 
 
 def _is_angle(tree: Expression, angles: frozenset[str]) -> bool:
-    return (isinstance(tree, Quantity) and tree.kind in _ANGLES) or (
+    return (isinstance(tree, Quantity) and tree.kind in ANGLES) or (
         isinstance(tree, Letter) and tree.name in angles
     )
 

@@ -34,7 +34,7 @@ from restitution.expression.measured import (
     scaled,
     without_units,
 )
-from restitution.expression.quantities import dimension_of, dimension_of_any
+from restitution.expression.quantities import ANGLES, dimension_of, dimension_of_any
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -77,7 +77,6 @@ from restitution.records import dataclass
 # N is a unit that nothing here is measured in.
 _ONE_LETTER: Mapping[str, Dimension] = {"m": LENGTH, "s": TIME, "g": MASS, "J": ENERGY, "N": NONE}
 _SYMBOLS = frozenset("msgNJ")
-_ANGLES = frozenset(("direction", "angle", "deflection"))
 _RULE = "besides SI units, g, cm, mm and km/h are read"
 
 Rewrite = Callable[[Any, Slot], Any]
@@ -372,7 +371,7 @@ def _relation(
     dimension = dimension_of_any(plain, of_letters)
     tells = [each for each in plain if dimension_of_any([each], of_letters) is not None]
     what = write_expression(tells[0]) if tells and not has_unit(tells[0]) else "this value"
-    angle = any(isinstance(each, Quantity) and each.kind in _ANGLES for each in plain)
+    angle = any(isinstance(each, Quantity) and each.kind in ANGLES for each in plain)
     slot = Slot(dimension, what, angle)
     return replace(
         relation, operands=tuple(rewrite(operand, slot) for operand in relation.operands)

@@ -17,6 +17,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from restitution.errors import RestitutionError, UnsupportedError
+from restitution.expression.quantities import PLACED
 from restitution.expression.tree import AtTime, Quantity, walk
 from restitution.motion.pieces import Motion
 from restitution.motion.stage import WIDTH, Attempt, Event, Stage, cleared, numbered, settled
@@ -46,7 +47,6 @@ _SECONDS = 1.0
 # Places are known: how far the fastest sphere is seen to go on, as a share of all that is given.
 _ONWARD = 0.3
 _TRIES = 80
-_PLACES = frozenset(("position", "distance", "time"))
 
 
 Staged: TypeAlias = tuple[Motion, tuple[tuple[int, Event], ...]]
@@ -369,7 +369,7 @@ def _asked(story: Story) -> list[float]:
 
 def _speaks_of_places(problem: Problem) -> bool:
     return any(
-        isinstance(node, Quantity) and node.kind in _PLACES
+        isinstance(node, Quantity) and node.kind in PLACED
         for tree in trees(problem)
         for node in walk(tree)
     )

@@ -11,6 +11,7 @@ from restitution.explaining.data.facts import facts_of
 from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Fact
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
     Expression,
     Name,
@@ -167,7 +168,7 @@ def _serves(result: ItemResult, late: tuple[Fact, ...]) -> bool:
     """
     item = result.item
     match item.expression if isinstance(item, Value) else None:
-        case Quantity("energy" | "energy_lost" | "total_energy_lost" | "impulse" as kind):
+        case Quantity(kind) if kind in ENERGIES or kind == "impulse":
             sides = (tree for fact in late for tree in trees_of(fact.relation))
             nodes = (node for tree in sides for node in walk(tree))
             return any(is_quantity(node, kind) for node in nodes)

@@ -8,7 +8,7 @@ from typing import TypeGuard
 
 from restitution.counting import counted
 from restitution.expression.dimensions import SPEED, Dimension
-from restitution.expression.quantities import dimension_of_any
+from restitution.expression.quantities import LOSSES, dimension_of_any
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -273,9 +273,9 @@ def _share_lost(scene: Scene, left: Expression, right: Expression) -> Words | No
     """``¼ of the total kinetic energy is lost in the collision``."""
     match left, right:
         case (
-            Quantity("energy_lost" | "total_energy_lost") as lost,
+            Quantity(kind) as lost,
             Binary("*", factor, Quantity("energy") as whole),
-        ) if not has_quantity(factor):
+        ) if kind in LOSSES and not has_quantity(factor):
             share = values.times(factor)
             if _is_letter(factor):
                 share = words("a fraction ", values.layout_of(factor), " of ")

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 from restitution.expression.defined import quantity_of
 from restitution.expression.dimensions import TIME
-from restitution.expression.quantities import KINDS
+from restitution.expression.quantities import CHANGED, KINDS, LOSSES
 from restitution.expression.tree import (
     Apply,
     AtTime,
@@ -57,8 +57,6 @@ from restitution.wording.structure import Named, Words
 from restitution.wording.words import listed, names, words
 
 _LINE = "line_of_centres"
-# What an event changes.
-_CHANGING = frozenset(("velocity", "speed", "energy", "momentum"))
 _FUNCTIONS = {
     "sin": "the sine of ",
     "cos": "the cosine of ",
@@ -216,7 +214,7 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
     """What one quantity has gained or lost in one event; a vector has changed."""
     if not isinstance(left, Quantity) or not isinstance(right, Quantity):
         return None
-    if (left.kind, left.arguments) != (right.kind, right.arguments) or left.kind not in _CHANGING:
+    if (left.kind, left.arguments) != (right.kind, right.arguments) or left.kind not in CHANGED:
         return None
     body = name_of(left.arguments[0]) if left.arguments else None  # of all bodies
     later, earlier = (
@@ -244,7 +242,7 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
 
 def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
     match left, right:
-        case Quantity("energy_lost" | "total_energy_lost"), Quantity("energy"):
+        case Quantity(kind), Quantity("energy") if kind in LOSSES:
             whole, lost = whole_energy(scene, left, right), lost_where(scene, left)
             return Noun(words("the fraction of ", whole, " that is lost", lost))
     if isinstance(right, Number) and right.value:
@@ -262,7 +260,7 @@ def share(scene: Scene, tree: Expression) -> Noun | None:
     """A ratio as a percentage: the decrease in the speed of P as a percentage of its speed."""
     match tree:
         case Binary("/", left, right) if has_quantity(left) and has_quantity(right):
-            lost = isinstance(left, Quantity) and left.kind.endswith("energy_lost")
+            lost = is_quantity(left, *LOSSES)
             if not (lost and is_quantity(right, "energy")):
                 return pair("", noun(scene, left), " as a percentage of ", noun(scene, right))
     return None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import field, replace
 
 from restitution.counting import ordinal
+from restitution.expression.quantities import ENERGIES, PLACED
 from restitution.expression.tree import (
     Degrees,
     Expression,
@@ -52,9 +53,8 @@ from restitution.wording.values import point
 from restitution.wording.words import words
 
 INITIALLY: Words = ("initially",)
-_PLACED = frozenset(("position", "distance", "time"))
 # Quantities without a direction.
-_SIZES = frozenset(("energy", "energy_lost", "total_energy_lost", "speed", "deflection", "mass"))
+_SIZES = ENERGIES | {"speed", "deflection", "mass"}
 
 
 @dataclass(frozen=True)
@@ -141,7 +141,7 @@ def _placed(problem: Problem) -> bool:
     if any(sphere.position is not None for sphere in problem.spheres):
         return True
     nodes = (node for tree in trees(problem) for node in walk(tree))
-    return any(isinstance(node, Quantity) and node.kind in _PLACED for node in nodes)
+    return any(isinstance(node, Quantity) and node.kind in PLACED for node in nodes)
 
 
 def _oriented(problem: Problem, style: Style) -> bool:

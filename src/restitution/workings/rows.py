@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Rela
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -202,7 +203,7 @@ class Rows:
         """Whether a loss of kinetic energy that was asked is a negative number."""
         assert isinstance(line.relation, Relation)
         match self._ends.asked(line):
-            case Value(expression=Quantity("energy_lost" | "total_energy_lost")):
+            case Value(expression=Quantity(kind)) if kind in LOSSES:
                 value = line.relation.options[0][-1].right
                 return isinstance(value, Negate) and not letters(value)
         return False

@@ -25,6 +25,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.quantities import LOSSES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -320,7 +321,7 @@ def _of_angles(work: Work, line: Line) -> bool:
     if isinstance(subject, Letter):
         meaning = work.derivation.meanings.get(subject.name)
         subject = None if meaning is None else meaning.quantity
-    return is_quantity(subject, "deflection", "angle")
+    return is_quantity(subject, *UNSIGNED_ANGLES)
 
 
 def _of_one_term(work: Work, line: Line) -> bool:
@@ -429,7 +430,7 @@ def _is_sum_that_is_positive(line: Line) -> bool:
 def _says_a_quantity_is_positive(line: Line) -> bool:
     """Whether it is only said that a quantity, such as a loss, is not zero."""
     match line.relation:
-        case Relation((((Link(Quantity("energy_lost" | "total_energy_lost"), ">", right)),),)):
+        case Relation((((Link(Quantity(kind), ">", right)),),)) if kind in LOSSES:
             return right == Number(Fraction(0))
     return False
 

@@ -13,6 +13,7 @@ from typing import Any, TypeGuard
 
 from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
     PARTS,
     Apply,
@@ -75,7 +76,7 @@ def of_tree(
 def _is_a_share(node: Expression) -> TypeGuard[Binary]:
     """Whether a tree is a loss of energy over an energy."""
     match node:
-        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+        case Binary("/", Quantity(kind), Quantity("energy")) if kind in LOSSES:
             return True
     return False
 
@@ -276,12 +277,9 @@ def _is_of_squares(tree: Expression) -> bool:
 def _is_share_of_a_quantity(node: Expression) -> TypeGuard[Binary]:
     """Whether a part of a quantity is typed in decimals, or as a percentage: 0.25 energy(0)."""
     match node:
-        case Binary("*", Number(value), Quantity(kind)) if kind in _ENERGIES:
+        case Binary("*", Number(value), Quantity(kind)) if kind in ENERGIES:
             return 0 < value < 1
     return False
-
-
-_ENERGIES = ("energy", "energy_lost", "total_energy_lost")
 
 
 def shares_in(operands: Sequence[Expression]) -> Iterator[Expression]:
@@ -291,7 +289,7 @@ def shares_in(operands: Sequence[Expression]) -> Iterator[Expression]:
         for operand in operands
         if is_binary(operand, "/")
         and all(
-            isinstance(e, Quantity) and e.kind in _ENERGIES for e in (operand.left, operand.right)
+            isinstance(e, Quantity) and e.kind in ENERGIES for e in (operand.left, operand.right)
         )
     ]
     if ratios:

@@ -9,6 +9,7 @@ from operator import is_
 from typing import Any
 
 from restitution.explaining.lines.derivation import FLIPPED, Event, Link, Meaning, Relation
+from restitution.expression.quantities import LASTING
 from restitution.expression.tree import (
     LEAVES,
     PARTS,
@@ -21,9 +22,6 @@ from restitution.expression.tree import (
     has_quantity,
     walk,
 )
-
-# Of these, a stage after an event in which a body took no part is the stage before it.
-_LASTING = frozenset({"velocity", "speed", "direction", "energy", "momentum"})
 
 
 def rebuilt(tree: Expression, change: Callable[[Expression], Expression]) -> Expression:
@@ -158,7 +156,7 @@ def settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
 def _settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
 
     def change(tree: Expression) -> Expression:
-        if not (isinstance(tree, Quantity) and tree.kind in _LASTING and tree.arguments):
+        if not (isinstance(tree, Quantity) and tree.kind in LASTING and tree.arguments):
             return tree
         (body,) = tree.arguments
         if not isinstance(tree.stage, int) or not isinstance(body, Name):

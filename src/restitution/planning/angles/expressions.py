@@ -12,7 +12,7 @@ from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref, numbers_in
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.quantities import ANGLES
+from restitution.expression.quantities import ANGLES, LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -157,7 +157,7 @@ def _in_order(asked: Expression) -> list[Expression]:
     """The quantities of an expression in their order: an energy before what is lost of it."""
     nodes = outermost(asked)
     match asked:
-        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+        case Binary("/", Quantity(kind), Quantity("energy")) if kind in LOSSES:
             return nodes[::-1]
     return nodes
 

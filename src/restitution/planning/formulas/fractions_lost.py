@@ -5,6 +5,7 @@ from __future__ import annotations
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, MoveId, Ref
 from restitution.explaining.lines.trees import angles_with_both_ratios
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import Binary, Expression, Name, Quantity, walk
 from restitution.planning.formulas.definitions import Formula, itself
 from restitution.planning.formulas.impacts import in_direction
@@ -30,9 +31,9 @@ def fraction_lost(scene: Scene, asked: Expression, is_given: bool = False) -> Fo
     match asked:
         case Binary(
             "/",
-            Quantity("energy_lost" | "total_energy_lost" as kind, (), int(event)) as lost,
+            Quantity(kind, (), int(event)) as lost,
             Quantity("energy", _, int(stage)) as before,
-        ):
+        ) if kind in LOSSES:
             pass
         case _:
             return None

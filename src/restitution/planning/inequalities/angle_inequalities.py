@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Sign,
 )
 from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     Apply,
@@ -44,7 +45,7 @@ def write_of_angles(
     """An inequality between angles of the motion; None where there is no way to it."""
     if len(relation.only) != 1 or not quantities:
         return None
-    if any(quantity.kind not in ("angle", "deflection") for quantity in quantities):
+    if any(quantity.kind not in UNSIGNED_ANGLES for quantity in quantities):
         return None
     mark = claims.worths.mark()
     for proof in (_by_sign, _by_its_tangent, _by_the_other):

@@ -13,6 +13,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, Sign
 from restitution.explaining.moves.limits import worth_at
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import Expression, Letter, Quantity, is_quantity, letters
 from restitution.planning.angles.turning import angle_line
 from restitution.planning.formulas.named_angles import letter_known
@@ -177,7 +178,7 @@ def write_at_ends(claims: Claims, solver: Solver, relation: Relation) -> int:
 
 def is_angle_of_motion(tree: Expression) -> bool:
     """Whether an expression is an angle that velocities make."""
-    return is_quantity(tree, "angle", "deflection")
+    return is_quantity(tree, *UNSIGNED_ANGLES)
 
 
 def _with_acute(value: sp.Expr, acute: list[sp.Symbol]) -> sp.Expr:

@@ -10,6 +10,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves import MOST_COMPARED
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -272,7 +273,7 @@ class Claims(Eliminated):
             mark = self.worths.mark()
             line = (
                 self.worths.angle(opened)
-                if is_quantity(opened, "angle", "deflection")
+                if is_quantity(opened, *UNSIGNED_ANGLES)
                 else self.worths.worth(opened)
             )
             if line is None:

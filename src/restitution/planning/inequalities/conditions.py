@@ -19,6 +19,7 @@ from restitution.explaining.lines.derivation import (
     Sign,
 )
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -130,7 +131,7 @@ class Conditions:
         link = fact.relation.options[0][0]
         named = [self.worths.opened(side) for side in (link.left, link.right)]
         angles = [tree for tree in named if isinstance(tree, Quantity)]
-        is_angle = any(angle.kind in ("angle", "deflection", "direction") for angle in angles)
+        is_angle = any(angle.kind in ANGLES for angle in angles)
         return is_angle or has_quantity_in(fact.relation)
 
     def condition(self, fact: Fact, wanted: Expression | None) -> int | None:

@@ -21,6 +21,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
     Showing,
 )
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import Binary, Expression, Quantity, has_quantity, walk
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product_without, tree_of
@@ -92,7 +93,7 @@ def _multiple(worths: Worths, side: Expression) -> tuple[Quantity, sp.Expr] | No
     return (own, value) if value.is_positive and value.is_number else None
 
 
-_KINDS = ("energy_lost", "total_energy_lost", "energy", "speed", "impulse", "time", "distance")
+_KINDS = ENERGIES | {"speed", "impulse", "time", "distance"}
 
 
 def _ratios(worths: Worths) -> Iterator[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Move
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -26,12 +27,9 @@ def write_share_of_energy(scene: Scene, equation: GivenEquation, left: Quantity)
 
     None of anything else, and where the mass does not cancel.
     """
-    match left.kind:
-        case "energy":
-            return _of_two_energies(scene, equation, left)
-        case "energy_lost" | "total_energy_lost":
-            return _of_a_loss(scene, equation, left)
-    return None
+    if left.kind == "energy":
+        return _of_two_energies(scene, equation, left)
+    return _of_a_loss(scene, equation, left) if left.kind in LOSSES else None
 
 
 def _other_energy(equation: GivenEquation) -> tuple[Quantity, Expression] | None:

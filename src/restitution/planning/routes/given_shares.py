@@ -7,6 +7,7 @@ from typing import Any
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import Binary, Expression, Quantity, walk
 from restitution.planning.angles.quantities import formula
 from restitution.planning.formulas.definitions import write_formula
@@ -14,7 +15,7 @@ from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import product, tree_of
 from restitution.planning.writing.scene import GivenEquation, Scene
 
-_KINDS = frozenset({"energy", "energy_lost", "total_energy_lost", "speed", "time"})
+_KINDS = ENERGIES | {"speed", "time"}
 
 
 def write_given_share(scene: Scene, asked: Quantity, *, early: bool = False) -> int | None:

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
-from restitution.expression.quantities import ANGLES
+from restitution.expression.quantities import ANGLES, ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -194,13 +194,12 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
             return _tangent(scene, each, cosine_of_deflection(scene, angle))
         case Quantity("angle" | "deflection"):
-            if is_quantity(own.right, "angle", "deflection"):
+            if is_quantity(own.right, *UNSIGNED_ANGLES):
                 return write_equal_angles(scene, each)
     return _of_several(scene, each)
 
 
 _LOSSES = ("energy-lost", "total-lost", "energy", "total")
-_ENERGIES = ("energy", "energy_lost", "total_energy_lost")
 
 
 def _in_cosines(equation: GivenEquation) -> GivenEquation:
@@ -662,7 +661,7 @@ def _of_several(scene: Scene, equation: GivenEquation) -> int:
             formula_ = formula(scene, node)
             if formula_.left != node:
                 raise NotPlannedError(f"a relation with {node.kind}s")
-            if node.kind in _ENERGIES and not has_root(formula_.value):
+            if node.kind in ENERGIES and not has_root(formula_.value):
                 # What an energy comes to is compared, and not how it is made.
                 refs.append(write_formula(scene, formula_))
                 values[node] = tree_of(formula_.value)

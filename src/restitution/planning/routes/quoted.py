@@ -8,6 +8,7 @@ from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Meaning, Move, Relation, numbers_in
 from restitution.explaining.lines.trees import exchanged
+from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -25,13 +26,13 @@ from restitution.planning.writing.forms import product_without, square, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
-QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
+QUOTED = ENERGIES | {"speed", "impulse"}
 """The quantities that are quoted from the line that has them in letters."""
 
 
 def quoted(scene: Scene, equation: GivenEquation, quantity: Quantity) -> int | None:
     """What is given of a quantity that stands in letters already: the two are equal."""
-    turned = quantity.kind in ("angle", "deflection")
+    turned = quantity.kind in UNSIGNED_ANGLES
     if quantity.kind not in QUOTED and not turned:
         return None
     return quoted_as(scene, equation, Apply("tan", quantity) if turned else quantity)

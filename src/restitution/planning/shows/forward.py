@@ -7,6 +7,7 @@ import sympy as sp
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Link, Move, Relation, equality
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -58,7 +59,7 @@ from restitution.solving.equations.solution import ItemResult
 from restitution.vector import Vector
 
 # What later items take as it is shown, and do not work out again.
-_QUOTED = ("speed", "energy", "energy_lost", "total_energy_lost", "impulse")
+_QUOTED = ENERGIES | {"speed", "impulse"}
 
 
 def write_show(

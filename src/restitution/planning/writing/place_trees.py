@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Literal
 
 from restitution.explaining.lines.derivation import Link
+from restitution.expression.quantities import PLACED
 from restitution.expression.tree import Binary, Expression, Name, Quantity, Unit, walk
 
 Axis = Literal["i", "j"]
 AXES: tuple[Axis, Axis] = ("i", "j")
-KINDS = frozenset({"time", "position", "distance"})
 
 
 def time_tree(number: int) -> Quantity:
@@ -38,7 +38,7 @@ def serves(tree: Expression) -> bool:
         case Quantity("along" | "across", (Quantity("position"), _)):
             return True
         case Quantity(kind):
-            return kind in KINDS
+            return kind in PLACED
     return False
 
 

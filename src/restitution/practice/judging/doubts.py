@@ -13,6 +13,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.evaluate import Angle
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -41,7 +42,6 @@ from restitution.records import dataclass
 _RIVALS = 8
 _EFFORT = 80_000
 """So many evaluations are spent on other meanings of the letters, at most."""
-ANGLES = frozenset({"angle", "direction", "deflection"})
 _SURE = 3
 """What an angle is taken for is certain with so many true lines that it stands in."""
 _RIGHT = 1e-9

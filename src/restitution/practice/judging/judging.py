@@ -17,6 +17,7 @@ from itertools import chain, islice
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -31,7 +32,6 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
 from restitution.practice.judging.bench import Bench, bench_of, numbers
 from restitution.practice.judging.doubts import (
-    ANGLES,
     Doubts,
     are_of_one_mistake,
     is_named,

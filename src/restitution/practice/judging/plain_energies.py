@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -30,14 +31,13 @@ _NEAR = 0.006
 """What a student's own rounding may move a speed by."""
 _TWO = Number(Fraction(2))
 _COEFFICIENTS = (0.37, 0.71)
-_OF_ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
 
 
 def is_energy_of_difference(entry: Entry, world: World) -> bool:
     """Whether an energy is that of a difference of speeds of one body: ``½m(10 - 4.27)²``."""
     meant = meant_by(entry)
     kinds = {node.kind for node in walk(meant) if isinstance(node, Quantity)}
-    if not kinds & _OF_ENERGIES:
+    if not kinds & ENERGIES:
         return False
     return any(
         _are_speeds_of_one(left, right, entry, world)
@@ -81,7 +81,7 @@ def _are_near(one: Array | None, other: Array) -> bool:
 def is_fraction_of_line(entry: Entry, world: World) -> bool:
     """Whether a share lost at a wall is that of the energy along its normal: ``1 - e²``."""
     match meant_by(entry):
-        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+        case Binary("/", Quantity(kind), Quantity("energy")) if kind in LOSSES:
             pass
         case _:
             return False

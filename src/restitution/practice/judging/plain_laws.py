@@ -11,6 +11,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
+from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -38,7 +39,6 @@ _TWO = Number(Fraction(2))
 _ONE = Number(Fraction(1))
 # What may be wrong in a component before an impact.
 _OF_COMPONENTS = frozenset({"sine-cosine", "angle-from-normal", "speed-for-component"})
-_ENERGIES = ("energy", "energy_lost", "total_energy_lost")
 
 
 def is_coefficient_inverted(entry: Entry, world: World) -> bool:
@@ -78,7 +78,7 @@ def is_coefficient_of_speeds(entry: Entry, world: World) -> bool:
 def is_fraction_of_line_energy(entry: Entry, world: World) -> bool:
     """Whether a share lost by two spheres is one of their energy along the line of centres."""
     match meant_by(entry):
-        case Binary("/", Quantity("energy_lost" | "total_energy_lost") as lost, Quantity("energy")):
+        case Binary("/", Quantity(kind) as lost, Quantity("energy")) if kind in LOSSES:
             pass
         case _:
             return False
@@ -92,7 +92,7 @@ def is_fraction_of_line_energy(entry: Entry, world: World) -> bool:
 def is_energy_of_components(entry: Entry, world: World) -> bool:
     """Whether an energy after two spheres meet has one component of a sphere for its speed."""
     meant = meant_by(entry)
-    if not isinstance(meant, Quantity) or meant.kind not in _ENERGIES:
+    if not isinstance(meant, Quantity) or meant.kind not in ENERGIES:
         return False
     for number, pair in _pairs(world):
         if meant.stage not in (None, number):

@@ -15,6 +15,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -461,7 +462,7 @@ def _is_share_by_speeds(entry: Entry, world: World) -> bool:
     (body,) = world.start
     match meant:
         case Binary("/", Quantity(kind, _, late), Quantity("energy", _, early)):
-            if kind not in ("energy", "energy_lost", "total_energy_lost"):
+            if kind not in ENERGIES:
                 return False
             ratio: Expression = Binary(
                 "/", Quantity("speed", (Name(body),), late), Quantity("speed", (Name(body),), early)

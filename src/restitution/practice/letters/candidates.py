@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Literal
 
-from restitution.expression.quantities import Nature
+from restitution.expression.quantities import ANGLES, ENERGIES, Nature
 from restitution.expression.tree import (
     GREEK,
     RIGHT_ANGLE,
@@ -408,8 +408,8 @@ def is_odd(letter: str, quantity: Expression) -> bool:
 
 _KINDS: dict[str, Kind] = {
     **dict.fromkeys(("along", "across", "speed", "velocity"), "component"),
-    **dict.fromkeys(("angle", "direction", "deflection"), "angle"),
-    **dict.fromkeys(("energy", "energy_lost", "total_energy_lost"), "energy"),
+    **dict.fromkeys(ANGLES, "angle"),
+    **dict.fromkeys(ENERGIES, "energy"),
     "impulse": "impulse",
     "time": "time",
     "position": "place",

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Literal
 
-from restitution.expression.quantities import KINDS
+from restitution.expression.quantities import ENERGIES, KINDS
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -441,9 +441,7 @@ _KIND_OF_QUANTITY: dict[str, Kind] = {
     "direction": "angle",
     "deflection": "deflection",
     "impulse": "impulse",
-    "energy": "energy",
-    "energy_lost": "energy",
-    "total_energy_lost": "energy",
+    **dict.fromkeys(ENERGIES, "energy"),
     "mass": "mass",
     "restitution": "coefficient",
     "time": "time",

@@ -13,6 +13,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.lines.marks import Style
 from restitution.explaining.mistakes.consequences import AlteredWorld, altered_world, applying
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
+from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import Binary, Letter, Quantity
 from restitution.practice.marking.scheme import MarkPoint, schemes
 from restitution.problem import Value
@@ -244,9 +245,9 @@ def _possible(item: ItemResult, answer: Answer) -> bool:
         return True
     at_most_1 = False
     match item.item.expression:
-        case Quantity("energy_lost" | "total_energy_lost" | "mass" | "energy" | "speed"):
+        case Quantity(kind) if kind in ENERGIES or kind in ("mass", "speed"):
             pass
-        case Binary("/", Quantity("energy_lost" | "total_energy_lost"), Quantity("energy")):
+        case Binary("/", Quantity(kind), Quantity("energy")) if kind in LOSSES:
             at_most_1 = True
         case Letter(name):
             at_most_1 = name.startswith("e")

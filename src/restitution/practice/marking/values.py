@@ -13,6 +13,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Link
 from restitution.explaining.lines.trees import exchanged
+from restitution.expression.quantities import ANGLES, ENERGIES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -64,10 +65,10 @@ _SEVERAL = 2
 _OF_SEVERAL = ("solve", "value", "fact")
 # The quantities of which a line of a principle speaks.
 _KINDS_OF_FACTS: Mapping[str, frozenset[str]] = {
-    "speed": frozenset({"speed", "energy", "energy_lost", "total_energy_lost"}),
-    "energy": frozenset({"speed", "energy", "energy_lost", "total_energy_lost"}),
-    "deflection": frozenset({"deflection", "angle", "direction"}),
-    "angle": frozenset({"deflection", "angle", "direction", "line_of_centres"}),
+    "speed": ENERGIES | {"speed"},
+    "energy": ENERGIES | {"speed"},
+    "deflection": ANGLES,
+    "angle": ANGLES | {"line_of_centres"},
 }
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import Quantity, is_binary, walk
 from restitution.problem import Find, Problem, trees_of_step
 
@@ -65,7 +66,7 @@ def lost(match: re.Match[str], problem: Problem) -> str:
         for _, step in problem.steps()
         if isinstance(step, Find)
         for tree in trees_of_step(step)
-        if any(isinstance(x, Quantity) and x.kind.endswith("energy_lost") for x in walk(tree))
+        if any(isinstance(x, Quantity) and x.kind in LOSSES for x in walk(tree))
     ]
     if not asked:
         return match[0]

@@ -8,6 +8,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from itertools import pairwise, permutations
 
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
     Expression,
     Letter,
@@ -112,9 +113,7 @@ def _asks_time(problem: Problem) -> bool:
 
 def _is_share(tree: Expression) -> bool:
     """Whether a quantity that is asked is a share of an energy."""
-    return is_binary(tree, "/") and is_quantity(
-        tree.left, "energy", "energy_lost", "total_energy_lost"
-    )
+    return is_binary(tree, "/") and is_quantity(tree.left, *ENERGIES)
 
 
 class _Reader(Chains):

@@ -11,6 +11,7 @@ from typing import TypeGuard
 import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
+from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -42,7 +43,6 @@ from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Impact
 from restitution.vector import Vector
 
-_ENERGIES = frozenset({"energy", "energy_lost", "total_energy_lost"})
 _ANGLES = frozenset({"angle", "direction"})
 Laws = tuple[tuple[str, tuple[str, ...]], ...]
 _NO_VALUES = frozenset({"arithmetic", "component", "fact", "value"})
@@ -415,7 +415,7 @@ def _is_quantity(node: Expression) -> TypeGuard[Quantity]:
 
 
 def _kind(tree: Quantity) -> str | None:
-    if tree.kind in _ENERGIES:
+    if tree.kind in ENERGIES:
         return "energy"
     if tree.kind in _ANGLES:
         return "angle"

@@ -11,6 +11,7 @@ from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.explaining.mistakes.misconceptions import ResultAt, VariantAt, variants_at
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import Expression, Letter, Quantity, walk
 from restitution.practice.judgement import Use
 from restitution.practice.script import Claim, Decimal, Scope
@@ -21,7 +22,7 @@ from restitution.practice.worlds.telling import Meanings
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact
 
-_NAMES: Mapping[str, str] = {"energy_lost": "energy", "total_energy_lost": "energy"}
+_NAMES: Mapping[str, str] = dict.fromkeys(LOSSES, "energy")
 
 
 def altered_results(

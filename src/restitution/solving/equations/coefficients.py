@@ -17,6 +17,7 @@ from restitution import exact
 from restitution.errors import ImpossibleError, RestitutionError
 from restitution.expression.enclosed import Enclosed
 from restitution.expression.evaluate import Angle
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import Expression, Letter, Quantity, letters, line_and_column, walk
 from restitution.expression.writing import write_expression
 from restitution.problem import Event, Impact, Step
@@ -36,7 +37,6 @@ COEFFICIENTS = "a coefficient of restitution lies in [0, 1]"
 OWN = "coefficient {}"  # no name that a letter can have
 STEP = Fraction(1, 10**190)
 SMALL = Fraction(1, 10**47)
-_LOSSES = ("energy_lost", "total_energy_lost")
 Numeric = tuple[Enclosed, ...]
 
 
@@ -124,7 +124,7 @@ def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool
     """
     if any(letters(tree) & wrong.letters for wrong in impossible_coefficients(branch)):
         return True
-    if any(isinstance(node, Quantity) and node.kind in _LOSSES for node in walk(tree)):
+    if any(isinstance(node, Quantity) and node.kind in LOSSES for node in walk(tree)):
         return True  # nothing is lost where a coefficient is above 1
     freed, own = _freed(branch, setting)
     values = {**branch.sample, **own}

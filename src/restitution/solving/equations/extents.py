@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -47,7 +48,7 @@ def _extent(story: Story, tree: Expression, now: int) -> Extent | None:
             return _of_letter(story, name)
         case Quantity("angle", sides) if any(_is_line(story, side) for side in sides):
             return _RIGHT_ANGLE
-        case Quantity("angle" | "deflection"):
+        case Quantity(kind) if kind in UNSIGNED_ANGLES:
             return _HALF_TURN
         case Quantity("direction", (Name(body), *_)) if body in story.spheres:
             sign = story.sign(story.evaluator(now).value(tree).y)

@@ -20,6 +20,7 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import in_letters
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Binary,
     Expression,
@@ -228,7 +229,7 @@ class SourceLeads(LinesAround):
 
     def _is_fraction_lost(self, loss: Quantity, own: Quantity) -> bool:
         """Whether a loss is compared with the energy that a body has when the loss begins."""
-        if own.kind != "energy" or loss.kind not in ("energy_lost", "total_energy_lost"):
+        if own.kind != "energy" or loss.kind not in LOSSES:
             return False
         if not isinstance(own.stage, int) or not isinstance(loss.stage, int):
             return True

@@ -21,6 +21,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
@@ -211,7 +212,7 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             case "opposite-impulses", Quantity("impulse", (Name(body),)) if self._weighs(line):
                 (other,) = (other for other in bodies if other != body)
                 return say("derived-opposite.change", one=body, other=other)
-            case "energy-ratio", Binary("/", Quantity("energy_lost" | "total_energy_lost")):
+            case "energy-ratio", Binary("/", Quantity(kind)) if kind in LOSSES:
                 at_a_wall = event is not None and event.wall and not self._by_speeds(line)
                 name = "fraction-lost.at-a-wall" if at_a_wall else "fraction-lost.title"
             case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):

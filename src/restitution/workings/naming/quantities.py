@@ -15,6 +15,7 @@ from restitution.explaining.lines.derivation import Derivation, Event, Fact, Lin
 from restitution.explaining.lines.layouts import AsTyped, of_relation, of_tree
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.quantities import ANGLES, KINDS
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -177,7 +178,7 @@ class Naming(Moments):
         """A quantity has a letter from now on, and is called by it."""
         if not isinstance(tree, Quantity):
             return
-        if tree.kind in ("angle", "deflection", "direction", "time"):
+        if tree.kind in ANGLES or tree.kind == "time":
             self._own[tree] = lay.letter(letter)
         meaning = self.meanings.get(letter)
         if (
@@ -211,7 +212,7 @@ class Naming(Moments):
                 if tree in self._of_the_statement:
                     return lay.letter(self._of_the_statement[tree])
                 return self._lettered(tree, "t", str(stage) if self._numbered_times else "")
-            case Quantity("angle" | "deflection" | "direction") if tree in self._letters:
+            case Quantity(kind) if kind in ANGLES and tree in self._letters:
                 return self._early(tree)
             case Quantity("deflection", _, _) if tree in terms.inside or terms.often[tree] > 1:
                 turns = {quantity for quantity in terms.often if quantity.kind == "deflection"}
@@ -296,25 +297,13 @@ class Naming(Moments):
                 number in self.events and self.events[number].kind == "kick"
             ):
                 return say("derived.impulse-given", of=(body,))
-            case Quantity("impulse", (Name(body),), _):
-                return self._during(say("derived.impulse", of=(body,)), tree)
-            case Quantity("speed", (Name(body),), _):
-                return self._after(say("derived.speed", of=(body,)), tree, body)
             case Quantity("energy", bodies, stage):
                 words = self._energy(bodies)
                 if isinstance(stage, int) and stage and self._of_other_times(tree):
                     return say("derived.when", quantity=words, when=self._plain_when(stage))
                 return self._after(words, tree, None)
-            case Quantity("momentum", (Name(body),), _):
-                return self._after(say("derived.momentum", of=(body,)), tree, body)
-            case Quantity("momentum", (), _):
-                return self._after(say("derived.momentum-all"), tree, None)
-            case Quantity("energy_lost", _, _):
-                return self._during(say("derived.energy-lost"), tree)
             case Quantity("total_energy_lost", _, _):
                 return say("derived.energy-lost-all" if self.several else "derived.energy-lost")
-            case Quantity("deflection", (Name(body),), _):
-                return self._during(say("derived.deflection", of=(body,)), tree)
             case Quantity("angle", arguments, _):
                 return say("derived.angle", of=tuple(self.side(argument) for argument in arguments))
             case Quantity("time", (), int(stage)) if stage in self.events:
@@ -335,10 +324,25 @@ class Naming(Moments):
                 velocity = Quantity("velocity", tree.arguments, tree.stage)
                 unit = self.layout(Unit("i"))
                 return say("derived.direction", velocity=self.layout(velocity), unit=unit)
+            case Quantity() if (noun := self._noun(tree)) is not None:
+                if KINDS[tree.kind].of_an_event:
+                    return self._during(noun, tree)
+                return self._after(noun, tree, next(iter(names_of(tree)), None))
             case Quantity(_, _, stage) if stage is not None:
                 words = say("derived.value", value=lay.from_tree(self._timeless(tree)))
                 return self._at(words, stage)
         return say("derived.value", value=lay.from_tree(self._timeless(tree)))
+
+    def _noun(self, tree: Quantity) -> Sentence | None:
+        """What the record of a quantity calls it, of spheres or of all; None of any other."""
+        record, names = KINDS[tree.kind], names_of(tree)
+        if not tree.arguments:
+            return say("derived.of-all", noun=record.called_of_all) if record.of_all else None
+        if tree.kind == "velocity" or len(names) < len(tree.arguments) or not record.staged:
+            return None  # a velocity has its letter
+        if any(self.bodies.get(name) == "wall" for name in names):
+            return None
+        return say("derived.of-bodies", noun=record.in_formulas, of=names)
 
     def _between_places(self, ends: tuple[Expression, ...]) -> Sentence | None:
         """A distance between two places of one body; None of another distance."""
@@ -649,6 +653,11 @@ def _turned_left(axis: Unit) -> Expression:
 
 def _number(stage: Stage) -> int | None:
     return stage if isinstance(stage, int) else None
+
+
+def names_of(tree: Quantity) -> tuple[str, ...]:
+    """The names among the arguments of a quantity."""
+    return tuple(argument.name for argument in tree.arguments if isinstance(argument, Name))
 
 
 def letter_of(tree: Expression) -> str | None:

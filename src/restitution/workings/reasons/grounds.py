@@ -20,6 +20,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import evaluate, in_letters
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -141,7 +142,7 @@ def acute_by_its_tangent(
         case ((Link(own),),) if own == tangent:
             return angle if below in cited else None
         case ((*_, Link(own, "<" | "<=", bound)),) if own == angle or is_quantity(
-            own, "angle", "deflection"
+            own, *UNSIGNED_ANGLES
         ):
             if not _is_less_than_90(bound):
                 return None
@@ -257,7 +258,7 @@ def _obtuse(derivation: Derivation, line: Line) -> Iterator[Relation]:
     assert isinstance(line.relation, Relation)
     angle, value = line.relation.only[0].left, line.relation.only[-1].right
     named = meant_by(derivation, angle)
-    if not is_quantity(named, "angle", "deflection"):
+    if not is_quantity(named, *UNSIGNED_ANGLES):
         return
     match value:
         case Binary("-", Degrees(Fraction(numerator=180, denominator=1)), Apply("arctan")):
