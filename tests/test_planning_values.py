@@ -56,6 +56,20 @@ A hits B: along i, e = 1/2
 find momentum(A), momentum(A, 0), momentum, momentum(0), dot(velocity(A), i + 2j)
 find abs(velocity(A)), abs(velocity(A, 0) - velocity(B)), dot(velocity(A) - velocity(B), j)
 """,
+    "components of relative velocities": """
+sphere A: mass 2, velocity 3i + j
+sphere B: mass m, velocity -i + j
+A hits B: along i, e = 1/2
+find along(velocity(B) - velocity(A), line_of_centres), across(velocity(A) + velocity(B), i)
+find along(velocity(A, 0) - velocity(B, 0), line_of_centres)
+""",
+    "components of relative velocities along a slanting line": """
+sphere A: mass 2, velocity u i
+sphere B: mass 1, at rest
+A hits B: along 3i + 4j
+given along(velocity(B) - velocity(A), line_of_centres) = u/5
+find e, along(velocity(A, 0) - velocity(B, 0), line_of_centres)
+""",
     "a product in letters": """
 sphere A: mass m, velocity 2u i + u j
 sphere B: mass 3m, at rest

@@ -150,3 +150,11 @@ def test_its_noun_is_asked_for_and_said_to_students() -> None:
     assert asked.endswith("Find the speed of approach of A and B.")
     tree = read_expression("speed(A, 0) + speed(B, 0)", names=NAMES)
     assert words_of(tree, problem) == "speed of approach of A and B"
+
+
+@pytest.mark.usefixtures("approach")
+def test_its_noun_stands_in_a_working() -> None:
+    solved = restitution.solve(restitution.parse(STORY.format("speed(A, 0) + speed(B, 0)")))
+    text = to_text(restitution.explain(solved, check=True))
+    assert "speed of approach of A and B = " in text
+    assert "does not follow" not in text

@@ -13,6 +13,7 @@ from typing import Any, TypeGuard
 
 from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.defined import quantity_of
 from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
     PARTS,
@@ -63,7 +64,8 @@ def of_tree(
         return _laid_out(printed(tree), frozenset(vectors), ())
 
     def change(node: Expression) -> Expression | None:
-        name = names(node) if isinstance(node, Quantity) or _is_a_share(node) else None
+        own = quantity_of(node) or node
+        name = names(own) if isinstance(own, Quantity) or _is_a_share(own) else None
         if name is None:
             return None
         called[f"q_{len(called)}"] = name

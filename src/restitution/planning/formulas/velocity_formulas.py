@@ -36,6 +36,7 @@ from restitution.planning.formulas.definitions import Formula, itself, write_for
 from restitution.planning.formulas.impacts import blown, in_direction
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
+    difference,
     product,
     square,
     swept,
@@ -429,6 +430,8 @@ def component_formula(scene: Scene, quantity: Quantity) -> Formula:
     match velocity:
         case Quantity("momentum", (Name(of),), int(at)):
             return _component_of_momentum(scene, quantity, of, at)
+        case Binary("+" | "-") as several:
+            return _component_of_two(scene, quantity, several)
     body, stage = body_and_stage(scene, velocity)
     frame = frame_after(scene, body, stage)
     wanted = scene.model.story.direction(direction, scene.events)
@@ -458,6 +461,27 @@ def component_formula(scene: Scene, quantity: Quantity) -> Formula:
     return Formula(
         Move("define", "component", stage or None, (body,)), itself, quantity, right, value, refs
     )
+
+
+def _component_of_two(scene: Scene, quantity: Quantity, several: Binary) -> Formula:
+    """The sum or the difference of the components of two velocities."""
+    one, other = (
+        component_formula(scene, replace(quantity, arguments=(side, quantity.arguments[1])))
+        for side in (several.left, several.right)
+    )
+    trees = tree_of(one.value), tree_of(other.value)
+    sum_of_both = several.op == "+"
+    right = swept(total(trees) if sum_of_both else difference(*trees))
+    value = one.value + other.value if sum_of_both else one.value - other.value
+    refs, move = together(one.refs, other.refs), Move("define", "component")
+    # Who is at rest, or has its velocity among the data, rests on the line of centres as well.
+    direction = quantity.arguments[1]
+    axis = [f"axis {direction.stage}"] if is_quantity(direction, "line_of_centres") else []
+    axis = [name for name in axis if name in scene.facts]
+    needed = scene.judge.enough(move, refs, chain(quantity, (right, None)), axis)
+    if needed is None:
+        raise NotPlannedError("a component of two velocities")
+    return Formula(move, itself, quantity, right, tidy(expanded(value)), needed)
 
 
 def _component_of_momentum(scene: Scene, quantity: Quantity, body: str, stage: int) -> Formula:
