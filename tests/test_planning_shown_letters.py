@@ -12,6 +12,7 @@ from restitution.oracle import Oracle
 from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain, to_text
 
 WALL = "wall W: along i\nsphere P: mass 1/2, velocity {velocity}\nP hits W{e}\n"
 BALL = WALL.format(velocity="6 at alpha to W", e="")
@@ -119,3 +120,27 @@ def test_what_the_facts_make_of_a_letter_is_shown(name: str) -> None:
     line = derivation.line(end.line).relation
     assert isinstance(line, Relation)
     assert (line.only[0].left, line.only[-1].right) == (link.left, link.right)
+
+
+@pytest.mark.parametrize(
+    ("given", "asked", "line", "shown"),
+    [
+        ("energy_lost = 1/4 energy(0)", "1/(3 - 4e^2)", "4e²k = 3k − 1", "k = 1/(3 − 4e²)"),
+        ("velocity(A) = -1/4 u i", "5/(4e - 1)", "4ek = 5 + k", "k = 5/(4e − 1)"),
+    ],
+)
+def test_an_equation_in_which_the_letter_stands_twice_is_multiplied_out(
+    given: str, asked: str, line: str, shown: str
+) -> None:
+    text = f"""
+sphere A: mass m, velocity u i
+sphere B: mass k m, at rest
+A hits B: along i, e = e
+given {given}
+find e in terms of k
+show k = {asked}
+"""
+    printed = to_text(explain(solve(parse(text)), check=True))
+    rows = [" ".join(row.split()) for row in printed.splitlines()]
+    (last,) = [n for n, row in enumerate(rows) if shown in row and "required" in row]
+    assert rows[last - 1] == line

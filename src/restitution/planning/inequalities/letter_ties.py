@@ -36,6 +36,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.gathered_squares import one_square_a_side
+from restitution.planning.closing.letters_cleared import written_by_clearing
 from restitution.planning.closing.ratios import with_the_sum_of_squares
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.inequalities.conditions import has_quantity_in
@@ -313,9 +314,11 @@ class Ties:
         form = isolated(self.scene, expanded(x), symbol)
         if form is None or form[0] != Letter(letter):
             return None
-        relation = equality(form[0], tree_of(form[1]))
+        alone = Link(form[0], "=", tree_of(form[1]))
         pool = [line, *self.worths.known_in(x)]
-        return self.judge.write((Move("rearrange"), Move("cancel")), pool, relation)
+        cleared = written_by_clearing(self.scene, self.judge, pool, alone)
+        moves = (Move("rearrange"), Move("cancel"))
+        return cleared or self.judge.write(moves, pool, Relation(((alone,),)))
 
     def _gap(self, link: Link) -> sp.Expr:
         """Left minus right of an equation, without its denominators."""

@@ -43,6 +43,7 @@ from restitution.planning.angles.angles_by_letters import write_by_equal_letters
 from restitution.planning.angles.deflections import cosine_of_deflection
 from restitution.planning.angles.turning import angle_line, is_angle, write_ratio
 from restitution.planning.closing.complements import has_complement, without_complements
+from restitution.planning.closing.letters_cleared import written_by_clearing
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
@@ -430,6 +431,9 @@ class ShownEquation:
     def _last(self, pool: Sequence[Ref]) -> int | None:
         if pool and isinstance(pool[0], int) and not has_complement(self.link):
             pool = (without_complements(self.scene, pool[0]), *pool[1:])
+        cleared = written_by_clearing(self.scene, self.judge, pool, self.link)
+        if cleared is not None:
+            return cleared
         mark = self.claims.worths.mark()
         halves = self._by_double_angle(pool)
         if halves is not None:
