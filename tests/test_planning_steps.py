@@ -438,3 +438,28 @@ find distance(A, B)
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
     assert "A is at rest, so it stays where it touched B:" in working
     assert "= 3𝐢 − ½𝐢 = (5/2)𝐢 m" in working
+
+
+def test_the_square_of_a_cosine_by_a_tangent_with_roots_is_by_one_and_its_square() -> None:
+    text = """
+sphere P: mass m, velocity u at alpha to W
+wall W
+P hits W: e = 1/3
+given deflection(P) = 60°
+find tan(alpha), speed(P)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    link = "= 3/(20 − 4√13) = 3(5 + √13)/((20 − 4√13)(5 + √13)) = (5 + √13)/16"
+    assert f"cos²α = 1/(1 + ((√39 − 2√3)/3)²) {link} sin²α = (11 − √13)/16" in working
+
+
+def test_a_tangent_of_a_sum_with_roots_below_is_multiplied_through_first() -> None:
+    text = """
+sphere A: mass m, velocity u at 60°
+sphere B: mass m, velocity u at 150°
+A hits B: along i, e = e
+find tan(deflection(A)) in terms of e
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    first = "tan δ = (√3 + (3 − √3)/(2 − √3 + e))/(3(√3 − 1)/(2 − √3 + e) − 1)"
+    assert f"{first} = (√3 + √3 e)/(4√3 − 5 − e) = √3(1 + e)/(4√3 − 5 − e)" in working

@@ -27,7 +27,7 @@ from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.squared_ratios import (
     angles_by_squares,
     keeping,
-    squares_line,
+    squares_lines,
     squares_put,
 )
 from restitution.planning.formulas.definitions import write_formula
@@ -268,11 +268,11 @@ def _product_by_squares(scene: Scene, pair: tuple[Moving, Moving]) -> int | None
         first = chain(subject, (tree, None))
         premises = scene.judge.needed(move, refs, first)
         if put is not None and premises is not None and tidy(scene.scalar(put)) == 0:
-            line = squares_line(scene, symbol)
+            lines = squares_lines(scene, symbol)
             number = scene.desk.write(move, premises, first, shown="inline")
             last = chain(subject, (put, None), (ZERO, "rearrange"))
-            if scene.judge.follows(Move("put"), (number, line), last):
-                return scene.desk.write(Move("put"), (number, line), last)
+            if scene.judge.follows(Move("put"), (number, *lines), last):
+                return scene.desk.write(Move("put"), (number, *lines), last)
         scene.desk.back(mark)
     return None
 

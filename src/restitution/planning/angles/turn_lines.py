@@ -12,7 +12,7 @@ import sympy as sp
 
 from restitution import exact
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Line, Meaning, Move, MoveId, Ref, Relation
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -33,6 +33,7 @@ from restitution.planning.writing.angle_ratios import given_ratio, range_of, wri
 from restitution.planning.writing.angles import RIGHT, STRAIGHT
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import ONE, TWO, difference, product, swept, total, tree_of
+from restitution.planning.writing.one_fraction import multiplied_through
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 from restitution.records import dataclass
@@ -450,7 +451,10 @@ def by_tangents(
         # The value that is given stays where it stands.
         refs = (number, *together(*(term.refs for term in terms)))
         return _with_values(scene, refs, known, (put, final), turned)
-    relation = chain(turned if given is None else given[0], (put, None), (final, "rearrange"))
+    by: MoveId = "rearrange"
+    between = ((tree, by) for tree in multiplied_through(scene, put, final))
+    subject = turned if given is None else given[0]
+    relation = chain(subject, (put, None), *between, (final, by))
     sources = together(*(term.refs for term in terms), () if given is None else given[1])
     refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)

@@ -29,7 +29,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.formulas.definitions import Formula
-from restitution.planning.writing.angle_ratios import range_of
+from restitution.planning.writing.angle_ratios import range_of, square_of_cosine
 from restitution.planning.writing.between import root_of_a_square
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import square, swept, tree_of
@@ -106,7 +106,7 @@ def _write(
     if put is None:
         return None
     value = tidy(scene.scalar(put))
-    line = squares_line(scene, symbol)
+    lines = squares_lines(scene, symbol)
     first = chain(own.left, (right, None))
     end = printed or tree_of(value)
     squares = root_of_a_square(scene, end) if _is_root_of_roots(scene, put) else ()
@@ -117,7 +117,7 @@ def _write(
     if premises is None:
         return None
     number = scene.desk.write(own.move, premises, first, shown="inline")
-    refs = scene.judge.enough(Move("put"), (number, line), last, known)
+    refs = scene.judge.enough(Move("put"), (number, *lines), last, known)
     if refs is None:
         return None
     number = scene.desk.write(Move("put"), refs, last)
@@ -227,8 +227,11 @@ def _squared_tangent(scene: Scene, angle: Letter) -> Source | None:
     return None if scene.unknown(value) else Source(value, (line,))
 
 
-def squares_line(scene: Scene, symbol: sp.Symbol) -> int:
-    """``sin²α = 4/5 and cos²α = 1/5``, by the tangent; it is written once."""
+def squares_lines(scene: Scene, symbol: sp.Symbol) -> tuple[int, ...]:
+    """``sin²α = 4/5 and cos²α = 1/5``, by the tangent; it is written once.
+
+    With a sum of roots that of the cosine comes first, by 1 + tan²α.
+    """
     letter = Letter(symbol.name)
     known = _squared_tangent(scene, letter)
     assert known is not None
@@ -237,15 +240,23 @@ def squares_line(scene: Scene, symbol: sp.Symbol) -> int:
         for kind, value in _squares(scene, symbol).items()
     )
     relation = Relation((links,))
-    standing = scene.judge.standing(relation)
-    if standing is not None:
-        return standing
+    each = [scene.judge.standing(Relation((own,))) for own in (links, links[1:], links[:1])]
+    standing = each[:1] if each[0] is not None else each[1:]
+    if None not in standing:
+        return tuple(filter(None, standing))
     extent, move = range_of(scene, symbol.name), Move("triangle")
     squared = _square_above(scene, Apply("tan", letter))
     if squared is not None and scene.judge.follows(move, (squared, extent), relation):
-        return scene.desk.write(move, (squared, extent), relation)
+        return (scene.desk.write(move, (squared, extent), relation),)
+    tangent = scene.desk.known(Apply("tan", letter))
+    if tangent is not None and expanded(tangent.value**2).is_Add and tangent.value.is_number:
+        cosine = square_of_cosine(scene, letter, tangent)
+        own = scene.desk.last_link(cosine)
+        sine = Relation((links[:1],))
+        if own == links[1] and scene.judge.follows(move, (cosine, extent), sine):
+            return cosine, scene.desk.write(move, (cosine, extent), sine)
     premises: tuple[Ref, ...] = (*known.refs, extent)
-    return scene.desk.write(move, premises, relation)
+    return (scene.desk.write(move, premises, relation),)
 
 
 def _square_above(scene: Scene, tangent: Apply) -> int | None:

@@ -318,7 +318,7 @@ class Ties:
         pool = [line, *self.worths.known_in(x)]
         cleared = written_by_clearing(self.scene, self.judge, pool, alone)
         moves = (Move("rearrange"), Move("cancel"))
-        return cleared or self.judge.write(moves, pool, Relation(((alone,),)))
+        return cleared or self.judge.write(moves, pool, equality(alone.left, alone.right))
 
     def _gap(self, link: Link) -> sp.Expr:
         """Left minus right of an equation, without its denominators."""

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Fact, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Fact, Link, Move, MoveId, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, chain
 from restitution.planning.writing.forms import ONE, square, total, tree_of
@@ -123,7 +123,7 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         refs = known.refs
         nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
         if ratio == "tan" and nested and known.value.is_number:
-            refs = (_square_of_cosine(scene, letter, known),)
+            refs = (square_of_cosine(scene, letter, known),)
         premises = (*refs, range_of(scene, symbol.name))
         number = scene.desk.write(Move("triangle"), premises, Relation((links,)))
         for own in kinds:
@@ -144,11 +144,16 @@ def _in_numbers(
     return Source(value, (number,)), scene.put(angle)[0]
 
 
-def _square_of_cosine(scene: Angles, letter: Letter, tangent: Source) -> int:
+def square_of_cosine(scene: Angles, letter: Letter, tangent: Source) -> int:
     """``cos²α = 1/(1 + tan²α)`` with a tangent that has roots put in, and what that comes to."""
     squared = square(Apply("cos", letter))
     whole = Binary("/", ONE, total((ONE, square(tree_of(tangent.value)))))
     premises = (*tangent.refs, range_of(scene, letter.name))
     first = scene.desk.write(Move("triangle"), premises, chain(squared, (whole, None)))
-    value = tidy(sp.radsimp(1 / sp.expand(1 + tangent.value**2)))
-    return scene.desk.write(Move("rearrange"), (first,), chain(squared, (tree_of(value), None)))
+    above, below = sp.fraction(sp.together(sp.expand(1 + tangent.value**2)))
+    value = tidy(sp.radsimp(below / above))
+    steps = [Binary("/", tree_of(below), tree_of(sp.expand(above), as_it_is=True)), tree_of(value)]
+    one, *rest = dict.fromkeys(steps)
+    by: MoveId = "rearrange"
+    relation = chain(squared, (one, None), *((tree, by) for tree in rest))
+    return scene.desk.write(Move("rearrange"), (first,), relation)

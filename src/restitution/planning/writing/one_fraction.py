@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Relation
-from restitution.expression.tree import Binary, Expression, has_quantity, is_binary
+from restitution.expression.tree import Binary, Expression, has_quantity, is_binary, walk
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import (
     alike,
@@ -49,6 +49,63 @@ def added_up(scene: Scene, subject: Expression, right: Expression, value: sp.Exp
     final = tree_of(value)
     between = over_one_line(scene, right, final)
     return chain(subject, (right, None), *((tree, "rearrange") for tree in (*between, final)))
+
+
+def multiplied_through(scene: Scene, right: Expression, final: Expression) -> list[Expression]:
+    """A quotient of sums of quotients, with both multiplied by the sum with roots below these.
+
+    None where no root stands there: that is one step with what cancels in it.
+    """
+    if not is_binary(right, "/") or has_quantity(right):
+        return []
+    divisors = [
+        sp.sympify(scene.scalar(node.right), strict=True)
+        for node in walk(right)
+        if is_binary(node, "/") and node != right
+    ]
+    sums = [value for value in divisors if value.is_Add and value.free_symbols]
+    below = next(iter(sums), sp.Integer(1))
+    if not _has_root(below) or any(expanded(e**2 - below**2) != 0 for e in sums):
+        return []
+    stand_in = sp.Dummy("below", positive=True)
+    same = {value: stand_in if expanded(value - below) == 0 else -stand_in for value in sums}
+    tops: list[sp.Expr] = []
+    for side in (right.left, right.right):
+        value = sp.sympify(scene.scalar(side), strict=True)
+        top = expanded(
+            expanded(value.xreplace({1 / e: 1 / own for e, own in same.items()})) * stand_in
+        )
+        tops.append(expanded(top.xreplace({stand_in: below})))
+    if any(len(top.args) > _MOST_TERMS for top in tops):
+        return []
+    if all(_leading_sign(top) < 0 for top in tops):
+        tops = [-top for top in tops]
+    tree = Binary("/", *map(_collected, tops))
+    return [] if any(alike(tree, own) for own in (right, final)) else [tree]
+
+
+def _collected(value: sp.Expr) -> Expression:
+    """A sum with what has the same letters put together: ``6 + 2sqrt(3) + (6 + 2sqrt(3)) e``."""
+    shares: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(value):
+        share, rest = term.as_independent(*value.free_symbols, as_Add=False)
+        shares[rest] = shares.get(rest, sp.Integer(0)) + share
+    terms: list[Expression] = []
+    for rest in sorted(shares, key=lambda own: (sp.total_degree(own), str(own))):
+        own = shares[rest]
+        tree = product(tree_of(abs(own) if own.is_number else own), tree_of(rest))
+        terms.append(negative(tree) if own.is_negative else tree)
+    return total(terms)
+
+
+def _has_root(value: sp.Expr) -> bool:
+    return any(power.is_number and not power.exp.is_Integer for power in value.atoms(sp.Pow))
+
+
+def _leading_sign(value: sp.Expr) -> int:
+    """The sign of the term that stands first in a sum: that without a letter, or else any."""
+    number, _ = value.as_independent(*value.free_symbols, as_Add=True)
+    return -1 if number.is_negative else 1
 
 
 def _lines(terms: list[sp.Expr]) -> list[Expression]:
@@ -93,4 +150,4 @@ def _quotient(common: sp.Expr, inner: Expression, below: sp.Expr) -> Expression:
     return Binary("/", product(*sums, *rest), tree_of(below))
 
 
-__all__ = ["added_up", "over_one_line"]
+__all__ = ["added_up", "multiplied_through", "over_one_line"]
