@@ -40,9 +40,9 @@ from restitution.expression.tree import (
 from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.workings.leads.component_leads import is_square
+from restitution.workings.leads.leads import Leads
 from restitution.workings.leads.lines_around import is_rest
 from restitution.workings.leads.scalar_products import slope_title
-from restitution.workings.leads.titles import Leads
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.facts import fact_in_words, velocity_given
 from restitution.workings.naming.sources import is_vector
@@ -65,13 +65,54 @@ _PRODUCTS: Mapping[str, SentenceId] = {
 }
 
 
+# A fact with a body that moves along a line: whether it was at rest, and what the fact gives.
+_FROM_REST: Mapping[tuple[bool, str], SentenceId] = {
+    (True, "along"): "given.fact-from-rest",
+    (False, "along"): "given.fact-along",
+    (True, "square"): "given.square-to-from-rest",
+    (False, "square"): "given.square-to",
+    (True, "product"): "given.product-from-rest",
+    (False, "product"): "given.product-along",
+}
+
+
+def _is_without_component(line: Line) -> bool:
+    """Whether a line says that the component across a given direction is zero."""
+    assert isinstance(line.relation, Relation)
+    return line.move.record == "parallel" and is_zero(line.relation.options[0][-1].right)
+
+
 class GivenLeads(Leads):
     """All words before lines, those that take what is given among them."""
 
     def given(self, line: Line) -> tuple[Sentence, ...]:
         """The given fact that a definition turns into an equation."""
-        if line.move.id != "define":
+        facts = self._facts_turned(line) if line.move.id == "define" else []
+        if len(facts) != 1:
             return ()
+        (fact,) = facts
+        self._given.add(fact.id)
+        sentence = fact_in_words(self._naming, fact)
+        # The first that fits is said: what comes before says more of a line than what comes after.
+        for lead in (
+            self._with_its_path,
+            self._of_a_given_vector,
+            self._of_a_sense_past,
+            self._of_a_letter,
+            self._of_a_component,
+            self._of_a_product,
+            self._along_a_line,
+            self._of_energies,
+            self._of_an_angle,
+        ):
+            sentences = lead(line, fact, sentence)
+            if sentences is not None:
+                return sentences
+        offset = self._sine_of_an_offset(line)
+        return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+
+    def _facts_turned(self, line: Line) -> list[Fact]:
+        """The given facts that a line turns into an equation, without the values put in."""
         facts = [
             fact
             for ref in (*line.premises, *self._under_a_tie(line))
@@ -91,131 +132,179 @@ class GivenLeads(Leads):
         if line.move.record in ("sum", "difference"):
             # An angle of the data is a value too.
             facts = [fact for fact in facts if any(map(has_quantity, trees_of(fact.relation)))]
-        if len(facts) != 1:
-            return ()
-        self._given |= {fact.id for fact in facts}
-        sentence = fact_in_words(self._naming, facts[0])
+        return facts
+
+    def _with_its_path(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """A turn with the slope of the path, a tangent with the body that moves along a line."""
         if (path := slope_title(self._naming, line)) is not None and line.move.record == "turned":
             return (say("given.and", fact=sentence), path)
         along = self._moving_along(line)
-        if along is not None and line.move.record == "tan":
-            rested = self.tells_of_rest(along, line.move.event or 0, line)
-            sentence_id: SentenceId = "given.fact-from-rest" if rested else "given.fact-along"
-            return (say(sentence_id, fact=sentence, body=along),)
-        match facts[0].relation.options[0][0]:
+        if along is None or line.move.record != "tan":
+            return None
+        rested = self._rested(line, along)
+        return (say(_FROM_REST[rested, "along"], fact=sentence, body=along),)
+
+    def _rested(self, line: Line, body: str) -> bool:
+        """Whether it is said on a line that a body was at rest before the event."""
+        return self.tells_of_rest(body, line.move.event or 0, line)
+
+    def _of_a_given_vector(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """A velocity that is given, and a direction at right angles to **i**."""
+        match fact.relation.options[0][0]:
             case Link(Quantity("velocity", _, _), "=", right) if isinstance(sentence, lay.Layout):
                 if not has_quantity(right):
                     return ()  # a velocity that is given is a datum
                 resolved = self.resolved(line) if line.move.record == "component" else None
                 if resolved is not None:
                     return (say("given.and", fact=sentence), resolved)
-        match facts[0].relation.options[0][0]:
             case Link(Quantity("direction", (Name() as body,), stage), "=", angle) if is_square(
                 angle
             ):
                 velocity = self._naming.layout(Quantity("velocity", (body,), stage))
                 axis = self._naming.layout(Unit("i"))
                 return (say("given.direction", fact=sentence, velocity=velocity, axis=axis),)
-        past = past_a_right_angle(self._opened(facts[0].relation.options[0][0]))
-        match self._opened(facts[0].relation.options[0][0]).left:
-            case Quantity("direction") if line.move.record == "perpendicular" and past is not None:
-                velocity, axis = map(self._naming.layout, past[:2])
-                name = _BEHIND[past[2]]
-                return (say(name, fact=sentence, velocity=velocity, axis=axis),)
-        named = isinstance(facts[0].relation.options[0][0].left, Letter)
-        if named and line.move.record == "perpendicular" and past is not None:
-            if isinstance(past[1], Unit):
-                part = _PARTS.get(past[2])
-                if part is None:
-                    return (say("derived.since", facts=(sentence,)),)
-                velocity, axis = map(self._naming.layout, past[:2])
-                signed = say(part, velocity=velocity, axis=axis)
-                return (say("given.so-signed", fact=sentence, sign=signed),)
-            return (say(_PRODUCTS[past[2]], fact=sentence, product=self._product_of(facts[0])),)
-        if named and not isinstance(sentence, Sentence):
-            if self.title(line) is not None:
-                own = facts[0].relation.options[0][0].left
-                of_the_motion = {
-                    fact.relation.only[0].right
-                    for fact in self._derivation.facts
-                    if fact.id.partition(" ")[0] == "let"
-                }
-                if own not in of_the_motion and not any(
-                    own in walk(tree) for tree in trees_of(line.relation)
-                ):
-                    return ()  # a value of the data, which is put in
-                self._behind[line.number] = say("derived.as", reasons=(sentence,))
-                return ()
+        return None
+
+    def _of_a_sense_past(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """The sign of a component or of a product, from an angle that is acute or obtuse."""
+        first = fact.relation.options[0][0]
+        opened = self._opened(first)
+        past = past_a_right_angle(opened) if line.move.record == "perpendicular" else None
+        if past is None:
+            return None
+        if is_quantity(opened.left, "direction"):
+            velocity, axis = map(self._naming.layout, past[:2])
+            return (say(_BEHIND[past[2]], fact=sentence, velocity=velocity, axis=axis),)
+        if not isinstance(first.left, Letter):
+            return None
+        if not isinstance(past[1], Unit):
+            return (say(_PRODUCTS[past[2]], fact=sentence, product=self._product_of(fact)),)
+        part = _PARTS.get(past[2])
+        if part is None:
             return (say("derived.since", facts=(sentence,)),)
+        velocity, axis = map(self._naming.layout, past[:2])
+        signed = say(part, velocity=velocity, axis=axis)
+        return (say("given.so-signed", fact=sentence, sign=signed),)
+
+    def _of_a_letter(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """The value of a letter, which stands behind a line that has a title."""
+        own = fact.relation.options[0][0].left
+        if not isinstance(own, Letter) or isinstance(sentence, Sentence):
+            return None
+        if self.title(line) is None:
+            return (say("derived.since", facts=(sentence,)),)
+        of_the_motion = {
+            fact.relation.only[0].right
+            for fact in self._derivation.facts
+            if fact.id.partition(" ")[0] == "let"
+        }
+        if own in of_the_motion or any(own in walk(tree) for tree in trees_of(line.relation)):
+            self._behind[line.number] = say("derived.as", reasons=(sentence,))
+        return ()  # any other is a value of the data, which is put in
+
+    def _of_a_component(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """A component that a fact gives by its letter, by a right angle or by a turn."""
         assert isinstance(line.relation, Relation)
-        match facts[0].relation.options[0][0], line.relation.only:
+        record = line.move.record
+        match fact.relation.options[0][0], line.relation.only:
             case Link(Quantity("velocity"), "perpendicular to", Unit() as unit), (link,) if (
-                line.move.record == "perpendicular" and is_zero(link.right)
+                record == "perpendicular" and is_zero(link.right)
             ):
                 return (say("given.component", fact=sentence, axis=self._naming.layout(unit)),)
-        by_angles = line.move.record in ("sum", "difference", "tan-from-axis")
+        by_angles = record in ("sum", "difference", "tan-from-axis")
         if by_angles and len(line.move.bodies) == 1:
             turned = self._turned(line)
             if turned is not None:
                 return (say("given.and", fact=sentence), turned)
-        if line.move.record == "perpendicular" and (pair := self._square_to_the_line(line)):
-            rested = self.tells_of_rest(pair[0], line.move.event or 0, line)
-            square: SentenceId = "given.square-to-from-rest" if rested else "given.square-to"
-            return (say(square, fact=sentence, one=pair[0], other=pair[1]),)
-        nothing = is_zero(line.relation.options[0][-1].right)
-        no_component = line.move.record == "parallel" and nothing
-        if isinstance(line.relation.options[0][0].left, Letter) and not no_component:
-            off = line.move.bodies[0] if line.move.record == "component" else None
-            if off is not None and self.tells_of_rest(off, line.move.event or 0, line):
-                return (say("given.fact-from-rest", fact=sentence, body=off),)
-            return (say("given.fact", fact=sentence),)
-        if line.move.record == "perpendicular" and past is not None:
-            return (say(_PRODUCTS[past[2]], fact=sentence, product=self._product_of(facts[0])),)
-        if line.move.record == "perpendicular" and nothing:
-            match line.relation.options[0][0].left:
-                case Quantity("along" | "across"):
-                    pass
-                case Binary("*") if (mover := self._on_the_line(line)) is not None:
-                    rested = self.tells_of_rest(mover, line.move.event or 0, line)
-                    if rested:
-                        return (say("given.product-from-rest", fact=sentence, body=mover),)
-                    return (say("given.product-along", fact=sentence, body=mover),)
-                case _:
-                    return (self._product_is_zero(line, facts[0]),)
-        direction = facts[0].relation.options[0][0].right
+        if record == "perpendicular" and (pair := self._square_to_the_line(line)):
+            name = _FROM_REST[self._rested(line, pair[0]), "square"]
+            return (say(name, fact=sentence, one=pair[0], other=pair[1]),)
+        left = line.relation.options[0][0].left
+        if not isinstance(left, Letter) or _is_without_component(line):
+            return None
+        off = line.move.bodies[0] if record == "component" else None
+        if off is not None and self._rested(line, off):
+            return (say("given.fact-from-rest", fact=sentence, body=off),)
+        return (say("given.fact", fact=sentence),)
+
+    def _of_a_product(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """The scalar product of velocities at right angles, or past one."""
+        if line.move.record != "perpendicular":
+            return None
+        assert isinstance(line.relation, Relation)
+        first, last = line.relation.options[0][0], line.relation.options[0][-1]
+        past = past_a_right_angle(self._opened(fact.relation.options[0][0]))
+        if past is not None:
+            return (say(_PRODUCTS[past[2]], fact=sentence, product=self._product_of(fact)),)
+        if not is_zero(last.right) or is_quantity(first.left, "along", "across"):
+            return None
+        mover = self._on_the_line(line) if is_binary(first.left, "*") else None
+        if mover is None:
+            return (self._product_is_zero(line, fact),)
+        return (say(_FROM_REST[self._rested(line, mover), "product"], fact=sentence, body=mover),)
+
+    def _along_a_line(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """A direction that is given: no component across it, or components in proportion."""
+        if line.move.record != "parallel":
+            return None
+        assert isinstance(line.relation, Relation)
+        nothing = _is_without_component(line)
+        direction = fact.relation.options[0][0].right
         other = _across(self._of_a_wall(direction))
-        if no_component and other is not None:
+        if nothing and other is not None:
             return (say("given.component", fact=sentence, axis=self._naming.layout(other)),)
-        if no_component and isinstance(direction, Name) and self._is_wall(direction.name):
+        if nothing and isinstance(direction, Name) and self._is_wall(direction.name):
             return (say("given.component-off", fact=sentence, wall=direction.name),)
-        if line.move.record == "parallel":
-            match line.relation.options[0][0].left:
-                case Quantity("along") if nothing:
-                    return (say("given.fact", fact=sentence),)
-            straight = self._straight_on(line, sentence) if nothing else None
-            return straight or (say("given.proportion", fact=sentence),)
+        if nothing and is_quantity(line.relation.options[0][0].left, "along"):
+            return (say("given.fact", fact=sentence),)
+        straight = self._straight_on(line, sentence) if nothing else None
+        return straight or (say("given.proportion", fact=sentence),)
+
+    def _of_energies(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """What is given of energies, with the components or the mass that are left out."""
         if line.move.record in ("energy-lost", "energy-change") and not self._by_speeds(line):
             event = self._naming.events.get(line.move.event or 0)
             spheres = line.move.record == "energy-lost" and event is not None and not event.wall
-            name = "given.by-those-that-change" if spheres else "given.by-what-changes"
+            name: SentenceId = "given.by-those-that-change" if spheres else "given.by-what-changes"
             return (say("given.and", fact=sentence), say(name))
-        if line.move.record == "scalar-angle" and (lead := self._cosine_told(line, facts[0])):
+        if line.move.record not in ("energy-ratio", "fraction-lost"):
+            return None
+        wall = self._wall_without_what_stays(line)
+        if wall is not None:
+            return (say("given.fact-across-wall", fact=sentence, wall=wall),)
+        return (say("given.fact-without-mass", fact=sentence),)
+
+    def _of_an_angle(
+        self, line: Line, fact: Fact, sentence: Sentence | lay.Layout
+    ) -> tuple[Sentence, ...] | None:
+        """An angle by its cosine or its tangent, with the body that moves along one line."""
+        record = line.move.record
+        if record == "scalar-angle" and (lead := self._cosine_told(line, fact)):
             return lead
-        by_a_tangent = line.move.record in ("tan", "tan-direction")
-        if by_a_tangent and (still := self._standing(line).get("along")):
+        if record not in ("tan", "tan-direction"):
+            return None
+        if still := self._standing(line).get("along"):
             return (say("given.fact-across", fact=sentence, body=still),)
-        along_ = line.move.record == "tan" and self._moves_along(line)
-        if (along_ or line.move.record == "tan-direction") and self.tells_of_rest(
-            line.move.bodies[0], line.move.event or 0, line
-        ):
+        along = record == "tan-direction" or self._moves_along(line)
+        if along and self._rested(line, line.move.bodies[0]):
             return (say("given.fact-from-rest", fact=sentence, body=line.move.bodies[0]),)
-        if line.move.record in ("energy-ratio", "fraction-lost"):
-            wall = self._wall_without_what_stays(line)
-            if wall is not None:
-                return (say("given.fact-across-wall", fact=sentence, wall=wall),)
-            return (say("given.fact-without-mass", fact=sentence),)
-        offset = self._sine_of_an_offset(line)
-        return (*offset, self._and_its_sense(line, sentence) or say("given.fact", fact=sentence))
+        return None
 
     def _is_of_both_velocities(self, ref: Ref) -> bool:
         """Whether a fact is about two velocities, as those before and after an impact."""

@@ -107,6 +107,7 @@ class SourceLeads(LinesAround):
         ]
 
     def _source(self, source: Source, line: Line) -> Iterator[Sentence]:
+        """What is said of where a line comes from: from which equations, and by what step."""
         equations = self._numbers(source)
         match source.kind:
             case "combine":
@@ -136,57 +137,7 @@ class SourceLeads(LinesAround):
             case "put" if not source.facts and is_multiple(line.relation):
                 yield say("derived.multiple")
             case "put":
-                facts = tuple(self._fact(fact) for fact in self._as_stated(source.facts))
-                self._given |= {*source.facts}
-                spoken = self._spoken_of(source)
-                # What a line says anew of its own letter is not put into it.
-                subject = None if isinstance(line.relation, Meaning) else _subject(line.relation)
-                letters = tuple(
-                    self._named(self._replaced(letter, line))
-                    for letter in source.letters
-                    if spoken.isdisjoint(walk(letter)) and letter != subject
-                )
-                is_claim = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
-                moves = self._moves(source.facts)
-                if facts and facts[0] == self._written(line):
-                    yield say("given.data")
-                elif len(facts) == 1 and is_claim:
-                    meeting = self._meeting(source.facts[0], line)
-                    yield meeting or say("given.fact", fact=facts[0])
-                elif moves is not None and not equations:
-                    body, direction, moving = moves
-                    if letters and not source.last:
-                        yield say(
-                            "derived.moves-put",
-                            body=body,
-                            way=direction,
-                            fact=moving,
-                            letters=letters,
-                        )
-                    else:
-                        yield say("derived.moves", body=body, way=direction, fact=moving)
-                elif facts and letters and not source.last and not equations:
-                    yield say("derived.since-put", facts=facts, letters=letters)
-                elif facts and letters and not source.last and len(equations) == 1:
-                    yield say(
-                        "derived.since-put-in", facts=facts, letters=letters, equation=equations[0]
-                    )
-                elif facts and equations:
-                    yield say("derived.since-in", facts=facts, equations=equations)
-                elif len(facts) == 1 and isinstance(facts[0], Sentence):
-                    yield say("given.fact", fact=facts[0])
-                elif facts:
-                    yield say("derived.since", facts=facts)
-                elif letters and len(equations) == 1 and source.last:
-                    yield say("derived.put-last", equation=equations[0])
-                elif letters and len(equations) == 1 and self._stand_in(source):
-                    yield say("derived.put-in", letters=letters, equation=equations[0])
-                elif equations and not facts:
-                    yield say("derived.add", equations=equations)
-                elif letters and not source.last:
-                    yield say("derived.put", letters=letters)
-                elif equations:
-                    yield say("derived.add", equations=equations)
+                yield from self._put(source, line, equations)
             case _:
                 compared = compared_quantities(self._derivation, line)
                 if compared is not None and equations:
@@ -195,6 +146,58 @@ class SourceLeads(LinesAround):
                     yield say("given.fact-from", fact=words, equations=equations)
                 elif equations:
                     yield say("derived.add", equations=equations)
+
+    def _put(
+        self, source: Source, line: Line, equations: tuple[Sentence, ...]
+    ) -> Iterator[Sentence]:
+        """Which facts and values a line puts in, and into which equations."""
+        facts = tuple(self._fact(fact) for fact in self._as_stated(source.facts))
+        self._given |= {*source.facts}
+        letters = self._letters_put(source, line)
+        is_claim = any(isinstance(e, Sentence) and e.topic == "claim" for e in facts)
+        moves = self._moves(source.facts)
+        put = bool(letters) and not source.last
+        if facts and facts[0] == self._written(line):
+            yield say("given.data")
+        elif len(facts) == 1 and is_claim:
+            yield self._meeting(source.facts[0], line) or say("given.fact", fact=facts[0])
+        elif moves is not None and not equations:
+            body, direction, moving = moves
+            if put:
+                yield say(
+                    "derived.moves-put", body=body, way=direction, fact=moving, letters=letters
+                )
+            else:
+                yield say("derived.moves", body=body, way=direction, fact=moving)
+        elif facts and put and not equations:
+            yield say("derived.since-put", facts=facts, letters=letters)
+        elif facts and put and len(equations) == 1:
+            yield say("derived.since-put-in", facts=facts, letters=letters, equation=equations[0])
+        elif facts and equations:
+            yield say("derived.since-in", facts=facts, equations=equations)
+        elif len(facts) == 1 and isinstance(facts[0], Sentence):
+            yield say("given.fact", fact=facts[0])
+        elif facts:
+            yield say("derived.since", facts=facts)
+        elif letters and len(equations) == 1 and source.last:
+            yield say("derived.put-last", equation=equations[0])
+        elif letters and len(equations) == 1 and self._stand_in(source):
+            yield say("derived.put-in", letters=letters, equation=equations[0])
+        elif equations:
+            yield say("derived.add", equations=equations)
+        elif put:
+            yield say("derived.put", letters=letters)
+
+    def _letters_put(self, source: Source, line: Line) -> tuple[Sentence | lay.Layout, ...]:
+        """The letters that a line puts in, by name, without those of which its facts speak."""
+        spoken = self._spoken_of(source)
+        # What a line says anew of its own letter is not put into it.
+        subject = None if isinstance(line.relation, Meaning) else _subject(line.relation)
+        return tuple(
+            self._named(self._replaced(letter, line))
+            for letter in source.letters
+            if spoken.isdisjoint(walk(letter)) and letter != subject
+        )
 
     def _as_stated(self, facts: Iterable[str]) -> list[str]:
         """Facts in the order in which the statement gives them."""

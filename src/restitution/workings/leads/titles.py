@@ -1,17 +1,15 @@
-"""What stands before the rows of a line: its title, and how it comes from the lines above."""
+"""The title of a line: the principle or the definition by which it is made."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
 
-from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import letter_of_offset
-from restitution.explaining.laws.principles import RECORDS
+from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import (
     FLIPPED,
-    Fact,
+    Event,
     Line,
     Link,
     Meaning,
@@ -23,37 +21,23 @@ from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
-    RIGHT_ANGLE,
-    STRAIGHT_ANGLE,
     Apply,
     Binary,
-    Degrees,
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Quantity,
     Unit,
-    has_quantity,
     is_binary,
     is_quantity,
     is_zero,
     letters,
-    unsigned,
     walk,
 )
 from restitution.workings.leads.component_leads import ComponentLeads
-from restitution.workings.leads.extremes import value_compared
 from restitution.workings.leads.flights import chord_title, distance_title, flight_title
-from restitution.workings.leads.offsets import (
-    angle_of_offset,
-    is_offset,
-    offset_sentence,
-)
-from restitution.workings.leads.one_component import went_from_rest
 from restitution.workings.leads.scalar_products import product_title, slope_title
-from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_normal
 from restitution.workings.leads.shapes_of_lines import (
     body_read_off,
     ratio_below,
@@ -61,12 +45,7 @@ from restitution.workings.leads.shapes_of_lines import (
     under_a_root,
 )
 from restitution.workings.leads.source_leads import SourceLeads
-from restitution.workings.leads.touching import touching_beside
-from restitution.workings.leads.turn_leads import BY, TurnLeads
-from restitution.workings.naming.facts import fact_in_words
-from restitution.workings.naming.measured import worth
-from restitution.workings.reasons.factors import cosine_divided, factor_cancelled
-from restitution.workings.reasons.in_any_case import range_behind
+from restitution.workings.leads.turn_leads import TurnLeads
 
 TITLED = frozenset({"law", "define"})
 
@@ -83,8 +62,8 @@ def _has_one_component(value: Expression) -> bool:
     return is_zero(value) or len([node for node in walk(value) if isinstance(node, Unit)]) == 1
 
 
-class Leads(SourceLeads, TurnLeads, ComponentLeads):
-    """The words before the rows of one derivation, written from the top."""
+class Titles(SourceLeads, TurnLeads, ComponentLeads):
+    """The titles of the lines of one derivation: the principles and definitions that they use."""
 
     def _under_a_tie(self, line: Line) -> tuple[Ref, ...]:
         """What a velocity along a line rests on, where no line says what it has across that."""
@@ -97,10 +76,6 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             if line.shown == "silent" and line.move.record in ("parallel", "perpendicular")
             for ref in line.premises
         )
-
-    def behind(self, line: Line) -> tuple[Sentence, ...]:
-        """The value of a letter that a definition puts in, which stands behind the line."""
-        return (self._behind[line.number],) if line.number in self._behind else ()
 
     def _is_of_the_component_above(self, line: Line) -> bool:
         """Whether a velocity along **i** or **j** has the component that the line above says."""
@@ -155,76 +130,62 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
     def title(self, line: Line) -> Sentence | None:
         """The principle or definition of a line; None where the line speaks for itself."""
         record = RECORDS.get(line.move.record or "")
-        if line.move.id not in TITLED or record is None or self.resolves(line):
-            return None
-        if letter_of_offset(line) is not None:
-            return None
-        if record.id == "parallel" and (
-            body_read_off(line)
-            or read_off_lines(self._derivation, line)
-            or self._seen(line)
-            or self._since_nothing(line)
-        ):
-            return None
-        if self._direction_again(line) is not None:
-            return None
-        if self._about_directions(line) is not None:
+        if record is None or self._speaks_for_itself(line, record):
             return None
         event = self._naming.events.get(line.move.event or 0)
         bodies = line.move.bodies or (() if event is None else event.bodies)
-        assert isinstance(line.relation, Relation)
-        first, last = line.relation.options[0][0], line.relation.options[0][-1]
         if (kept := self.kept_speed(line, event)) is not None:
             return kept
-        # What is lost in all is lost in the one impact.
-        lost = record.id == "total-lost" and not self._naming.several and not self._by_speeds(line)
-        name = (RECORDS["energy-lost"] if lost else record).title(event)
         if record.id == "straight-line" and line.move.bodies:
             return flight_title(self._derivation, self._naming, line)
         if record.id == "chord":
             return chord_title(self._derivation, line, "" if event is None else event.bodies[-1])
         if record.id == "distance":
             return distance_title(self._derivation, line)
+        name = self._name(record, line, event, bodies)
+        if name is None or isinstance(name, Sentence):
+            return name
+        return self._sentence(name, line, event, bodies)
+
+    def _speaks_for_itself(self, line: Line, record: Record) -> bool:
+        """Whether a line has no title, whatever its principle is called."""
+        if line.move.id not in TITLED or self.resolves(line):
+            return True
+        if letter_of_offset(line) is not None:
+            return True
+        if record.id == "parallel" and (
+            body_read_off(line)
+            or read_off_lines(self._derivation, line)
+            or self._seen(line)
+            or self._since_nothing(line)
+        ):
+            return True
+        return self._direction_again(line) is not None or self._about_directions(line) is not None
+
+    def _name(
+        self, record: Record, line: Line, event: Event | None, bodies: tuple[str, ...]
+    ) -> SentenceId | Sentence | None:
+        """What the principle is called on a line: the id of its title, or all that is said."""
+        assert isinstance(line.relation, Relation)
+        first, last = line.relation.options[0][0], line.relation.options[0][-1]
         match record.id, first.left:
             case "momentum", _ if all(map(self._is_of_one, bodies)):
-                name = "momentum.of-one"
-            case "assemble", _ if self._under_a_tie(line):
-                return None  # the given fact says so
-            case "assemble", _ if self._goes_off(line):
-                return say("derived-speed.along-from-rest", body=bodies[0])
-            case "assemble", _ if self._is_of_the_component_above(line):
-                return None
-            case "assemble", Quantity("velocity", (Name(body),), _) if self._is_out_of_it(body):
-                now = self._naming.events[self._naming.now or 0]
-                return say("derived-assembled.still", body=body, event=self._naming.called(now))
-            case "assemble", Quantity("velocity") if one := self._one_component(line):
-                return None if self._in_one_line(event) else one
-            case "assemble", Quantity("position", _, _) if self._is_below_its_coordinate(line):
-                return None
-            case "assemble", Quantity("position", _, _):
-                name = "derived-place.title"
+                return "momentum.of-one"
+            case "assemble", _:
+                return self._assembled(record, line, event, bodies)
             case "impulse-vector", _ if (
                 event is not None and event.kind == "impact" and self._by_components(line)
             ):
-                name = RECORDS["impulse"].title(event)  # a component times its unit vector
+                return RECORDS["impulse"].title(event)  # a component times its unit vector
             case "product", _ if wall := self._along_which(line):
                 return say("derived-product.along", wall=wall)
             case "opposite-impulses", Quantity("impulse", (Name(body),)) if self._weighs(line):
                 (other,) = (other for other in bodies if other != body)
                 return say("derived-opposite.change", one=body, other=other)
-            case "energy-ratio", Binary("/", Quantity(kind)) if kind in LOSSES:
-                at_a_wall = event is not None and event.wall and not self._by_speeds(line)
-                name = "fraction-lost.at-a-wall" if at_a_wall else "fraction-lost.title"
-            case "energy-lost", _ if not any(isinstance(ref, int) for ref in line.premises):
-                name = "derived-energy.title"  # by speeds of the data
-            case "energy-lost", _ if self._by_speeds(line):
-                name = "derived-energy.title"
-            case "energy-lost", _ if event is not None and event.kind == "kick":
-                name = "derived-energy.title"
-            case "energy-lost" | "total-lost", _ if self._is_direct(event):
-                name = "derived-energy.title"
+            case "energy-ratio" | "energy-lost" | "total-lost", _:
+                return self._of_energy(record, line, event)
             case "tan-deflection", Apply("cot"):
-                name = "turned.products-over"
+                return "turned.products-over"
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
                 return None
             case "perpendicular", _ if last.sign in FLIPPED:
@@ -241,22 +202,70 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return say(_BY_RATIO[ratio], body=bodies[0])
             case "size", _ if not any(map(under_a_root, walk(first.right))):
                 return None  # of one component it is read off
-        if name is None:
+        return record.title(event)
+
+    def _assembled(
+        self, record: Record, line: Line, event: Event | None, bodies: tuple[str, ...]
+    ) -> SentenceId | Sentence | None:
+        """What is said of a vector that is put together of its components."""
+        assert isinstance(line.relation, Relation)
+        if self._under_a_tie(line):
+            return None  # the given fact says so
+        if self._goes_off(line):
+            return say("derived-speed.along-from-rest", body=bodies[0])
+        if self._is_of_the_component_above(line):
             return None
-        if record.id == "difference" and event is None:
+        match line.relation.options[0][0].left:
+            case Quantity("velocity", (Name(body),), _) if self._is_out_of_it(body):
+                now = self._naming.events[self._naming.now or 0]
+                return say("derived-assembled.still", body=body, event=self._naming.called(now))
+            case Quantity("velocity") if one := self._one_component(line):
+                return None if self._in_one_line(event) else one
+            case Quantity("position", _, _):
+                return None if self._is_below_its_coordinate(line) else "derived-place.title"
+        return record.title(event)
+
+    def _of_energy(self, record: Record, line: Line, event: Event | None) -> SentenceId | None:
+        """What is lost, and whether it is lost along the line of centres alone."""
+        assert isinstance(line.relation, Relation)
+        match record.id, line.relation.options[0][0].left:
+            case "energy-ratio", Binary("/", Quantity(kind)) if kind in LOSSES:
+                at_a_wall = event is not None and event.wall and not self._by_speeds(line)
+                return "fraction-lost.at-a-wall" if at_a_wall else "fraction-lost.title"
+            case "energy-ratio", _:
+                return record.title(event)
+        if self._is_direct(event):
+            return "derived-energy.title"
+        by_speeds = self._by_speeds(line)
+        if record.id == "total-lost":
+            # What is lost in all is lost in the one impact.
+            one_impact = not self._naming.several and not by_speeds
+            return (RECORDS["energy-lost"] if one_impact else record).title(event)
+        of_the_data = not any(isinstance(ref, int) for ref in line.premises)
+        kicked = event is not None and event.kind == "kick"
+        return "derived-energy.title" if of_the_data or by_speeds or kicked else record.title(event)
+
+    def _sentence(
+        self, name: SentenceId, line: Line, event: Event | None, bodies: tuple[str, ...]
+    ) -> Sentence | None:
+        """The title with an id, and what is said in its place of bodies that move along a line."""
+        assert isinstance(line.relation, Relation)
+        first, last = line.relation.options[0][0], line.relation.options[0][-1]
+        record = line.move.record
+        if record == "difference" and event is None:
             return say("turned.by-directions")
-        if record.id == "along-the-change" and event is not None and not event.wall:
+        if record == "along-the-change" and event is not None and not event.wall:
             rested = [body for body in bodies if self._is_given_off(line, body)]
             if rested:
                 return say("moves-off.title", body=rested[0])
-        if record.id in ("tan", "tan-direction") and event is not None and self._moves_along(line):
+        if record in ("tan", "tan-direction") and event is not None and self._moves_along(line):
             rested_ = self.tells_of_rest(bodies[0], event.number, line)
             return say("moves-along.from-rest" if rested_ else "moves-along.title", body=bodies[0])
-        if record.id == "speed" and (one := self._one_component(line)) is not None:
+        if record == "speed" and (one := self._one_component(line)) is not None:
             return None if self._in_one_line(event) else one
         if self._by_products(line):
             return say("restitution.products")
-        if record.id in ("restitution", "restitution-wall") and is_zero(last.right):
+        if record in ("restitution", "restitution-wall") and is_zero(last.right):
             return say("restitution.none")
         if name == "derived-speed.title" and self._naming.has_letter_of_the_question(first.left):
             name = "derived-speed.title-of"
@@ -347,37 +356,6 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
                 return say(_ALONG[rested], body=body)
         return None
 
-    def _along_centres(self, line: Line, body: str) -> SentenceId:
-        """What is said of a body that moves along the line of centres: why, where it is new."""
-        assert isinstance(line.relation, Relation)
-        own = line.relation.only[0].left
-        stage = own.stage if isinstance(own, Quantity) else None
-        return self._from_rest(line, body, stage)
-
-    def _from_rest(self, line: Line, body: str, stage: object) -> SentenceId:
-        rested = isinstance(stage, int) and self.tells_of_rest(body, stage, line)
-        return "derived.along-centres-from-rest" if rested else "derived.along-centres"
-
-    def _along_its_line(self, line: Line) -> Sentence | None:
-        """That spheres move along lines of centres, where an angle is read off these."""
-        assert isinstance(line.relation, Relation)
-        match line.relation.options[0][0].left:
-            case Quantity("angle", (Quantity("velocity"), Quantity("line_of_centres", (), n))) if (
-                n != line.move.event
-            ):
-                event = self._naming.called(self._naming.events[line.move.event or 0])
-                return say("derived.along-earlier-centres", body=line.move.bodies[0], event=event)
-        moving = read_off_lines(self._derivation, line)
-        if len(moving) == 1:
-            ((body, stage),) = moving
-            return say(self._from_rest(line, body, stage), body=body)
-        if moving:
-            rested = [went_from_rest(self._derivation, self._naming, *each) for each in moving]
-            bodies = tuple(body for body, _ in moving)
-            name: SentenceId = "derived.each-along" if not all(rested) else "derived.each-from-rest"
-            return say(name, bodies=bodies)
-        return None
-
     def _is_given_off(self, line: Line, body: str) -> bool:
         """Whether a line takes the direction that is given of a sphere that was at rest."""
         facts = self._derivation.facts_in(line.premises)
@@ -406,263 +384,6 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
         )
         return vectors and axes
 
-    def of(self, line: Line, above: Sentence | None) -> Iterator[Sentence]:
-        """What is said before the rows of a line, under a title ``above``."""
-        source = self._sources.of(line)
-        if line.move.id == "fact":
-            given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
-            needed = self._of_the_story(line)
-            if needed is not None:
-                yield needed
-                return
-            if given and given[0].relation == line.relation and given[0].kind == "geometry":
-                return  # a direction of the data, which the row says in words
-            at = self._naming.at_contact(given[0]) if given else None
-            beside = (
-                touching_beside(self._derivation, self._naming, given[0], line) if given else None
-            )
-            if at is not None:
-                yield beside or at
-            elif given and isinstance(words := fact_in_words(self._naming, given[0]), Sentence):
-                yield say("given.fact", fact=words)
-            elif (offset := next(filter(is_offset, given), None)) is not None:
-                # Once the offset is known, the same fact gives the line in numbers.
-                if offset.id in self._given:
-                    yield self._of_a_known_offset(offset, line) or self._worked_out(offset, line)
-                else:
-                    yield offset_sentence(offset, self._naming, given=False)
-                self._given.add(offset.id)
-            else:
-                yield say("given.data")
-            return
-        signs = self._by_signs(line)
-        if signs is not None:
-            yield signs
-            return
-        letter = letter_of_offset(line)
-        if letter is not None:
-            offset = next(e for ref in line.premises if (e := self._derivation.fact(str(ref))))
-            self._given.add(offset.id)
-            yield offset_sentence(offset, self._naming, given=True, letter=letter)
-            return
-        if self.resolves(line) and line.move.id == "define":
-            title = self.resolved(line)
-            if title is not None and title != above:
-                yield title
-            return
-        if self._beside_normal(line):
-            yield say("wall.beside-normal")
-            return
-        sense = sense_of_a_normal(self._derivation, self._naming, line) or sense_of_a_change(
-            self._derivation, self._naming, line
-        )
-        if sense is not None:
-            yield sense
-            return
-        bodies = self._from_centre_to_centre(line)
-        if bodies is not None:
-            yield say("centres.between", one=bodies[0], other=bodies[1])
-            return
-        if line.move.record == "wall-direction":
-            yield say("so")
-            return
-        body = body_read_off(line) if line.move.record == "parallel" else None
-        if body is not None:
-            assert isinstance(line.relation, Relation)
-            angle = line.relation.only[0].right
-            size = unsigned(angle)
-            if size not in (Degrees(Fraction(0)), RIGHT_ANGLE, STRAIGHT_ANGLE):
-                square = isinstance(angle, Binary) and angle.right == RIGHT_ANGLE
-                which = "derived.across-centres" if square else self._along_centres(line, body)
-                across = self._across_of(line, body) if square else None
-                if across is not None:
-                    yield say("derived.across-centres-with", body=body, value=across)
-                else:
-                    yield say(which, body=body)
-                return
-            axis: Expression = Unit("j" if size == RIGHT_ANGLE else "i")
-            back = size != angle or size == STRAIGHT_ANGLE
-            along = self._naming.layout(Negate(axis) if back else axis)
-            yield say("derived.along-axis", body=body, axis=along)
-            return
-        if line.move.record in ("perpendicular", "parallel") and self.title(line) is None:
-            right = line.move.record == "perpendicular"
-            apart = self._apart(line) if right else slope_title(self._naming, line)
-            yield (
-                apart
-                or self._along_axes(line)
-                or self._along_its_line(line)
-                or self._seen(line)
-                or self._none_in(line)
-                or self._direction_again(line)
-                or self._since_nothing(line)
-                or say("so")
-            )
-            return
-        if line.move.record == "speed" and self._by_a_multiple(line):
-            yield say("so")
-            return
-        directed = self._about_directions(line)
-        if directed is None and self.title(line) is None:
-            directed = self._by_its_component(line)
-        if directed is not None:
-            yield directed
-            return
-        factor = factor_cancelled(self._derivation, line) if line.move.id == "cancel" else None
-        known = self._reasons.known(line) if factor is not None else ()
-        if factor is not None and known:
-            formula = self._naming.layout(factor)
-            equations = () if source is None else self._numbers(source)
-            if len(equations) > 1:
-                yield say(
-                    "derived.cancel-by",
-                    factor=formula,
-                    reasons=known,
-                    first=equations[0],
-                    equations=equations[1:],
-                )
-            else:
-                assert isinstance(line.relation, Relation)
-                ordered = line.relation.options[0][0].sign in FLIPPED
-                name = "derived.cancel-positive" if ordered else "derived.cancel"
-                yield say(name, factor=formula, reasons=known)
-            return
-        rearranges = line.move.id == "rearrange"
-        angle_divided = cosine_divided(self._derivation, line) if rearranges else None
-        if angle_divided is not None:
-            yield self._by_cosine(angle_divided)
-            return
-        rearranged = self._angles_given(line) if rearranges else None
-        if rearranged is not None and line.premises == (rearranged.id,):
-            yield say("derived.since", facts=(fact_in_words(self._naming, rearranged),))
-            return
-        divided = self._divided(line)
-        if divided is not None:
-            yield divided
-            return
-        needed = self._of_the_story(line) or self._of_a_sense(line)
-        if needed is not None:
-            yield needed
-        elif line.move.id == "identity" and line.move.record in BY:
-            how = self._by_the_half(line) or self._by_squares(line) or say(self._identity(line))
-            equations = () if source is None else self._numbers(source)
-            sentence = self._angles_given(line)
-            if sentence is not None and line.move.record == "complement":
-                yield say("derived.since", facts=(fact_in_words(self._naming, sentence),))
-            elif sentence is not None and sentence.id not in self._given:
-                self._given.add(sentence.id)
-                yield say(
-                    "derived.since-by", facts=(fact_in_words(self._naming, sentence),), how=how
-                )
-            elif equations:
-                yield say("derived.by-from", how=how, equations=equations)
-            else:
-                yield say("derived.by", how=how)
-        elif source is not None:
-            yield from self._source(source, line)
-
-    def _of_a_sense(self, line: Line) -> Sentence | None:
-        """The given direction that tells which way a component points."""
-        given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
-        for fact in given if line.move.id == "compare" else ():
-            match fact.relation.options[0][0]:
-                case Link(Quantity("direction", (Name(),), int()), "=", Degrees()) if (
-                    fact.kind == "given"
-                ):
-                    return say("given.fact", fact=fact_in_words(self._naming, fact))
-        return None
-
-    def _beside_normal(self, line: Line) -> bool:
-        """Whether a line gives the direction of a wall by its normal, which stands above."""
-        own = [other for other in map(self._cited, line.premises) if other is not None]
-        return any(e.move.record == "wall-direction" and e.shown == "silent" for e in own)
-
-    def _from_centre_to_centre(self, line: Line) -> tuple[str, ...] | None:
-        """The spheres of which a line gives the line of centres by both places."""
-        match line.relation:
-            case Relation(((Link(Quantity("line_of_centres", (), int(number)), "parallel to"),),)):
-                event = self._naming.events.get(number)
-            case _:
-                return None
-        facts = (ref.partition(" ") for ref in line.premises if isinstance(ref, str))
-        by_places = line.move.id == "put" and any(kind == "axis" for kind, _, _ in facts)
-        return event.bodies if by_places and event is not None and not event.wall else None
-
-    def _worked_out(self, fact: Fact, line: Line) -> Sentence:
-        """That an offset is known by now, from which the line of centres follows."""
-        cited = [other for other in map(self._cited, line.premises) if other is not None]
-        known = {
-            line.relation.options[0][0].left
-            for line in cited
-            if isinstance(line.relation, Relation)
-        }
-        facts = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
-        values = tuple(
-            self._naming.relation(fact.relation)
-            for fact in facts
-            if fact.kind == "given" and len(fact.relation.options) == 1
-            if isinstance(fact.relation.only[0].left, Letter)
-        )
-        if values:
-            return say("derived.since", facts=values)
-        angles = [e for e in walk(fact.relation.only[0].right) if isinstance(e, Apply)]
-        names = {node for angle in angles for node in walk(angle) if isinstance(node, Letter)}
-        names = names & known or names
-        letters = tuple(map(self._naming.layout, sorted(names, key=lambda name: name.name)))
-        return say("derived.put", letters=letters) if letters else say("so")
-
-    def _by_cosine(self, angle: Letter) -> Sentence:
-        """By which squared cosine an equation is divided, and why that is not zero."""
-        squared = self._naming.layout(Binary("^", Apply("cos", angle), Number(Fraction(2))))
-        acute = self._reasons.acute(angle)
-        if acute is None:
-            return say("derived.divided-by", factor=squared)
-        return say("derived.cancel", factor=squared, reasons=(acute,))
-
-    def _divided(self, line: Line) -> Sentence | None:
-        """By what top and bottom of a fraction are divided, where only its form changes."""
-        refs = numbers_in(line.premises)
-        own = self._derivation.line(refs[0]) if line.move.id == "rearrange" and refs else None
-        if own is None or not isinstance(own.relation, Relation):
-            return None
-        match own.relation.options[0][-1].right, line.relation:
-            case Binary("/", top, _), Relation(((Link(left, "=", Binary("/", rest, below)),),)):
-                if left != own.relation.options[0][0].left:
-                    return None
-                if any(map(has_quantity, (top, rest, below))):
-                    return None
-            case _:
-                return None
-        inside = {node.right for node in walk(below) if is_binary(node, "/")}
-        for tree in inside:
-            if isinstance(tree, Letter | Apply) and tidy(
-                worth(top) - worth(rest) * worth(tree)
-            ).equals(0):
-                return say("derived.divided", factor=self._naming.layout(tree))
-        return None
-
-    def _of_a_known_offset(self, fact: Fact, line: Line) -> Sentence | None:
-        """The angle of an offset that was found, if the line of centres stands in no letters."""
-        assert isinstance(line.relation, Relation)
-        known: dict[str, Any] = {}
-        for other in self._derivation.lines[: line.number - 1]:
-            if not isinstance(other.relation, Relation) or len(other.relation.options) != 1:
-                continue
-            if other.relation.only[0].left == line.relation.only[0].left:
-                return None
-            left = other.relation.only[0].left
-            if other.number in line.premises and isinstance(left, Letter):
-                known[left.name] = worth(other.relation.only[-1].right)
-        return angle_of_offset(fact, known, self._naming)
-
-    def _sine_of_an_offset(self, line: Line) -> Iterator[Sentence]:
-        """How an offset gives the sine of an angle that is given, said the first time."""
-        facts = (self._derivation.fact(str(ref)) for ref in line.premises)
-        for fact in facts:
-            if fact is not None and is_offset(fact) and fact.id not in self._given:
-                self._given.add(fact.id)
-                yield offset_sentence(fact, self._naming, given=True)
-
     def _squares(self, line: Line) -> bool:
         """Whether a line rests on a right angle between a velocity and a fixed direction."""
         lets = (other.relation for other in map(self._cited, line.premises) if other is not None)
@@ -672,45 +393,3 @@ class Leads(SourceLeads, TurnLeads, ComponentLeads):
             and not all(is_quantity(e, "velocity") for e in let.quantity.arguments)
             for let in lets
         )
-
-    def anyway(self, line: Line) -> Iterator[Sentence]:
-        """What is given and holds for all values of the letters, above a range beside others.
-
-        Above the difference from a greatest or least value, where that is reached.
-        """
-        compared = value_compared(self._derivation, self._naming, line)
-        if compared is not None:
-            yield compared
-        match line.relation:
-            case Relation(((Link(_, _, Letter() as letter), Link()),)) if (
-                self._reasons.is_own_range(line)
-            ):
-                above = [other for other in map(self._cited, line.premises) if other is not None]
-                holds = any(line.move.id in ("put", "rearrange", "cancel") for line in above)
-                facts = [self._derivation.fact(str(ref)) for ref in line.premises]
-                if any(fact is not None and fact.kind == "range" for fact in facts):
-                    yield say("given.data")  # what is given of the letter bounds it
-                else:
-                    before = any(
-                        other.item == line.item and other.number < line.number
-                        for other in self._derivation.lines
-                    )
-                    free = "range.every" if before else "range.every-free"
-                    name = "range.every-holds" if holds else free
-                    yield say(name, letter=self._naming.layout(letter))
-        for ref in line.premises if line.move.id == "compare" else ():
-            own = self._derivation.line(ref)
-            if own is None or own.shown != "silent" or own.move.id != "put":
-                continue
-            match own.relation:
-                case Relation(((Link(_, "<" | "<=" | ">" | ">="),),)) as relation:
-                    words = self._of_letter(own) or self._naming.relation(relation)
-                    meeting = self._meeting_behind(own)
-                    if meeting is not None:
-                        yield meeting
-                    bounds = range_behind(self._naming, relation)
-                    if bounds is None:
-                        yield say("derived.anyway", fact=words)
-                    else:
-                        ground = self._naming.relation(bounds)
-                        yield say("derived.anyway-as", fact=words, ground=ground)
