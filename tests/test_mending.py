@@ -293,6 +293,28 @@ BROKEN = {
     "prove that the speed of A is 1": "show speed(A) = 1",
     "a) find speed(A)": "part a\nfind speed(A)",
     "given e = ½ find speed(A)": "given e = ½\nfind speed(A)",
+    # of one impact, of a motion from start to end
+    "find the kinetic energy lost in the first impact": "find energy_lost(1)",
+    "find the magnitude of the impulse in the first collision": "find impulse(1)",
+    "find the speed of the ball immediately after the first impact": "find speed(A, 1)",
+    "find the angle between the initial and final directions of motion of A": (
+        "find angle(velocity(A, 0), velocity(A))"
+    ),
+    "find the angle through which the path of A is deflected": "find deflection(A)",
+    "find ratio of speed(A, 0) to speed(A)": "find (speed(A, 0))/(speed(A))",
+    "find velocity(A) in the form ai + bj": "find velocity(A)",
+    "find the acute angle between velocity(B) and W": "find angle(velocity(B), W)",
+    # of a wall
+    "find the distance between A and the origin": "find distance(A, (0, 0))",
+    "find the distance of A from B when it hits B": "find distance(A, B)",
+    "find the coordinates of A": "find position(A)",
+    "sphere C: velocity 3 at 30° to the normal to W": "sphere C: velocity 3 at 90° - 30° to W",
+    "find the angle between velocity(B) and the normal to W": (
+        "find angle(velocity(B), line_of_centres)"
+    ),
+    "find a vector parallel to W": "find direction(W)",
+    "find speed with which B hits W": "find speed(B, before)",
+    "find range of e such that B hits W": "B hits W\nfind range of e",
 }
 
 
@@ -411,6 +433,8 @@ find velocity(A), distance(A, B), a, speed of B
         "given",
         "find ((",
         "A B C",
+        "find the total distance travelled by A",
+        "find the total time",
     ],
 )
 def test_where_no_cure_is_certain_none_is_offered(line) -> None:

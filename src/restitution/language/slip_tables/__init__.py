@@ -13,11 +13,13 @@ from restitution.language.slip_tables.motions import MOTIONS
 from restitution.language.slip_tables.patterns import NAME, Cure, Slip
 from restitution.language.slip_tables.properties import PROPERTIES
 from restitution.language.slip_tables.relations import RELATIONS
+from restitution.language.slip_tables.stages import STAGES
 from restitution.language.slip_tables.walls import WALLS
 
 __all__ = ["NAME", "SLIPS", "Cure"]
 
 SLIPS: tuple[Slip, ...] = (
+    *STAGES,
     *MOTIONS,
     *BODIES,
     *WALLS,

@@ -11,10 +11,14 @@ from restitution.language.slip_tables.patterns import (
     LOST,
     NAME,
     RESTITUTION,
+    STRIKES,
     Cure,
     Slip,
+    either,
     meant,
 )
+
+_STRIKES_OR_REACHES = rf"(?:hits|reaches|arrives\s+at|{STRIKES})"
 
 ASKED: tuple[Slip, ...] = (
     (
@@ -111,7 +115,7 @@ ASKED: tuple[Slip, ...] = (
     (ASKING_LINES, r"(?P<x>\b(?:the\s+)?components\s+of)\b", CUT),
     (
         "find",
-        r"(?P<x>(?:the\s+)?ratio\s+(?:of\s+)?(?:the\s+)?(?P<a>[^,:]+?)\s*(?::|\bto\b)\s*(?:the\s+)?(?P<b>[^,:]+))$",
+        r"(?P<x>(?:the\s+)?ratio\s+(?:of\s+)?(?:the\s+)?(?P<a>(?:\([^()]*\)|[^,:()])+?)\s*(?::|\bto\b)\s*(?:the\s+)?(?P<b>(?:\([^()]*\)|[^,:()])+))$",
         meant("({a})/({b})"),
     ),
     (
@@ -358,6 +362,14 @@ ASKED: tuple[Slip, ...] = (
     (
         ASKING_LINES,
         (
+            rf"(?P<x>total\s+(?!energy_){KINETIC}\s+(?:lost|loss)\b(?:\s+altogether)?"
+            rf"|total\s+loss\s+(?:of|in)\s+(?:the\s+)?{KINETIC})"
+        ),
+        either("energy_lost", "total_energy_lost"),
+    ),
+    (
+        ASKING_LINES,
+        (
             rf"(?P<x>(?:total\s+(?!energy))?{KINETIC}\s+(?:lost|loss)\b"
             rf"|loss\s+(?:of|in)\s+(?:the\s+)?(?:total\s+)?{KINETIC})"
         ),
@@ -384,13 +396,20 @@ ASKED: tuple[Slip, ...] = (
     ),
     (
         ASKING_LINES,
-        r"(?P<x>angle\s+between\s+(?:the\s+)?(?P<a>[^,=<>]+?)\s+and\s+(?:the\s+)?(?P<b>[^,=<>]+))",
+        r"(?P<x>(?:the\s+)?(?:acute\s+)?angle\s+between\s+(?:the\s+)?(?P<a>[^,=<>]+?)\s+and\s+(?:the\s+)?(?P<b>[^,=<>]+))",
         meant("angle({a}, {b})"),
     ),
-    (
-        ASKING_LINES,
-        rf"(?P<x>distance\s+between\s+{BODY}\s+and\s+(?:the\s+)?(?P<b>{NAME}))",
-        meant("distance({body}, {b})"),
+    *(
+        (
+            ASKING_LINES,
+            rf"(?P<x>(?:the\s+)?distance\s+(?:between|of|from)\s+{BODY}\s+(?:and|from|to)\s+{end})",
+            meant(f"distance({{body}}, {text})"),
+        )
+        for end, text in (
+            (r"(?:the\s+)?(?:[Oo]rigin\b|O(?=\s*(?:,|$|\(0)))(?:\s*\(0,\s*0\))?", "(0, 0)"),
+            (r"(?P<b>\([^()]*\))", "{b}"),
+            (rf"(?:the\s+)?(?:point\s+|corner\s+|sphere\s+|ball\s+)?(?P<b>{NAME})\b", "{b}"),
+        )
     ),
     (
         ASKING_LINES,
@@ -491,6 +510,24 @@ ASKED: tuple[Slip, ...] = (
             r"|sig\.?\s*figs?))(?!\w)[^,]*)"
         ),
         Cure("leave out '{x}': answers come exact and to 3 significant figures", ""),
+    ),
+    (
+        "find",
+        (
+            r"^(?P<all>\s*(?P<asked>find\s+range\b.*?)\s*,?\s*\b(?P<x>such\s+that|so\s+that|if|for\s+which)\s+"
+            rf"(?:the\s+\w+\s+)?(?P<body>{NAME})\s+(?:then\s+|will\s+|also\s+)?{_STRIKES_OR_REACHES}\s+"
+            rf"(?:the\s+)?(?:wall\s+)?(?P<w>{NAME}))\s*$"
+        ),
+        Cure(
+            "what happens stands on a line of its own before this: '{body} hits {w}'",
+            "{body} hits {w}\n{asked}",
+            of="all",
+        ),
+    ),
+    (
+        "find",
+        rf"(?P<x>\s+(?:when|as|where)\s+(?:it|{NAME})\s+(?:then\s+)?{_STRIKES_OR_REACHES}\s+(?:the\s+)?(?:wall\s+)?{NAME})\s*(?:,|$)",
+        Cure("leave out '{x}': a quantity is the one after the events told so far", "", tight=True),
     ),
     (
         "find",

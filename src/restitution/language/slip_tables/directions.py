@@ -131,6 +131,14 @@ DIRECTIONS: tuple[Slip, ...] = (
         ),
     ),
     (
+        ASKING_LINES,
+        (
+            r"(?:,|\band\b|\bwith\b|\bto\b)\s*"
+            rf"(?P<x>(?:the\s+)?normal(?:\s+(?:to|of)\s+{BODY})?)(?=\s*(?:[),=<>]|$))"
+        ),
+        Cure("the normal to a wall is 'line_of_centres'", "line_of_centres"),
+    ),
+    (
         "",
         r"(?P<x>\b(?:the\s+)?normal)\b(?!\s+to\b\s*[^\sA-Z])",
         (

@@ -8,7 +8,9 @@ _WALL = rf"(?:the\s+)?(?:wall\s+)?(?P<w>{NAME})\b"
 
 _ANGLE = r"(?:an\s+(?:acute\s+)?angle\s+(?:of\s+)?)?(?P<a>[^\s,:]+(?:\s*(?:deg(?:rees?)?|°))?)"
 
-_RIGHT = r"(?:perp\w*\s+(?:to|with)|at\s+right\s+angles\s+(?:to|with)|normal(?:ly)?\s+to)"
+_RIGHT = (
+    r"(?:perp\w*\s+(?:to|with)|at\s+right\s+angles\s+(?:to|with)|(?<!\bthe )normal(?:ly)?\s+to)"
+)
 
 _LEAVES = (
     r"(?:rebounds?|bounces(?:\s+(?:off|back))?|leaves|(?:goes|moves|comes|travels|is\s+moving)"
