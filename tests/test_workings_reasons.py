@@ -674,6 +674,23 @@ show angle(velocity(P), W) <= alpha
         ),
         ["is opposite to 𝐮, since e > 0, as required."],
     ),
+    # With e = 0 it is at rest in the corner, and has no direction.
+    "what may be at rest has a direction unless it is": (
+        (
+            "wall X: along i\nwall Y: along j\nsphere P: mass m, velocity u at alpha to X\n"
+            "P hits X: e = e\nP hits Y: e = e\n"
+            "show velocity(P) opposite to velocity(P, 0)\n"
+            "show velocity(P) in the direction of -velocity(P, 0)"
+        ),
+        ["is opposite to 𝐮 unless P is at rest", "is in the direction of −𝐮 unless P is at rest"],
+    ),
+    "equal spheres, of which the striking one may stop": (
+        (
+            "sphere A, B: mass m\nsphere A: velocity u i\nsphere B: at rest\n"
+            "A hits B: along i\nshow velocity(A) in the direction of i"
+        ),
+        ["𝐯_A is in the direction of 𝐢 unless A is at rest, as required."],
+    ),
     # 𝐯_A = (√2u/6)(−𝐢 + 3𝐣) and 𝐯_B = (√2u/3)𝐢, with e = 1, k = 2 and α = 45°.
     "two velocities that are not perpendicular have a scalar product": (
         REST.format(angle="alpha", m="k m", e="") + "show velocity(A) perpendicular to velocity(B)",

@@ -143,9 +143,8 @@ def _verdict(outcome: Outcome, branch: Branch, step: Show, now: int) -> tuple[Ve
             # Where an angle has no value, a claim about it says nothing.
             verdict = oracle.with_facts(existence).decide(claim)
         if verdict.answer == "refuted" and (sizes := _sizes(branch, step, now)):
-            # What is at rest has no direction: a case in which both sides have one says more.
-            other = oracle.with_facts(sizes).decide(claim)
-            verdict = other if other.answer == "refuted" else verdict
+            # What is at rest has no direction, and a claim of directions says nothing of it.
+            verdict = oracle.with_facts(sizes).decide(claim)
     except BeyondError:
         return UNDECIDED, claim
     if verdict and not (isinstance(letters_, Letters) and letters_.certain):

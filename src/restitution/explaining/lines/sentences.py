@@ -800,6 +800,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "claim.parallel": "{left} is parallel to {right}",
     "claim.same-direction": "{left} is in the direction of {right}",
     "claim.as": "{claim}, since {reason}",
+    "claim.unless-at-rest": "{claim} unless {body} is at rest",
     "claim.opposite": "{left} is opposite to {right}",
     "claim.not-perpendicular": "{left} is not perpendicular to {right}",
     "claim.not-parallel": "{left} is not parallel to {right}",

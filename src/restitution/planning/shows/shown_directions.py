@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     is_quantity,
     unsigned,
 )
+from restitution.oracle import Relation as Formula
 from restitution.planning.angles.scalar_angles import write_product_of_two
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
@@ -209,8 +210,12 @@ def _common_direction(claims: Claims, relation: Aligned, link: Link) -> tuple[in
         for own in (a, b)
     )
     factor = tidy(ax / bx) if bx != 0 else tidy(ay / by)
-    sign = proved_sign(scene.model.oracle, factor)
-    wanted = {"in the direction of": 1, "opposite to": -1}.get(relation.relation, sign)
+    # What is at rest has no direction, and nothing is claimed of it.
+    sizes = [sp.expand(own[0] ** 2 + own[1] ** 2) for own in ((ax, ay), (bx, by))]
+    moving = [Formula(size, ">") for size in sizes if size.free_symbols]
+    sign = proved_sign(scene.model.oracle.with_facts(moving), factor)
+    sense = 1 if right is link.right else -1
+    wanted = sign if relation.relation == "parallel to" else sense
     if not isinstance(left, Quantity) or sign == 0 or sign != wanted:
         raise NotPlannedError("two directions")
     if sign is None and relation.relation != "parallel to":

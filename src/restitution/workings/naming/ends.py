@@ -4,16 +4,22 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Derivation, ItemEnd, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
+from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Expression,
     Letter,
+    Name,
+    Negate,
     Number,
+    Pair,
     Quantity,
     has_quantity,
     is_function,
@@ -35,11 +41,14 @@ from restitution.problem import (
 )
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
+from restitution.vector import Vector
 from restitution.wording.asking import names_of
 from restitution.wording.scene import scene_of
 from restitution.wording.structure import Named, Words
 from restitution.wording.telling import numbers_of_items
 from restitution.workings.naming.quantities import Naming
+
+_VECTOR = Pair(Number(Fraction(2)), Number(Fraction(3)))
 
 _ALIGNED = {
     "perpendicular to": "claim.perpendicular",
@@ -232,7 +241,10 @@ class Ends:
             case Aligned(_, how, other) if end.answer.only[0].sign == "=":
                 link = end.answer.only[0]
                 own = [e for e in walk(link.right) if isinstance(e, Quantity)]
-                left, right = map(self._side, (link.left, *own[:1], other)[:2])
+                known = next(iter(own), other)
+                if own and isinstance(other, Negate):
+                    known = Negate(own[0])
+                left, right = map(self._side, (link.left, known))
                 claim = say(_ALIGNED[how], left=left, right=right)
                 positive = self._given_positive(link.right)
                 if how in ("in the direction of", "opposite to") and positive is not None:
@@ -241,6 +253,10 @@ class Ends:
                 if how in ("in the direction of", "opposite to") and acute is not None:
                     angle = say("derived.acute", angle=self._naming.layout(acute))
                     return say("claim.as", claim=claim, reason=angle)
+                if how in ("in the direction of", "opposite to"):
+                    body = self._perhaps_at_rest(link)
+                    if body is not None:
+                        return say("claim.unless-at-rest", claim=claim, body=body)
                 return claim
         return None
 
@@ -251,6 +267,21 @@ class Ends:
                 case ((Link(Letter(name), ">", right),),) if is_zero(right):
                     if fact.kind in ("given", "range") and name in letters(multiple):
                         return fact.relation
+        return None
+
+    def _perhaps_at_rest(self, link: Link) -> str | None:
+        """The body whose velocity is a multiple that some coefficient of 0 or 1 makes zero."""
+        if not isinstance(link.left, Quantity) or link.left.kind != "velocity":
+            return None
+        known = roles(self._problem)
+        # A velocity stands for any vector that is not zero.
+        multiple = rebuilt(link.right, lambda tree: _VECTOR if isinstance(tree, Quantity) else tree)
+        value = in_letters(multiple)
+        for symbol in sorted(value.x.free_symbols, key=str) if isinstance(value, Vector) else ():
+            if symbol.name in known and known[symbol.name].kind == "restitution":
+                ends = (value.x.subs(symbol, end) for end in (0, 1))
+                if any(end == 0 for end in ends):
+                    return next((n.name for n in link.left.arguments if isinstance(n, Name)), None)
         return None
 
     def _acute_in(self, multiple: Expression) -> Letter | None:
