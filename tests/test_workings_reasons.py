@@ -674,6 +674,22 @@ show angle(velocity(P), W) <= alpha
         ),
         ["is opposite to 𝐮, since e > 0, as required."],
     ),
+    # Only in the tangent of θ alone is it seen that e < ½.
+    "the tangents of an angle and of twice it are one tangent before a bound": (
+        (
+            "wall W: along i\nsphere P: velocity u at 2theta to W\nP hits W\n"
+            "given angle(velocity(P), W) = theta\nfind range of e"
+        ),
+        ["tan²θ = 1 − 2e", "1 − 2e > 0", "e > 0, as tan θ < 1 since 2θ is acute"],
+    ),
+    "a square that is taken away bounds what is left": (
+        (
+            "wall W: along i\nsphere P: velocity u at 2theta to W\nP hits W\n"
+            "given angle(velocity(P), W) = theta\npart a\nshow e = (1 - tan^2 theta)/2\n"
+            "part b\nshow e < 1/2"
+        ),
+        ["e < ½, as tan²θ > 0"],
+    ),
     # With e = 0 it is at rest in the corner, and has no direction.
     "what may be at rest has a direction unless it is": (
         (

@@ -1158,6 +1158,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.for": "when {places:or}",
     "derived.from-then": "for {time}",
     "derived.acute": "{angle} is acute",
+    "derived.half-acute": "{bound} since {angle} is acute",
     "derived.both-acute": "{angles:and} are acute",
     "derived.every-positive": ("and it takes every positive value as {angle} goes from 0° to 90°"),
     "derived.so-acute": "so {angle} is acute",

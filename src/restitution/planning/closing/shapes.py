@@ -70,10 +70,10 @@ from restitution.planning.writing.forms import (
     product,
     square,
     swept,
-    tangents_opened,
     total,
     tree_of,
 )
+from restitution.planning.writing.one_tangent import write_by_single_tangents
 from restitution.planning.writing.polynomials import (
     cancelled,
     expanded,
@@ -482,7 +482,7 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
                 return None
     if not back:
         return None
-    halved = _by_double_tangents(scene, number)
+    halved = write_by_single_tangents(scene, number)
     if halved is not None:
         return _by_tangents(scene, halved, symbol)
     poly = sp.Poly(numerator(sp.cancel(gap)), symbol)
@@ -493,17 +493,6 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     tree = rebuilt(tree_of(value), lambda tree: back.get(tree, tree))
     line = rearranged(scene, number, chain(Letter(symbol.name), (tree, None)))
     return None if line is None else known_as(scene, symbol, scene.scalar(tree), line)
-
-
-def _by_double_tangents(scene: Scene, number: int) -> int | None:
-    """A line of the tangents of θ and of 2θ in that of θ alone; None of another line."""
-    link = scene.desk.last_link(number)
-    left, right = tangents_opened(link.left, link.right)
-    if (left, right) == (link.left, link.right):
-        return None
-    move, relation = Move("identity", "double-angle"), chain(left, (right, None))
-    refs = scene.judge.enough(move, (number,), relation, _background(scene, number))
-    return None if refs is None else scene.desk.write(move, refs, relation)
 
 
 def _quotient(symbol: sp.Symbol, poly: sp.Poly, value: sp.Expr) -> Relation:

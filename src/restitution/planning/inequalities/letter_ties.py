@@ -51,6 +51,7 @@ from restitution.planning.writing.inequalities import (
     linear_in,
     without_signs,
 )
+from restitution.planning.writing.one_tangent import write_by_single_tangents
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.planning.writing.scene import GivenEquation
 from restitution.solving.story.letters import roles
@@ -242,6 +243,8 @@ class Ties:
     def _neat(self, line: int) -> int:
         """The equation without common factors, where it stands as one that is zero."""
         scene = self.scene
+        if _has_two_tangents(scene.desk.last_link(line)):
+            line = write_by_single_tangents(scene, line) or line
         own = scene.desk.last_link(line)
         if is_letter_or_square(own.left) and not letters(own.left) & letters(own.right):
             return line
@@ -420,6 +423,17 @@ def is_square(tree: Expression) -> bool:
         case Binary("^", _, Number(Fraction(numerator=2, denominator=1))):
             return True
     return False
+
+
+def _has_two_tangents(link: Link) -> bool:
+    """Whether in an equation there are the tangents of an angle and of twice it."""
+    tangents = {
+        node.argument
+        for side in (link.left, link.right)
+        for node in walk(side)
+        if isinstance(node, Apply) and node.function == "tan"
+    }
+    return any(product(Number(Fraction(2)), angle) in tangents for angle in tangents)
 
 
 def _ratio_of(tree: Expression, angle: sp.Symbol) -> sp.Expr | None:

@@ -9,9 +9,9 @@ import sympy as sp
 
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Binary
+from restitution.expression.tree import Binary, letters
 from restitution.planning.writing.desk import chain
-from restitution.planning.writing.forms import swept, tree_of
+from restitution.planning.writing.forms import swept, tangents_opened, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
@@ -35,6 +35,18 @@ def write_in_one_tangent(scene: Scene, line: int) -> int | None:
     relation = chain(link.left, (swept(Binary("/", tree_of(above), tree_of(below))), None))
     known = background(scene, symbol_names(value))
     return scene.judge.write((Move("identity", "double-angle"),), (line, *known), relation)
+
+
+def write_by_single_tangents(scene: Scene, line: int) -> int | None:
+    """A line of the tangents of θ and of 2θ in that of θ alone; None of another line."""
+    link = scene.desk.last_link(line)
+    left, right = tangents_opened(link.left, link.right)
+    if (left, right) == (link.left, link.right):
+        return None
+    names = letters(link.left) | letters(link.right)
+    move, relation = Move("identity", "double-angle"), chain(left, (right, None))
+    refs = scene.judge.enough(move, (line,), relation, background(scene, names))
+    return None if refs is None else scene.desk.write(move, refs, relation)
 
 
 def in_one_tangent(value: sp.Expr) -> sp.Expr | None:

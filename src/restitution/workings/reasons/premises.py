@@ -56,6 +56,7 @@ from restitution.workings.reasons.grounds import (
     motion_of,
 )
 from restitution.workings.reasons.growth_reasons import GrowthReasons
+from restitution.workings.reasons.half_angles import half_of_an_acute
 from restitution.workings.reasons.later_times import later_than
 from restitution.workings.reasons.multipliers import cleared_factors, multipliers_of
 from restitution.workings.reasons.plain_signs import (
@@ -369,8 +370,12 @@ class Reasons:
         reasons: list[Sentence | lay.Layout] = []
         bounds: list[Link] = []
         own = [self._reason(ref, line) for ref in line.premises]
+        cited = [e for ref in line.premises if (e := self._shapes.relation_of(ref)) is not None]
         for reason in (self._without_a_pole(line, each) for each in self._narrowed(own)):
             match reason:
+                case Relation() as relation if half := half_of_an_acute(relation, cited):
+                    slots = self._laid(half[0]), self._naming.layout(half[1])
+                    reasons.append(say("derived.half-acute", bound=slots[0], angle=slots[1]))
                 case Relation(options=((link,),)) if link.sign in (*UP, *DOWN):
                     bounds.append(link)
                 case Relation() as relation:

@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Move,
     Ref,
     Relation,
+    Sign,
     numbers_in,
 )
 from restitution.explaining.lines.quotients import NotComparableError, Quotient
@@ -51,7 +52,8 @@ from restitution.workings.reasons.equality import divisor_left_out, place_of_zer
 _LONGEST = 24
 ZERO = Number(Fraction(0))
 SQUARED = 2
-UP, DOWN = ("<", "<="), (">", ">=")
+UP: tuple[Sign, Sign] = ("<", "<=")
+DOWN: tuple[Sign, Sign] = (">", ">=")
 _WEAK = ("<=", ">=")
 
 
@@ -218,27 +220,32 @@ class ShapeReasons:
                     return
 
     def square_of_a_ratio(self, line: Line) -> Iterator[Sentence]:
-        """That the square of a sine or cosine is at most 1, which gives a bound of a value."""
+        """That the square of a sine or cosine is at most 1, or one of a ratio at least 0.
+
+        That gives a bound of a value.
+        """
         assert isinstance(line.relation, Relation)
         links = line.relation.options[0]
         if line.move.id not in ("sign", "monotone") or len(links) != 1:
             return
-        most = Number(Fraction(1))
         for own in map(self.relation_of, line.premises):
             if own is None or own.options[0][0].left != links[0].left:
                 continue
             whole = own.options[0][-1].right
             for node in walk(whole):
                 match node:
-                    case Binary("^", Apply("sin" | "cos", x), Number(value=power)) if power == 2:
-                        alone = sum(node == x for node in walk(whole)) == 1
-                        if (alone or line.move.id == "sign") and is_bound_by(
-                            whole, node, most, links[0].right
-                        ):
-                            strict = links[0].sign in ("<", ">")
-                            bound = Relation(((Link(node, "<" if strict else "<=", most),),))
-                            yield say("derived.fact", fact=self._naming.relation(bound))
-                            return
+                    case Binary("^", Apply(ratio, x), Number(value=power)) if power == 2:
+                        pass
+                    case _:
+                        continue
+                if line.move.id != "sign" and sum(node == x for node in walk(whole)) > 1:
+                    continue
+                least, most = (DOWN, ZERO), (UP, Number(Fraction(1)))
+                for signs, end in (most, least) if ratio in ("sin", "cos") else (least,):
+                    if is_bound_by(whole, node, end, links[0].right):
+                        bound = Relation(((Link(node, signs[links[0].sign in _WEAK], end),),))
+                        yield say("derived.fact", fact=self._naming.relation(bound))
+                        return
 
     def _divisor(self, line: Line) -> Iterator[Sentence]:
         """That what a square was divided by is more than 1, where a bound has it no more."""
