@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import sympy as sp
 
+from restitution.exact import tidy
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Link,
@@ -40,7 +41,7 @@ from restitution.planning.writing.inequalities import (
     turned,
 )
 from restitution.planning.writing.one_tangent import in_one_tangent, write_in_one_tangent
-from restitution.planning.writing.polynomials import one_fraction
+from restitution.planning.writing.polynomials import factored, one_fraction
 from restitution.solving.story.letters import roles
 
 
@@ -69,6 +70,8 @@ class Eliminated(InStages):
                     continue
                 mark = self.worths.mark()
                 first = self._without_quotients(relation)
+                if first is not None and not self._is_factor_in(line, first.only[0].left):
+                    first = None
                 above = None if first is None else self.compared([line], first)
                 if above is not None:
                     written = self.judge.write((Move("rearrange"),), [above], relation)
@@ -129,6 +132,15 @@ class Eliminated(InStages):
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
         raise NotImplementedError
+
+    def _is_factor_in(self, line: int, difference: Expression) -> bool:
+        """Whether a difference is a factor of a side of an equation, above or below: seen there."""
+        own = self.worths.value(difference)
+        link = self.scene.desk.last_link(line)
+        sides = (self.worths.value(side) for side in (link.left, link.right))
+        parts = (part for side in sides for part in sp.fraction(factored(one_fraction(side))))
+        factors = (x.as_base_exp()[0] for part in parts for x in sp.Mul.make_args(part))
+        return any(tidy(x / own).is_number for x in factors)
 
     def _without_quotients(self, relation: Relation) -> Relation | None:
         """``2e - 1 > 0`` of e > 1/2; None of a relation that is no bound by a number."""

@@ -140,8 +140,9 @@ class Ties:
         inside = {s for x in equation.residuals for s in sp.sympify(x, strict=True).free_symbols}
         relation = scene.ties.get(equation.fact.id)
         written = None if relation is None else self.judge.standing(relation)
+        shown = self.shown_by(equation.fact.id)
         if written is not None:
-            return written
+            return written if shown is None else self._without_roots(self._neat(shown))
         if equation.fact.id in self.solver.equations.used:
             return self._of_fact(equation.fact.id)
         self.solver.equations.used.add(equation.fact.id)
@@ -150,7 +151,7 @@ class Ties:
         open_ = [scene.put(x)[0] for x in equation.residuals]
         if all(x == 0 for x in open_):
             return self._of_fact(equation.fact.id)
-        given = self.shown_by(equation.fact.id) or self._of_fact(equation.fact.id)
+        given = shown or self._of_fact(equation.fact.id)
         if given is None:
             given = self._as_found(write_given(scene, _as_right_angle(equation)))
         line = self._without_roots(self._neat(given))
@@ -391,6 +392,10 @@ class Ties:
                 generator, slope = form[1], certain(self.scene, form[2] / below)
             elif role.kind != "angle":
                 generator, slope = gone, self._slope(x, gone)
+            elif (ratio := _one_ratio_in(x, gone)) is not None:
+                t = sp.Dummy("t", positive=True)
+                of_ratio = sp.diff(x.subs(ratio, t), t).subs(t, ratio)
+                generator, slope = ratio, certain(self.scene, factored(one_fraction(of_ratio)))
             else:
                 return None
             ends = [bound for own, bound in bounds(role, generator, gone) if own == sign]
@@ -415,6 +420,28 @@ def _as_right_angle(equation: GivenEquation) -> GivenEquation:
                 later, early = (Quantity("velocity", body, k) for k in (stage, stage - 1))
                 return replace(equation, link=Link(early, "perpendicular to", later))
     return equation
+
+
+def _one_ratio_in(x: sp.Expr, angle: sp.Symbol) -> sp.Expr | None:
+    """The one ratio of an angle in an expression, or its square; None where there are others."""
+    ratios = {f for f in x.atoms(sp.Function) if angle in f.free_symbols}
+    if len(ratios) != 1:
+        return None
+    (ratio,) = ratios
+    if ratio.args != (angle,) or not isinstance(ratio, sp.sin | sp.cos | sp.tan):
+        return None
+    t = sp.Dummy("t", positive=True)
+    put = x.subs(ratio, t)
+    if not put.is_rational_function(t):
+        return None
+    powers = {p.exp for p in put.atoms(sp.Pow) if p.base == t}
+    return (
+        ratio**2
+        if powers
+        and all(p % 2 == 0 for p in powers)
+        and t not in (put.subs({t**p: sp.Dummy() for p in powers}).free_symbols)
+        else ratio
+    )
 
 
 def is_square(tree: Expression) -> bool:
