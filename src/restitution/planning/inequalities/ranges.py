@@ -109,7 +109,10 @@ def _of_a_turn(
         return None
     nodes = {n for link in relation.only for e in (link.left, link.right) for n in walk(e)}
     rooted = any(is_function(node, "sqrt") for node in nodes)
-    if not (rooted or _ends_at_a_right_angle(relation) or _is_at_a_slanting_wall(scene, asked)):
+    beyond = _is_at_a_wall(scene, asked) and _is_beyond_a_right_angle(claims, relation)
+    if not (
+        rooted or beyond or _ends_at_a_right_angle(relation) or _is_at_a_slanting_wall(scene, asked)
+    ):
         return None
     if Apply("tan", asked) in scene.asked or _has_its_tangent(scene, asked):
         return None
@@ -134,13 +137,27 @@ def _ends_at_a_right_angle(relation: Relation) -> bool:
     )
 
 
+def _is_beyond_a_right_angle(claims: Claims, relation: Relation) -> bool:
+    """Whether 90°, where there is no tangent, lies between the ends of a range in numbers."""
+    ends = [side for link in relation.only for side in (link.left, link.right)]
+    values = [
+        claims.worths.value(end) for end in ends if not letters(end) and not has_quantity(end)
+    ]
+    return any(x < sp.pi / 2 for x in values if x.is_number) and any(
+        x > sp.pi / 2 for x in values if x.is_number
+    )
+
+
 def _is_at_a_slanting_wall(scene: Scene, deflection: Quantity) -> bool:
     """Whether a deflection is at a wall that is along neither axis: both angles are to that."""
+    stage = deflection.stage
+    return _is_at_a_wall(scene, deflection) and scene.frame(int(str(stage))).is_slanted
+
+
+def _is_at_a_wall(scene: Scene, deflection: Quantity) -> bool:
     number = deflection.stage
-    if not isinstance(number, int) or number not in scene.model.frames:
-        return False
-    frame = scene.frame(number)
-    return frame.wall is not None and frame.is_slanted
+    known = isinstance(number, int) and number in scene.model.frames
+    return known and scene.frame(int(str(number))).wall is not None
 
 
 def _has_its_tangent(scene: Scene, asked: Quantity) -> bool:
