@@ -674,6 +674,31 @@ show angle(velocity(P), W) <= alpha
         ),
         ["is opposite to 𝐮, since e > 0, as required."],
     ),
+    "a number is put in before an equation is rearranged into what is shown": (
+        (
+            "wall W1: along i\nwall W2: along j\nsphere P: mass m, velocity u at theta to W1\n"
+            "P hits W1: e = e1\nP hits W2: e = e2\ngiven impulse(1) = impulse(2)\n"
+            "part a\nfind tan(theta) in terms of e1, e2\n"
+            "part b\ngiven theta = 45°\nshow e1 = e2"
+        ),
+        ["1 = (1 + e₂)/(1 + e₁)"],
+    ),
+    # e² = 1 − 3/(4 sin²α) is the printed equation: no other is made for the bounds.
+    "a bound rests on the equation that is shown": (
+        (
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
+            "given speed(P) = 1/2 u\nshow e^2 = 1 - 3/(4 sin^2(alpha))\nshow e <= 1/2\n"
+            "find range of alpha"
+        ),
+        ["e² < ¼, as sin²α < 1", "1 − 3/(4 sin²α) ≥ 0", "sin²α ≥ ¾"],
+    ),
+    "a deflection that may be obtuse is bounded as a sum": (
+        (
+            "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W\n"
+            "given tan(alpha) = 2\nfind range of deflection(P)"
+        ),
+        ["arctan 2 ≤ δ ≤ 2 arctan 2", "as arctan 2 + arctan(2e) increases with e"],
+    ),
     # Only in the tangent of θ alone is it seen that e < ½.
     "the tangents of an angle and of twice it are one tangent before a bound": (
         (

@@ -165,22 +165,43 @@ class Ties:
         if has_quantity(link.right):
             return line
         right = sp.sympify(scene.scalar(link.right), strict=True)
-        numbers: dict[sp.Symbol, sp.Expr] = {}
-        refs: list[Ref] = []
-        for each in scene.given:
-            match each.link:
-                case Link(Letter(name) as letter, "=", value) if not letters(
-                    value
-                ) and not has_quantity(value):
-                    symbol = scene.model.unknowns.letter(name)
-                    if symbol in right.free_symbols and letter.name not in letters(link.left):
-                        numbers[symbol] = sp.sympify(scene.scalar(value), strict=True)
-                        refs.append(each.fact.id)
+        numbers, refs = self._numbers(right, letters(link.left))
         if not numbers:
             return line
         put = tree_of(tidy(right.xreplace(numbers)))
         relation = equality(link.left, put)
         return self.judge.write((Move("put"),), [line, *refs], relation) or line
+
+    def with_numbers(self, line: int) -> int | None:
+        """An equation with the numbers put in on both sides that are given for letters of it."""
+        link = self.scene.desk.last_link(line)
+        if has_quantity(link.left) or has_quantity(link.right):
+            return None
+        sides = [sp.sympify(self.scene.scalar(e), strict=True) for e in (link.left, link.right)]
+        numbers, refs = self._numbers(sp.Add(*sides, evaluate=False), frozenset())
+        left, right = (tidy(side.xreplace(numbers)) for side in sides)
+        if not numbers or not left.free_symbols | right.free_symbols:
+            return None
+        relation = Relation(((Link(tree_of(left), "=", tree_of(right)),),))
+        return self.judge.write((Move("put"),), [line, *refs], relation)
+
+    def _numbers(
+        self, value: sp.Expr, apart: frozenset[str]
+    ) -> tuple[dict[sp.Symbol, sp.Expr], list[Ref]]:
+        """The numbers that are given for letters of a value, but for some, and by what facts."""
+        scene = self.scene
+        numbers: dict[sp.Symbol, sp.Expr] = {}
+        refs: list[Ref] = []
+        for each in scene.given:
+            match each.link:
+                case Link(Letter(name), "=", right) if not letters(right) and not has_quantity(
+                    right
+                ):
+                    symbol = scene.model.unknowns.letter(name)
+                    if symbol in value.free_symbols and name not in apart:
+                        numbers[symbol] = sp.sympify(scene.scalar(right), strict=True)
+                        refs.append(each.fact.id)
+        return numbers, refs
 
     def shown_by(self, ref: Ref) -> int | None:
         """The equation between letters of the statement that an earlier item shows by a fact."""

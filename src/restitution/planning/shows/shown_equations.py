@@ -56,7 +56,7 @@ from restitution.planning.shows.shown_ratios import (
     shown_by_squares,
 )
 from restitution.planning.shows.shown_speeds import multiple_of_data, speed_by_a_tie
-from restitution.planning.shows.values_put_in import with_values
+from restitution.planning.shows.values_put_in import by_numbers, with_values
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
@@ -363,6 +363,10 @@ class ShownEquation:
             cleared = self._cleared(number, known)
             if cleared is not None:
                 return cleared
+        for number in lines:
+            line = by_numbers(self.claims, number, self.link, lambda n: self._last([n, *known]))
+            if line is not None:
+                return line
         for each in lines:
             others = [other for other in lines if other != each]
             line = self._last([each, *others, *known])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from restitution.exact import tidy
@@ -19,9 +19,10 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import chain
-from restitution.planning.writing.forms import square, swept, tree_of
+from restitution.planning.writing.forms import alike, square, swept, tree_of
 
 _BY: tuple[MoveId, ...] = ("rearrange", "identity")
 
@@ -78,3 +79,23 @@ def _squared(worths: Worths, tree: Expression) -> Expression:
     if any(is_function(node, "sqrt") for node in walk(tree)):
         return tree_of(tidy(worths.value(tree) ** 2))
     return square(tree)
+
+
+def by_numbers(
+    claims: Claims, line: int, link: Link, last: Callable[[int], int | None]
+) -> int | None:
+    """What is to be shown by an equation into which numbers are put first: 1 = (1 + e)/2k.
+
+    ``last`` goes from there to the result. None where the equation says it then, from either side.
+    """
+    mark = claims.worths.mark()
+    put = claims.ties.with_numbers(line)
+    number = None
+    if put is not None:
+        own = claims.scene.desk.last_link(put)
+        one, other = (own.left, own.right), (link.left, link.right)
+        if not any(all(map(alike, one, pair)) for pair in (other, other[::-1])):
+            number = last(put)
+    if number is None:
+        claims.worths.back(mark)
+    return number
