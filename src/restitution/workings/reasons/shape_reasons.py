@@ -242,6 +242,8 @@ class ShapeReasons:
                     continue
                 least, most = (DOWN, ZERO), (UP, Number(Fraction(1)))
                 for signs, end in (most, least) if ratio in ("sin", "cos") else (least,):
+                    if end == links[0].right:
+                        continue  # a product with it is as small
                     if is_bound_by(whole, node, end, links[0].right):
                         bound = Relation(((Link(node, signs[links[0].sign in _WEAK], end),),))
                         yield say("derived.fact", fact=self._naming.relation(bound))
