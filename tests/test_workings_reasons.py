@@ -923,3 +923,22 @@ def test_a_sphere_with_a_component_that_is_still_a_letter_moves_along_no_line() 
     text = " ".join(to_text(explain(solve(parse(statement)))).split())
     assert "v = 8/3" in text
     assert "moves perpendicular to the line of centres" not in text
+
+
+@pytest.mark.parametrize(
+    ("speeds", "reason"),
+    [
+        (("3u", "4u"), "as 3 cos α + 4 sin α = 5 cos(α − arctan(4/3)) ≤ 5"),
+        (("u", "sqrt(3) u"), "as cos α + √3 sin α = 2 cos(α − 60°) ≤ 2"),
+    ],
+)
+def test_the_greatest_value_of_a_sum_of_a_cosine_and_a_sine_is_told_by_one_cosine(
+    speeds: tuple[str, str], reason: str
+) -> None:
+    text = """
+sphere A: mass m, velocity {} at alpha
+sphere B: mass m, velocity {} at 90° + alpha
+A hits B: along i, e = e
+find maximum of impulse over alpha
+"""
+    assert reason in " ".join(to_text(explain(solve(parse(text.format(*speeds))))).split())

@@ -14,6 +14,7 @@ from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Number,
@@ -48,11 +49,27 @@ def wave_of(node: Expression) -> tuple[Expression, tuple[Link, ...]] | None:
     if a[1].argument != b[1].argument or {a[1].function, b[1].function} != {"sin", "cos"}:
         return None
     total = sp.expand(a[0] ** 2 + b[0] ** 2)
+    if a[0].is_positive and b[0].is_positive:
+        return tree_of(sp.sqrt(total)), _as_one_cosine(node, a, b, sp.sqrt(total))
     other_ = Binary("-", _scaled(b[0], a[1]), _scaled(a[0], b[1]))
     squared = tree_of(total)
     less = Binary("-", squared, Binary("^", other_, two))
     links = (Link(Binary("^", node, two), "=", less), Link(less, "<=", squared))
     return tree_of(sp.sqrt(total)), links
+
+
+def _as_one_cosine(
+    node: Expression, a: tuple[sp.Expr, Apply], b: tuple[sp.Expr, Apply], most: sp.Expr
+) -> tuple[Link, ...]:
+    """``3 cos(x) + 4 sin(x) = 5 cos(x - arctan(4/3)) <= 5``: the form R cos(x − γ)."""
+    (cosine, x), (sine, _) = (a, b) if a[1].function == "cos" else (b, a)
+    turn = sp.atan(sp.radsimp(sine / cosine))
+    degrees = sp.deg(turn)
+    angle: Expression = Apply("arctan", tree_of(sp.radsimp(sine / cosine)))
+    if degrees.is_Rational:
+        angle = Degrees(Fraction(int(degrees.p), int(degrees.q)))
+    whole = Binary("*", tree_of(most), Apply("cos", Binary("-", x.argument, angle)))
+    return Link(node, "=", whole), Link(whole, "<=", tree_of(most))
 
 
 def _times(tree: Expression) -> tuple[sp.Expr, Apply] | None:
