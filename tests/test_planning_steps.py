@@ -463,3 +463,14 @@ find tan(deflection(A)) in terms of e
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
     first = "tan δ = (√3 + (3 − √3)/(2 − √3 + e))/(3(√3 − 1)/(2 − √3 + e) − 1)"
     assert f"{first} = (√3 + √3 e)/(4√3 − 5 − e) = √3(1 + e)/(4√3 − 5 − e)" in working
+
+
+def test_a_speed_of_separation_with_degrees_is_put_in_as_the_law_has_it() -> None:
+    text = """
+sphere A: mass m, velocity u at 25°
+sphere B: mass 2m, velocity 0.8u at 140°
+A hits B: along i, e = 0.65
+find velocity(A), velocity(B)
+"""
+    working = to_text(explain(solve(parse(text)), check=True), 200)
+    assert "+ 0.65(u cos 25° + 0.8u cos 40°)" in working

@@ -95,7 +95,8 @@ def put_into_restitution(
         return False
     lead = apart.as_coeff_Mul()[0].is_negative
     tree = tree_of(known.value)
-    form = difference(tree, tree_of(-apart)) if lead else total((tree, tree_of(apart)))
+    stated = None if lead else _as_stated(scene, law, apart)
+    form = difference(tree, tree_of(-apart)) if lead else total((tree, stated or tree_of(apart)))
     value = tidy(one_fraction(sp.expand(known.value + apart)))
     relation = chain(Letter(symbol.name), (form, None), (tree_of(value), "rearrange"))
     refs = scene.judge.enough(Move("put"), (law, *known.refs), relation)
@@ -104,6 +105,22 @@ def put_into_restitution(
     line = scene.desk.write(Move("put"), refs, relation)
     scene.desk.know(Letter(symbol.name), value, (line,))
     return True
+
+
+def _as_stated(scene: Scene, law: int, apart: sp.Expr) -> Expression | None:
+    """A speed of separation as the law has it, ``0.65(u cos 25° + 0.8u cos 40°)``.
+
+    None without ratios of degrees that only a calculator knows.
+    """
+    right = scene.desk.last_link(law).right
+    if not apart.atoms(sp.sin, sp.cos) or apart.atoms(sp.sin, sp.cos) & _of_letters(apart):
+        return None
+    return right if tidy(scene.scalar(right) - apart) == 0 else None
+
+
+def _of_letters(value: sp.Expr) -> set[sp.Basic]:
+    """The ratios of angles that are no numbers."""
+    return {ratio for ratio in value.atoms(sp.sin, sp.cos) if ratio.free_symbols}
 
 
 def _is_plain(value: sp.Expr) -> bool:
