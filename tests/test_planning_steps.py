@@ -474,3 +474,16 @@ find velocity(A), velocity(B)
 """
     working = to_text(explain(solve(parse(text)), check=True), 200)
     assert "+ 0.65(u cos 25° + 0.8u cos 40°)" in working
+
+
+def test_what_a_component_put_in_comes_to_is_seen_before_a_loss_by_products() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, velocity v at 180° - beta
+A hits B: along i, e = e
+find energy_lost
+"""
+    working = to_text(explain(solve(parse(text)), check=True), 300)
+    sums = "(((1 + e)u cos α + (e − k)v cos β)/(1 + k) + v cos β)"
+    assert f"½(1 − e)km{sums}(u cos α + v cos β)" in working
+    assert "½(1 − e)km((1 + e)(u cos α + v cos β)/(1 + k))(u cos α + v cos β)" in working

@@ -125,9 +125,12 @@ class _Loss:
         if line is None:
             return None
         changed = tidy(one_fraction(expanded(known.value - b)))
-        put = product(_HALF, less, other, tree_of(changed), tree_of(approach))
+        sums = (total((tree_of(known.value), negative(second))), tree_of(changed))
+        put, between = (product(_HALF, less, other, own, tree_of(approach)) for own in sums)
         value = tidy(masses[1].value * (1 - e) * changed * approach / 2)
-        last = chain(self.quantity, (put, None), (tree_of(value), "rearrange"))
+        last = chain(
+            self.quantity, (put, None), (between, "rearrange"), (tree_of(value), "rearrange")
+        )
         line = self._written((Move("put"),), (line, *known.refs), last)
         if line is not None:
             scene.desk.know(self.quantity, value, (line,))
