@@ -8,6 +8,8 @@ from typing import Any
 import httpx
 from playwright.sync_api import Page, Route
 
+from restitution.web.words import vocabulary
+
 _HTML = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{name}</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
@@ -38,14 +40,14 @@ def hosted(page: Page, served: str, name: str, function: str) -> None:
     page.route(f"{served}/host", host)
     page.goto(f"{served}/host")
     page.evaluate(
-        """async ([address, name]) => {
+        """async ([address, name, words]) => {
           window.told = [];
           const hear = (what) => (...said) => window.told.push([what, ...said]);
           const module = await import(address);
           module[name](document.getElementById("here"),
-            { onChoose: hear("chosen"), onStatement: hear("statement") });
+            { words, onChoose: hear("chosen"), onStatement: hear("statement") });
         }""",
-        [f"{served}/{static}/solve/{name}.js", function],
+        [f"{served}/{static}/solve/{name}.js", function, vocabulary()],
     )
 
 

@@ -30,6 +30,7 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.expression.writing import write_expression
+from restitution.web.words import vocabulary
 
 KINDS = ("wall", "walls", "spheres", "chain")
 QUESTIONS = Path(__file__).parent / "questions"
@@ -124,9 +125,11 @@ class Writer:
     def run(self, module: str, body: str, values: Any) -> Any:
         """What a function body makes of ``values``, with the module's names in ``m``."""
         return self._page.evaluate(
-            f"async ([folder, values]) => {{ const m = await import(`${{folder}}/{module}.js`);"
-            f" const w = await import(`${{folder}}/form-statement.js`); {body} }}",
-            [self._folder, values],
+            "async ([folder, values, words]) => {"
+            f" const m = await import(`${{folder}}/{module}.js`);"
+            f" const w = await import(`${{folder}}/form-statement.js`);"
+            f" (await import(`${{folder}}/form-quantities.js`)).learn(words); {body} }}",
+            [self._folder, values, vocabulary()],
         )
 
     def written(self, kind: str, changes: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -191,6 +194,8 @@ def test_everything_that_can_be_asked_known_or_shown_reads_well(writer, kind: st
     quantities = writer.offered("quantitiesOf", kind, blank)
     facts = writer.offered("factsOf", kind, blank)
     assert len(quantities) >= 12
+    offered = {each["key"].partition("(")[0] for each in quantities}
+    assert {record["word"] for record in vocabulary()["offered"]} <= offered
     assert len(facts) >= 1
     asked = [{**blank, "asked": [each["key"]]} for each in quantities]
     for change, text in zip(asked, texts(writer.written(kind, asked))):

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from restitution.expression.quantities import KINDS
-from restitution.expression.tree import FUNCTIONS
+from restitution.expression.quantities import KINDS, Kind
+from restitution.expression.tree import FUNCTIONS, Name, Quantity
 from restitution.expression.words import (
     EVENT_WORDS,
     GREEK_BY_NAME,
@@ -18,6 +18,7 @@ from restitution.expression.words import (
     KEYWORDS,
     LINE_WORDS,
 )
+from restitution.expression.writing import write_expression
 
 # What each line says, how one begins, and an example.
 _LINES: Mapping[str, tuple[str, str, str]] = {
@@ -140,6 +141,7 @@ def vocabulary() -> dict[str, Any]:
             for kind in KINDS.values()
             if kind.in_statements
         ],
+        "offered": [_offered(kind) for kind in KINDS.values() if _is_of_bodies(kind)],
         "functions": [{"word": word, "about": _FUNCTIONS[word]} for word in FUNCTIONS],
         "phrases": [
             {"word": word, "about": about, "lines": lines.split()}
@@ -148,6 +150,33 @@ def vocabulary() -> dict[str, Any]:
         "greek": greek,
         "keywords": sorted(KEYWORDS),
         "expressions": [{"example": example, "about": about} for example, about in _EXPRESSIONS],
+    }
+
+
+# What a form puts in for: names of bodies, and the events before and after which they are meant.
+_BODIES, _EARLY, _LATE = ("ONE", "OTHER"), 10**6 - 1, 10**6
+
+
+def _is_of_bodies(kind: Kind) -> bool:
+    """Whether a form can offer a quantity by its record: of bodies, after an event or in one."""
+    named = kind.definition is None or bool(kind.noun)
+    of_spheres = kind.names == {"sphere"} and kind.arguments[1] > 0
+    return kind.in_statements and kind.staged and named and of_spheres and not kind.at_time
+
+
+def _offered(kind: Kind) -> dict[str, Any]:
+    """A quantity as a form offers it; ``key`` is what it is, with all stages told."""
+    bodies = tuple(Name(name) for name in _BODIES[: kind.arguments[1]])
+    defined = kind.written_out(bodies, _LATE, _LATE)
+    key = write_expression(defined or Quantity(kind.word, bodies, _LATE))
+    return {
+        "word": kind.word,
+        "noun": kind.in_formulas,
+        "bodies": len(bodies),
+        "key": key.replace(str(_EARLY), "EARLY").replace(str(_LATE), "LATE"),
+        "vector": kind.nature == "vector",
+        "angle": kind.nature == "angle",
+        "in_event": kind.of_an_event,
     }
 
 

@@ -2,6 +2,14 @@
 
 import { countOf, eventsOf, nameOf, spheresOf } from "./form-model.js";
 
+// The quantities of bodies that the language has, by their records, but for those below.
+let records = [];
+const WORDED = new Set(["velocity", "speed", "deflection"]);
+
+export function learn(words) {
+  records = words.offered.filter(({ word }) => !WORDED.has(word));
+}
+
 const TIMES = ["after the first impact", "after the second impact"];
 
 // Quantities as { item, key, label, group }: `item` as a statement has it after the last event,
@@ -49,6 +57,18 @@ export function quantitiesOf(answers) {
       }
     }
     const which = count === 1 ? "" : ` at the ${ORDINAL[index]} impact`;
+    for (const record of records) {
+      const names = spheres.map((role) => nameOf(answers, role)).sort();
+      const of = record.bodies === 1 ? names.map((body) => [body]) : [names];
+      for (const bodies of of.filter(({ length }) => length === record.bodies)) {
+        const key = record.key.replace(/\b(ONE|OTHER|EARLY|LATE)\b/g, (mark) =>
+          ({ ONE: bodies[0], OTHER: bodies[1], EARLY: n - 1, LATE: n })[mark]);
+        const said = `${record.noun} ${bodies.join(" and ")}`;
+        put(n, (s) => `${record.word}(${bodies.join(", ")}${s})`,
+          record.in_event ? `${said}${which}` : `${said} ${when}`, `${bodies.join(", ")} ${when}`,
+          { key, vector: record.vector, angle: record.angle });
+      }
+    }
     const group = count === 1 ? "The impact" : `The ${ORDINAL[index]} impact`;
     put(n, (_, p) => `impulse${p}`, `magnitude of the impulse${which}`, group);
     put(n, (_, p) => `energy_lost${p}`, `kinetic energy lost${which}`, group);

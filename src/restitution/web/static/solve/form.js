@@ -9,7 +9,7 @@ import {
   KINDS, askedOf, countOf, emptyOf, eventsOf, isPlainWho, nameOf, noFact, noResult, spheresOf,
 } from "./form-model.js";
 import { moving, picture } from "./form-pictures.js";
-import { factsOf, quantitiesOf } from "./form-quantities.js";
+import { factsOf, learn, quantitiesOf } from "./form-quantities.js";
 import { answersOf } from "./form-reading.js";
 import { fieldAt, linesOf, statementOf } from "./form-statement.js";
 import { wordsOf } from "./solver.js";
@@ -22,7 +22,8 @@ const nothing = () => {};
 // `onStatement(text)` is told each statement that can be read; `onState(state)` that the fields are
 // being read, are all read, or that some are not: { kind, problems: [{ field, label, said }] }.
 // `current()` is the text in the editor.
-export function mountForm(element, { onStatement, onState = nothing, current = () => "" }) {
+export function mountForm(element, { words, onStatement, onState = nothing, current = () => "" }) {
+  learn(words);
   const filled = new Map(KINDS.map(([kind]) => [kind, emptyOf(kind)]));
   let kind = KINDS[0][0];
   let waiting = null;

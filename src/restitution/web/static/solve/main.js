@@ -233,7 +233,7 @@ const form = makeFold($("form"), $("filling"), lazily(
   () => import("./form.js"),
   ({ mountForm }, body) => {
     fields = mountForm(body, {
-      onStatement: written, onState: foreign.put, current: () => editor.text,
+      words, onStatement: written, onState: foreign.put, current: () => editor.text,
     });
     fields.read(editor.text);
   },
