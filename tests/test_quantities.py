@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
+import ast
 import re
+from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 
 import pytest
 
 import restitution
 from restitution.expression.defined import quantity_of
 from restitution.expression.dimensions import SPEED
-from restitution.expression.quantities import KINDS, QUANTITIES, Kind, dimension_of
+from restitution.expression.quantities import (
+    ANGLES,
+    CHANGED,
+    ENERGIES,
+    KINDS,
+    LASTING,
+    LOSSES,
+    PLACED,
+    QUANTITIES,
+    UNSIGNED_ANGLES,
+    Kind,
+    dimension_of,
+)
 from restitution.expression.reading import read_expression
 from restitution.expression.tree import Binary, Expression, Name, Quantity, Stage
 from restitution.practice.letters.wordings import words_of
@@ -158,3 +173,50 @@ def test_its_noun_stands_in_a_working() -> None:
     text = to_text(restitution.explain(solved, check=True))
     assert "speed of approach of A and B = " in text
     assert "does not follow" not in text
+
+
+# --- families -------------------------------------------------------------------------------------
+
+FAMILIES = {
+    "ANGLES": ANGLES,
+    "CHANGED": CHANGED,
+    "ENERGIES": ENERGIES,
+    "LASTING": LASTING,
+    "LOSSES": LOSSES,
+    "PLACED": PLACED,
+    "UNSIGNED_ANGLES": UNSIGNED_ANGLES,
+}
+SOURCES = Path(restitution.__file__).parent
+
+
+def spelled_out(module: ast.Module) -> Iterator[tuple[int, frozenset[str]]]:
+    """The kinds that a module lists where it asks for the kind of a quantity, by their lines."""
+    for node in ast.walk(module):
+        match node:
+            case ast.MatchClass(ast.Name("Quantity"), [ast.MatchOr(patterns), *_]) | ast.MatchClass(
+                ast.Name("Quantity"), [ast.MatchAs(ast.MatchOr(patterns)), *_]
+            ):
+                values = [each.value for each in patterns if isinstance(each, ast.MatchValue)]
+            case ast.Compare(ast.Attribute(attr="kind"), [ast.In() | ast.NotIn()], [listed]):
+                values = list(getattr(listed, "elts", ()))
+            case ast.Call(ast.Name("is_quantity"), [_, *values]):
+                pass
+            case _:
+                continue
+        kinds = [each.value for each in values if isinstance(each, ast.Constant)]
+        if len(kinds) == len(values) > 1:
+            yield node.lineno, frozenset(kinds)
+
+
+@pytest.mark.parametrize("package", sorted(path.name for path in SOURCES.iterdir()))
+def test_nobody_lists_the_kinds_of_a_family(package: str) -> None:
+    """A quantity that joins a family by its record is found wherever the family is asked for."""
+    root = SOURCES / package
+    listed = [
+        f"{path.relative_to(SOURCES)}:{line}: {name}"
+        for path in ([root] if root.suffix == ".py" else root.rglob("*.py"))
+        for line, kinds in spelled_out(ast.parse(path.read_text("utf-8")))
+        for name, family in FAMILIES.items()
+        if kinds == family
+    ]
+    assert listed == []

@@ -7,6 +7,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Ref
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Expression,
@@ -38,7 +39,9 @@ def write_tangents(scene: Scene, link: Link) -> tuple[dict[Expression, Expressio
     refs: list[Ref] = []
     for node in (node for side in (link.left, link.right) for node in walk(side)):
         match node:
-            case Apply("tan", Quantity("angle" | "deflection") as angle) if node not in values:
+            case Apply("tan", Quantity(kind) as angle) if (
+                kind in UNSIGNED_ANGLES and node not in values
+            ):
                 if (datum := _of_data(scene, angle)) is not None:
                     values[node] = Apply("tan", tree_of(datum.value, angle=True))
                     refs += datum.refs

@@ -19,7 +19,7 @@ from restitution.explaining.lines.derivation import (
     Sign,
 )
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.quantities import ANGLES
+from restitution.expression.quantities import ANGLES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -164,7 +164,7 @@ class Conditions:
             done = towards[1] == "!=" or of_a_product
             return towards[0] if done else self.finished(*towards, wanted)
         match self.worths.opened(link.left), link.right:
-            case Quantity("deflection" | "angle") as angle, Degrees(value) if value == 90:
+            case Quantity(kind) as angle, Degrees(value) if kind in UNSIGNED_ANGLES and value == 90:
                 return self._past_a_right_angle(fact, link, angle, wanted)
             case Quantity("direction", (Name() as body,), int(stage)), Degrees(value) if (
                 value == 90 and link.sign[0] == ">"
@@ -173,7 +173,9 @@ class Conditions:
                 behind = self._past_a_right_angle(fact, link, to_axis, wanted)
                 if behind is not None:
                     return behind
-            case Quantity("deflection" | "angle") as angle, Degrees(value) if 0 < value < 90:
+            case Quantity(kind) as angle, Degrees(value) if (
+                kind in UNSIGNED_ANGLES and 0 < value < 90
+            ):
                 bounded = write_bounded(self.worths, fact, link, angle)
                 if bounded is not None:
                     condition = both_squared(self.worths, *bounded)

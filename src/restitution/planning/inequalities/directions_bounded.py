@@ -8,6 +8,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -92,7 +93,7 @@ def write_of_wide_angle(
         for link in relation.only
     ]
     match quantities:
-        case [Quantity("angle" | "deflection") as angle] if all(
+        case [Quantity(kind) as angle] if kind in UNSIGNED_ANGLES and all(
             link.sign in FLIPPED and angle in (link.left, link.right) for link in opened
         ):
             links = [_solved(claims, link, angle) for link in opened]

@@ -13,6 +13,7 @@ from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -402,7 +403,7 @@ class Worths:
                 return self._of_place(tree)
             case Quantity():
                 return self.quantity(tree)
-            case Apply("tan", Quantity("angle" | "deflection" | "direction") as angle):
+            case Apply("tan", Quantity(kind) as angle) if kind in ANGLES:
                 return self.quantity(angle)
             case Binary("^", Quantity("speed") as speed, Number(Fraction(numerator=2))):
                 return self.squared(speed)

@@ -180,7 +180,9 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
     match own.left:
         case Apply("abs", inside) if isinstance(scene.value(inside), Vector):
             return _size(scene, each, own.left)
-        case Apply("tan", Quantity("angle" | "deflection") as angle) if not has_quantity(own.right):
+        case Apply("tan", Quantity(kind) as angle) if kind in UNSIGNED_ANGLES and not has_quantity(
+            own.right
+        ):
             line = given_turn(scene, each)
             if line is not None:
                 return line
@@ -193,7 +195,7 @@ def write_given(scene: Scene, each: GivenEquation) -> int:
                 return line
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
             return _tangent(scene, each, cosine_of_deflection(scene, angle))
-        case Quantity("angle" | "deflection"):
+        case Quantity(kind) if kind in UNSIGNED_ANGLES:
             if is_quantity(own.right, *UNSIGNED_ANGLES):
                 return write_equal_angles(scene, each)
     return _of_several(scene, each)
@@ -260,7 +262,7 @@ def _is_right(scene: Scene, own: Link) -> bool:
     match own.left:
         case Quantity("direction", _, int()):
             return bool(tidy(sp.sin(2 * scene.scalar(own.right))) == 0)
-        case Quantity("deflection" | "angle"):
+        case Quantity(kind) if kind in UNSIGNED_ANGLES:
             straight = isinstance(own.right, Degrees) and own.right.value in (0, 180)
             return straight or bool(scene.scalar(own.right) == sp.pi / 2)
     return False

@@ -7,7 +7,7 @@ import sympy as sp
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Link, Move, Relation, equality
-from restitution.expression.quantities import ENERGIES
+from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Degrees,
@@ -208,7 +208,7 @@ def _quotable(scene: Scene, line: int, relation: Relation) -> None:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case Apply("tan", Letter(name)) if f"let {name}" in scene.facts:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
-        case Apply("tan", Quantity("angle" | "deflection", _, int() | None)):
+        case Apply("tan", Quantity(kind, _, int() | None)) if kind in UNSIGNED_ANGLES:
             scene.desk.know(link.left, scene.scalar(link.right), (line,))
         case left if not has_quantity(left) and not scene.lets_in(link):
             scene.desk.shown.append(line)
@@ -332,7 +332,9 @@ def _inverse_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
     """An angle that is printed by its tangent, in degrees or letters: its tangent comes first."""
     tangent: Expression | None = None
     match link:
-        case Link(Quantity("angle" | "deflection") as quantity, "=", Apply("arctan", tangent)):
+        case Link(Quantity(kind) as quantity, "=", Apply("arctan", tangent)) if (
+            kind in UNSIGNED_ANGLES
+        ):
             pass
         case Link(Quantity("angle") as quantity, "=", right) if not has_quantity(right):
             pass

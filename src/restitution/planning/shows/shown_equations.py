@@ -22,6 +22,7 @@ from restitution.explaining.lines.derivation import (
     equality,
 )
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -34,6 +35,7 @@ from restitution.expression.tree import (
     has_quantity,
     is_binary,
     is_function,
+    is_quantity,
     letters,
     unsigned,
     walk,
@@ -572,7 +574,9 @@ class ShownEquation:
         """The tangent of an angle between two velocities, by their angles to one line."""
         mark = self.claims.worths.mark()
         match self.link.left:
-            case Apply("tan", Letter() | Quantity("deflection" | "angle")):
+            case Apply("tan", inside) if isinstance(inside, Letter) or is_quantity(
+                inside, *UNSIGNED_ANGLES
+            ):
                 line = self.claims.worths.turned(angle, by_letter=True)
             case _:
                 line = write_tangent_of_two(self.scene, self.link.left)

@@ -15,7 +15,7 @@ from restitution.expression.tree import (
     Negate,
 )
 from restitution.practice.judging.entries import names_of
-from restitution.practice.letters.candidates import Candidate
+from restitution.practice.letters.candidates import TURNS, Candidate
 from restitution.practice.reading.phrases import UNNAMED_ANGLE, UNNAMED_DIRECTION
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
@@ -33,9 +33,7 @@ def with_angles(
 ) -> Iterator[tuple[Expression, Claim]]:
     """Each angle that may be meant, of the statement or of the motion, and the claim with it."""
     angles: list[Expression] = [Letter(name) for name in sorted(world.angles)]
-    angles += [
-        candidate.quantity for candidate in known if candidate.kind in ("angle", "deflection")
-    ]
+    angles += [candidate.quantity for candidate in known if candidate.kind in TURNS]
     turned = UNNAMED_DIRECTION in unnamed_in(claim)
     for angle in angles:
         forms: list[Expression] = [angle, Binary("-", RIGHT_ANGLE, angle)]

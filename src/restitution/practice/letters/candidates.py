@@ -359,7 +359,7 @@ def _of_the_whole(problem: Problem, events: Sequence[Event]) -> Iterator[Candida
 # --- what a letter may be by its look -------------------------------------------------------------
 
 _VELOCITIES: tuple[Kind, ...] = ("component", "speed", "velocity", "relative")
-_ANGLES: tuple[Kind, ...] = ("angle", "deflection")
+TURNS: tuple[Kind, ...] = ("angle", "deflection")
 _BY_LETTER: dict[str, tuple[Kind, ...]] = {
     **dict.fromkeys("IJQ", ("impulse",)),
     **dict.fromkeys("RFSP", ("impulse", *_VELOCITIES)),
@@ -374,7 +374,7 @@ _BY_LETTER: dict[str, tuple[Kind, ...]] = {
     **dict.fromkeys("xyp", (*_VELOCITIES, "place")),
     **dict.fromkeys("n", ("direction", "ratio", *_VELOCITIES)),
     **dict.fromkeys("dsD", ("distance", "time", "deflection", *_VELOCITIES, "place")),
-    **dict.fromkeys(("lambda", "mu"), ("impulse", "ratio", "tangent", *_ANGLES)),
+    **dict.fromkeys(("lambda", "mu"), ("impulse", "ratio", "tangent", *TURNS)),
 }
 
 
@@ -384,7 +384,7 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
     ``in_angle`` tells that it stands inside a trigonometric function.
     """
     if in_angle:
-        return _ANGLES
+        return TURNS
     base, _, below = letter.rstrip("'").partition("_")
     if base in ("m", "M") and below:
         return ("mass",)
@@ -392,7 +392,7 @@ def kinds_of(letter: str, in_angle: bool) -> tuple[Kind, ...]:
         return ("time", *_VELOCITIES)
     if base in _BY_LETTER:
         return _BY_LETTER[base]
-    return _ANGLES if base in GREEK else _VELOCITIES
+    return TURNS if base in GREEK else _VELOCITIES
 
 
 def is_odd(letter: str, quantity: Expression) -> bool:
@@ -402,7 +402,7 @@ def is_odd(letter: str, quantity: Expression) -> bool:
     known = "tangent" if tangent else next((each for each in _ORDER if each in kinds), None)
     usual = kinds_of(letter, False)
     if known == "angle":
-        return usual[0] not in _ANGLES and letter[:1] not in "abxy"
+        return usual[0] not in TURNS and letter[:1] not in "abxy"
     return known is not None and known != usual[0]
 
 
