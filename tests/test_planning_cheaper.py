@@ -448,3 +448,30 @@ def test_an_angle_by_a_product_that_stands_is_not_said_to_be_between_others() ->
         "find speed(A), speed(B), angle(velocity(A), velocity(B))"
     )
     assert "in their directions" not in to_text(explain(solution))
+
+
+@pytest.mark.parametrize(
+    ("line", "value"),
+    [("i", "2i + j"), ("j", "5i + 3/2 j"), ("i + j", "-9/4 i + 19/4 j")],
+)
+def test_a_relative_velocity_brings_in_no_mass(line: str, value: str) -> None:
+    text = f"sphere A: velocity 3i + j\nsphere B: velocity {{x}}\nA hits B: along {line}, e = 1/2\n"
+    velocity = {"i": "-i + 2j", "j": "8i - 2j", "i + j": "-3i + 2j"}[line]
+    problem = parse(text.format(x=velocity) + "find velocity(B) - velocity(A)\n")
+    derivation = plan(solve(problem))
+    assert set(laws(derivation)) <= {"unchanged", "restitution"}
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert said(derivation)[-1] == f"velocity(B, 1) - velocity(A, 1) = {value}"
+
+
+def test_a_velocity_that_is_given_is_put_in_as_it_is() -> None:
+    text = "sphere A: mass 1, velocity 3i + 2j\nsphere B: mass 2, at rest\nA hits B\n"
+    _, derivation = planned(f"{text}given velocity(A) = -i\nfind velocity(B) - velocity(A)")
+    assert not any(each.startswith("velocity(A, 1) = ") for each in said(derivation))
+
+
+def test_a_fraction_needs_no_mass_though_an_energy_is_asked_that_cannot_be_found() -> None:
+    text = "wall W: along i\nsphere P: velocity 2i - 6j\nP hits W: e = 1/3\n"
+    derivation = plan(solve(parse(f"{text}find energy_lost/energy(0), energy_lost\n")))
+    (fraction,) = (each for each in derivation.lines if each.move.record == "energy-ratio")
+    assert "mass" not in str(fraction)

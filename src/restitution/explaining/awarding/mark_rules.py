@@ -144,7 +144,7 @@ RULES: tuple[Rule, ...] = (
         "another-put-together", ("define",), "A", ("assemble",), ("on-the-way", "another-assembled")
     ),
     _rule("put-together", ("define",), "M", ("assemble", "speed", "size"), ("on-the-way",)),
-    _rule("velocity-in-components", ("define",), "", ("assemble",)),
+    _rule("velocity-in-components", ("define",), "", ("assemble", "relative-velocity")),
     _rule("velocity-by-size-and-direction", ("define",), "M", ("turned",), ("asked",)),
     # Facts closed into equations, and what is asked.
     _rule("angle-of-the-data", ("define",), "", ("scalar-angle",), ("of-facts", "of-a-number")),

@@ -237,6 +237,7 @@ PRINCIPLES = (
 DEFINITIONS = (
     Record("component", "definition", gives=("along", "across", "dot")),
     Record("assemble", "definition", gives=("velocity",)),
+    Record("relative-velocity", "definition"),
     Record("product", "definition", gives=("dot",)),
     Record(
         "tan",

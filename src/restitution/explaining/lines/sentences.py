@@ -1394,6 +1394,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A velocity is the sum of its components, each times the unit vector in its direction. "
         "The impact changes one of them and leaves the other; both belong to the velocity."
     ),
+    "relative-velocity.title": "The relative velocity, from its components",
+    "relative-velocity.why": (
+        "Along the line of centres the relative velocity is the velocity of separation, which "
+        "Newton's experimental law gives; across it neither velocity has changed."
+    ),
     "derived-opposite.title": "The impulses on the two spheres are equal and opposite",
     "derived-opposite.change": (
         "The impulse on {one} is opposite to that on {other}, which is the change of momentum of "

@@ -38,6 +38,7 @@ _TITLES: Mapping[str, tuple[SentenceId | None, SentenceId | None]] = {
     "speed": ("derived-speed.title", "derived-speed.title"),
     "size": ("derived-size.title", "derived-size.title"),
     "assemble": ("derived-assembled.title", "derived-assembled.title"),
+    "relative-velocity": (None, "relative-velocity.title"),
     "product": ("derived-product.title", "derived-product.title"),
     "perpendicular": ("derived-perpendicular.title", "derived-perpendicular.title"),
     "parallel": ("derived-parallel.title", "derived-parallel.title"),

@@ -127,6 +127,7 @@ _OF_TOPICS: Mapping[str, tuple[str, ...]] = {
     "derived-product": ("product-as-vector", "along-times-across"),
     "derived-between": ("size-left-out", "acute-for-obtuse"),
     "derived-place": ("moved-for-place",),
+    "relative-velocity": ("sign-of-reversed",),
     "derived-assembled": ("energy-component-missing", "sign-of-reversed"),
     "changed-spheres": ("vector-not-unit", "sign-of-reversed"),
     "changed-wall": ("vector-not-unit", "sign-of-reversed"),

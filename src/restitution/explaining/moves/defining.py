@@ -32,6 +32,7 @@ from restitution.expression.tree import (
 _RESOLVED: Mapping[str | None, tuple[str, ...]] = {
     "component": ("along", "across", "dot"),
     "assemble": ("velocity", "position"),
+    "relative-velocity": (),
     "product": ("dot",),
 }
 
@@ -264,6 +265,14 @@ def _is_size(step: Step, tree: Expression) -> bool:
     return step.move.record == "size" and is_function(tree, "abs")
 
 
+def _is_relative(tree: Expression) -> bool:
+    """Whether a tree is the velocity of one body relative to another."""
+    match tree:
+        case Binary("-", Quantity("velocity", (Name(),)), Quantity("velocity", (Name(),))):
+            return True
+    return False
+
+
 def _is_resolved(step: Step, line: Link) -> bool:
     """A component by a vector, or a vector by its components: the value is what is cited."""
     quantity = line.left
@@ -274,6 +283,7 @@ def _is_resolved(step: Step, line: Link) -> bool:
         quantity = meaning.quantity
     kinds = _RESOLVED.get(step.move.record, ())
     known = isinstance(quantity, Quantity) and quantity.kind in kinds
+    known = known or (step.move.record == "relative-velocity" and _is_relative(quantity))
     if line.sign != "=" or not (known or _is_size(step, quantity)):
         return False
     others = tuple(

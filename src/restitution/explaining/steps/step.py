@@ -79,7 +79,7 @@ class Step(Premises):
             for side in (link.left, link.right)
             for node in walk(side)
         )
-        if not sizes and self.move.record not in ("distance", "size"):
+        if not sizes and self.move.record not in ("distance", "size", "relative-velocity"):
             return frozenset()
         return frozenset(let.letter for let in self.lets)
 

@@ -37,7 +37,7 @@ from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.energy_formulas import energy_change
 from restitution.planning.formulas.fractions_lost import fraction_lost, ratio_of_energies
 from restitution.planning.formulas.named_angles import letter_of
-from restitution.planning.formulas.separations import relative_speed
+from restitution.planning.formulas.separations import relative_speed, relative_velocity
 from restitution.planning.formulas.velocity_formulas import squared_speed, velocity_source
 from restitution.planning.journeys import distances, journeys
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
@@ -46,6 +46,7 @@ from restitution.planning.writing.place_trees import is_duration
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.roots_below import in_shorter_form
 from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
 
 _DATA = ("mass", "restitution")
@@ -77,7 +78,7 @@ def write_expression(scene: Scene, asked: Expression) -> tuple[int, Any]:
     squares = write_by_squares(scene, asked, formula_of_squares)
     if squares is not None:
         return squares, scene.desk.last_link(squares).right
-    own = _of_squares(scene, asked)
+    own = _of_squares(scene, asked) or relative_velocity(scene, asked)
     if own is not None:
         return write_formula(scene, own), tree_of(own.value)
     values: dict[Expression, Expression] = {}
@@ -305,6 +306,10 @@ def _value_of(scene: Scene, node: Expression) -> Source | None:
     match node:
         case Quantity("velocity", (Name(body),), int(stage)) if not scene.last_event(body, stage):
             return velocity_source(scene, body, 0)
+        case Quantity("velocity", (Name(body),), int(stage)) if (
+            given := velocity_given(scene, body, stage)
+        ) is not None and not any(map(scene.unknown, given[1])):
+            return Source(given[1], given[2])
     if is_duration(node):
         number, value = journeys.write(scene, node)
         return Source(value, (number,))

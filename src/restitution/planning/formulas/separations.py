@@ -5,8 +5,9 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Ref
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity
+from restitution.planning.formulas.definitions import Formula, itself
 from restitution.planning.formulas.impacts import (
     after,
     before,
@@ -16,9 +17,11 @@ from restitution.planning.formulas.impacts import (
 )
 from restitution.planning.formulas.whereabouts import standing
 from restitution.planning.writing.desk import Source, together
-from restitution.planning.writing.forms import difference, tree_of
+from restitution.planning.writing.forms import difference, product, total, tree_of, vector
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import unit_tree
+from restitution.vector import Vector
 
 
 def _separation_tree(scene: Scene, frame: Frame) -> Expression:
@@ -74,6 +77,34 @@ def relative_speed(
     parts = [(tree_of(apart.value), apart.value), (difference(tree_of(a), tree_of(b)), gap)]
     refs = together(apart.refs, one.whole, other.whole, frame.unit_free)
     return (parts if frame.n.x else parts[::-1]), refs
+
+
+def relative_velocity(scene: Scene, asked: Expression) -> Formula | None:
+    """The velocity of one sphere relative to the other just after an impact, by its components.
+
+    None of another tree, and where the speed of separation is not known alone.
+    """
+    event = event_of_relative(scene, asked)
+    apart = separation_known(scene, scene.frame(event)) if event is not None else None
+    if event is None or apart is None or not isinstance(asked, Binary):
+        return None
+    frame, bodies = scene.frame(event), scene.bodies(event)
+    first = asked.left == Quantity("velocity", (Name(bodies[0]),), event)
+    sources = [in_direction(scene, "across", body, event, frame) for body in bodies]
+    one, other = sources if first else sources[::-1]
+    along = tidy((-1 if first else 1) * frame.letter_sign * apart.value)
+    gap = tidy(one.value - other.value)
+    across = difference(tree_of(one.value), tree_of(other.value))
+    refs = together(apart.refs, one.whole, other.whole, frame.unit_free)
+    value = frame.n * along + frame.t * gap
+    if frame.n in (Vector(1, 0), Vector(0, 1)):
+        parts = (tree_of(along), across)
+        right = vector(*(parts if frame.n.x else parts[::-1]))
+    else:
+        pairs = ((tree_of(along), frame.n), (across, frame.t))
+        right = total(product(part, unit_tree(direction)) for part, direction in pairs)
+    move = Move("define", "relative-velocity", event)
+    return Formula(move, itself, asked, right, Vector(*map(tidy, value)), refs)
 
 
 def event_of_relative(scene: Scene, velocity: Expression) -> int | None:

@@ -637,6 +637,8 @@ def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
             pass
         case Apply("abs", velocity) if event_of_relative(scene, velocity) is not None:
             pass
+        case Binary("-") if event_of_relative(scene, asked) is not None:
+            pass
         case _:
             wanted = [
                 goal

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property, lru_cache
 from typing import Any, Literal
@@ -149,10 +149,17 @@ class Scene:
         """What the part asks for by itself, as lines say it."""
         return frozenset(
             staged(self.problem, tree, now)
-            for item, now in self.problem.asked(self.part)
+            for item, now in self._answered()
             if not isinstance(item, Show)
             for tree in trees_of_step(Find((item,)))
         )
+
+    def _answered(self) -> Iterator[tuple[Any, Any]]:
+        """The items of the part that have an answer, each with the event at which it is asked."""
+        items = self.problem.asked(self.part)
+        for own, result in zip(items, self.solution.items, strict=True):
+            if result.error is None:
+                yield own
 
     @property
     def events(self) -> int:

@@ -50,6 +50,7 @@ PRINCIPLES: Mapping[str, str] = {
     "moves-off": "direction",
     "component": "component",
     "assemble": "velocity",
+    "relative-velocity": "velocity",
     "product": "scalar-product",
     "speed": "speed",
     "size": "speed",
