@@ -663,6 +663,27 @@ find distance(A, B, at 5), distance(A, B, at t)
 a: 6 distance(A, B, at 5) = 5 sqrt(10)
 b: 7 distance(A, B, at t) = sqrt(10) t
 """,
+    "same-angle": """
+sphere A: mass m, velocity 4 at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+find tan(direction(A)), direction(A, 0)
+---
+1 a | let | | let v = c(A, 1)
+2 a | let | | let w = c(B, 1)
+3 a | law unchanged 1 A | velocity A, axis 1 | s(A, 1) = 4sin(alpha)
+4 a | law momentum 1 A B | mass A, velocity A, axis 1, mass B, velocity B, 1, 2 | 4cos(alpha)=v+w
+5 a | law restitution 1 A B | e 1, velocity A, axis 1, velocity B, 1, 2 | w - v = 2cos(alpha)
+6 a | combine w | 4, 5 | v = cos(alpha)
+7 a | let | | let beta = angle(velocity(A, 1), line_of_centres(1))
+8 a | define tan 1 A | 1, 6, 3, 7 | tan(beta) = 4 tan(alpha)
+9 a | let | | let theta = direction(A, 1)
+10 a | define difference 1 A | axis 1, 1, 6, 3, 7, 9 | theta = beta
+11 a | put | 8, 10 | tan(theta) = 4 tan(alpha)
+12 b | define difference | velocity A | direction(A, 0) = alpha
+a: 11 tan(theta) = 4 tan(alpha)
+b: 12 direction(A, 0) = alpha
+""",
 }
 
 # Rule, working, line; what stands there in the styles fm1, m4 and caie.
@@ -723,6 +744,8 @@ CASES: tuple[tuple[str, str, int, str, str, str], ...] = (
     ("angle-read-off", "straight-back", 4, "B1ft", "A1ft", "B1ft"),
     ("product-read-off", "a-component", 6, "A1ft", "A1ft", "A1ft"),
     ("direction-read-off", "straight-back", 5, "B1ft", "A1ft", "B1ft"),
+    ("direction-of-the-data", "same-angle", 12, "B1", "B1", "B1"),
+    ("same-angle", "same-angle", 10, "", "", ""),
     ("angle-seen", "exchanged", 6, "A1", "A1", "A1"),
     ("angle-by-a-difference", "equal-elastic", 10, "M1 A1ft", "M1 A1ft", "M1 A1ft"),
     ("data", "corner", 8, "", "", ""),

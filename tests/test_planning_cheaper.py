@@ -475,3 +475,33 @@ def test_a_fraction_needs_no_mass_though_an_energy_is_asked_that_cannot_be_found
     derivation = plan(solve(parse(f"{text}find energy_lost/energy(0), energy_lost\n")))
     (fraction,) = (each for each in derivation.lines if each.move.record == "energy-ratio")
     assert "mass" not in str(fraction)
+
+
+def test_a_direction_of_the_data_is_their_letter() -> None:
+    text = (
+        "sphere A: mass m, velocity u at alpha\nsphere B: mass m, at rest\nA hits B: along i, e = 0"
+    )
+    _, derivation = planned(f"{text}\ngiven speed(B) = u/4\nfind direction(A, 0)")
+    assert "direction(A, 0) = alpha" in said(derivation)
+    assert not any("tan(theta)" in each for each in said(derivation))
+
+
+def test_a_direction_along_the_line_of_centres_is_the_angle_to_it_that_is_named() -> None:
+    text = PAIR.format(a="2m", u="u at alpha", b="m", x="0")
+    _, derivation = planned(
+        f"{text}, e = 1/2\ngiven tan(deflection(A)) = 1/3, tan(alpha) < 3/4\n"
+        "find tan(direction(A)) in terms of alpha"
+    )
+    assert said(derivation)[-2:] == ["theta = beta", "tan(theta) = 2(1/2) = 1 [rearrange]"]
+
+
+def test_the_angle_between_two_spheres_takes_all_values_that_its_tangent_takes() -> None:
+    text = PAIR.format(a="m", u="u at alpha", b="2m", x="0")
+    problem = parse(f"{text}, e = 1/3\nfind range of angle(velocity(A), velocity(B))\n")
+    derivation = plan(solve(problem))
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert said(derivation)[-3:] == [
+        "tan(beta) = u sin(alpha)/(1/9 u cos(alpha)) = 9tan(alpha) [rearrange]",
+        "tan(beta) > 0",
+        "0° < angle(velocity(A, 1), velocity(B, 1)) < 90°",
+    ]

@@ -324,6 +324,14 @@ def _of_angles(work: Work, line: Line) -> bool:
     return is_quantity(subject, *UNSIGNED_ANGLES)
 
 
+def _is_another_angle(work: Work, line: Line) -> bool:
+    """Whether a line says that one angle with a letter of the working is another one."""
+    if not isinstance(line.relation, Relation):
+        return False
+    link, meanings = line.relation.options[0][0], work.derivation.meanings
+    return all(isinstance(e, Letter) and e.name in meanings for e in (link.left, link.right))
+
+
 def _of_one_term(work: Work, line: Line) -> bool:
     """There is nothing to put together: only one component is not zero."""
     nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
@@ -605,6 +613,7 @@ CONDITIONS: Mapping[str, Callable[[Work, Line], bool]] = {
         line.number not in work.ends and isinstance(subject_of(line), Quantity)
     ),
     "a-direction": lambda work, line: getattr(subject_of(line), "kind", None) == "direction",
+    "an-angle-for-another": _is_another_angle,
     "an-angle-to-a-line": _an_angle_to_a_line,
     "of-one-term": _of_one_term,
     "another-assembled": _another_assembled,

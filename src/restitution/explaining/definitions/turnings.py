@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from itertools import permutations
 
@@ -177,10 +178,10 @@ def _pushed_back(step: Step, event: Event, before: Moving) -> int | None:
 
 
 def _by_directions(step: Step, event: Event) -> Iterator[Link]:
-    """The angle of a velocity to **i**, or to a wall along **i**, by its direction from **i**.
+    """The angle of a velocity to **i**, or to a line along **i**, by its direction from **i**.
 
-    On which side of **i** it lies tells the sign, and which way it goes along a wall whether the
-    angle is taken from 180°.
+    That is a wall, or the line of centres. On which side of **i** the velocity lies tells the sign,
+    and which way it goes along a line whether the angle is taken from 180°.
     """
     for let in step.lets:
         match let.quantity:
@@ -198,7 +199,7 @@ def _by_directions(step: Step, event: Event) -> Iterator[Link]:
         size = direction if up == 1 else Negate(direction)
         if line == Unit("i"):
             yield Link(let.quantity, "=", size)
-        elif isinstance(line, Name) and _is_along_i(step, line):
+        elif _is_along_i(step, line):
             onward = None if x is None else _sign(step, x)
             if onward is not None:
                 angle = size if onward == 1 else Binary("-", _STRAIGHT, size)
@@ -266,7 +267,7 @@ def _from_direction_to_direction(step: Step, event: Event) -> Iterator[Link]:
 
 
 def between_given_directions(step: Step) -> Iterator[Link]:
-    """The angle between two velocities of the data, which are given by directions in degrees."""
+    """Directions of velocities of the data, and the angle between two, given in degrees."""
     given: list[tuple[Expression, Expression, float]] = []
     for link in step.links:
         match link:
@@ -274,6 +275,8 @@ def between_given_directions(step: Step) -> Iterator[Link]:
                 angle = direction_from_i(right)
                 worth = None if angle is None else _number(angle)
                 sure = all(step.setting.role(x).kind == "positive" for x in _of_size(right))
+                if sure and isinstance(angle, Letter) and _is_acute(step, angle):
+                    yield Link(replace(velocity, kind="direction"), "=", angle)
                 if angle is not None and worth is not None and sure:
                     given.append((velocity, angle, worth))
     for (one, first, low), (other, last, high) in permutations(given, 2):
@@ -312,6 +315,12 @@ def _is_negative(size: Expression) -> bool:
     return isinstance(size, Negate) or (is_binary(size, "*", "/") and _is_negative(size.left))
 
 
+def _is_acute(step: Step, angle: Letter) -> bool:
+    """Whether a letter of the data stands for an acute angle."""
+    role = step.setting.role(angle.name)
+    return role.kind == "angle" and role.low == 0 and role.high == sp.pi / 2
+
+
 def _number(tree: Expression) -> float | None:
     """The number of radians of an angle without letters."""
     if letters(tree) or has_quantity(tree):
@@ -333,9 +342,14 @@ def _in_the_plane(step: Step, body: Name, stage: int, axis: str) -> Quotient | N
     return None if isinstance(known, Plane) or known == value else step.world.reduced(known)
 
 
-def _is_along_i(step: Step, wall: Name) -> bool:
-    """Whether a wall that is cited is along **i**."""
-    return _along(step, Quantity("direction", (wall,))) == Unit("i")
+def _is_along_i(step: Step, line: Expression) -> bool:
+    """Whether a wall, or a line of centres, that is cited is along **i**."""
+    match line:
+        case Name():
+            return _along(step, Quantity("direction", (line,))) == Unit("i")
+        case Quantity("line_of_centres"):
+            return _along(step, line) == Unit("i")
+    return False
 
 
 def _axis(event: Event) -> Quantity:

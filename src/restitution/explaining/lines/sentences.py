@@ -432,6 +432,10 @@ SENTENCES: Mapping[SentenceId, str] = {
     "same.angle": (
         "The component of {velocity} along {axis} is not negative, so it is the same angle:"
     ),
+    "same.line": (
+        "The line of centres is parallel to {axis}, and no component of {velocity} is negative, so "
+        "it is the same angle:"
+    ),
     "same.parallel": "{wall} is parallel to the line of centres, so it is the same angle:",
     "same.wall": "{wall} is along {axis}, so it is the same angle:",
     "between.from": (

@@ -8,6 +8,7 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
+from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Move, MoveId
 from restitution.expression.tree import (
     RIGHT_ANGLE,
@@ -23,6 +24,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.cotangents import write_by_cotangent
+from restitution.planning.closing.ratios import inverse
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.formulas.named_angles import (
@@ -166,6 +168,38 @@ def _across_the_centres(
     pool = together(*(part.whole for part in parts), scene.frame(stage).refs, refs)
     premises = scene.judge.needed(move, [*pool, *nonzero(scene, parts[1].value)], relation)
     return None if premises is None else scene.desk.write(move, premises, relation)
+
+
+def direction_of_data(scene: Scene, asked: Quantity) -> int | None:
+    """The line that a direction at the start is an acute angle of the data, with what that is.
+
+    None of another direction, and where the angle stands for all that it may be.
+    """
+    body, stage = body_and_stage(scene, asked)
+    fact = scene.facts.get(f"velocity {body}") if not stage else None
+    angle = None if fact is None else direction_from_i(fact.relation.only[0].right)
+    if fact is None or not isinstance(angle, Letter):
+        return None
+    move, relation = Move("define", "difference", None, (body,)), chain(asked, (angle, None))
+    if not scene.judge.follows(move, (fact.id,), relation):
+        return None
+    known = scene.desk.known(angle) or _by_its_ratio(scene, angle)
+    if known is None:
+        return scene.desk.write(move, (fact.id,), relation)
+    line = scene.desk.write(move, (fact.id,), relation, shown="inline")
+    right = tree_of(known.value, angle=True, as_it_is=True)
+    return scene.desk.write(Move("put"), (line, *known.refs), chain(asked, (right, None)))
+
+
+def _by_its_ratio(scene: Scene, angle: Letter) -> Source | None:
+    """An angle of which a line gives the tangent, the sine or the cosine as a number."""
+    symbol = scene.model.unknowns.letter(angle.name)
+    for ratio in ("tan", "sin", "cos"):
+        known = scene.desk.known(Apply(ratio, angle))
+        lines = () if known is None else [ref for ref in known.refs if isinstance(ref, int)]
+        if known is not None and len(lines) == 1 and not known.value.free_symbols:
+            return inverse(scene, lines[0], symbol)
+    return None
 
 
 def along_an_axis(scene: Scene, asked: Quantity) -> int | None:

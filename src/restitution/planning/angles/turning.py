@@ -35,6 +35,7 @@ from restitution.planning.angles.decimal_angles import (
 from restitution.planning.angles.directions import (
     along_an_axis,
     along_the_centres,
+    direction_of_data,
     direction_ratio,
     in_degrees_of,
 )
@@ -144,7 +145,8 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
         return standing
     line = None
     if asked.kind == "direction":
-        line = along_the_centres(scene, asked) or along_an_axis(scene, asked)
+        line = direction_of_data(scene, asked) or along_the_centres(scene, asked)
+        line = line or along_an_axis(scene, asked)
     if line is None:
         line = write_right_angle_of_axes(scene, asked) or angle_at_sight(scene, asked)
     if line is None:

@@ -12,6 +12,7 @@ from restitution.explaining.lines.trees import rebuilt
 from restitution.explaining.moves import MOST_COMPARED
 from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
+    RIGHT_ANGLE,
     Apply,
     Degrees,
     Expression,
@@ -98,6 +99,10 @@ class Claims(Eliminated):
                     return line
             if len(lines) != 1 or is_plain(self.scene, lines[0], relation):
                 line = self.compared(base, relation)
+                if line is not None:
+                    return line
+            if _is_acute(relation):
+                line = self._by_tangents(base, lines, relation)
                 if line is not None:
                     return line
             for proof in _PROOFS:
@@ -292,6 +297,14 @@ def _renamed(link: Link, meaning: Meaning) -> Link:
         for side in (link.left, link.right)
     )
     return Link(left, link.sign, right)
+
+
+def _is_acute(relation: Relation) -> bool:
+    """Whether something is said to be between 0° and 90°, without both."""
+    match relation.options:
+        case ((Link(Degrees(value), "<", one), Link(other, "<", right)),):
+            return value == 0 and one == other and right == RIGHT_ANGLE
+    return False
 
 
 def _of_tangent(link: Link) -> Link | None:

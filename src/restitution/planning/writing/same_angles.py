@@ -4,9 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from restitution.explaining.lines.derivation import Meaning, Move, Ref
-from restitution.expression.tree import Apply, Letter, Name, Quantity, Unit, is_quantity, walk
+from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Meaning, Move, MoveId, Ref
+from restitution.explaining.lines.trees import exchanged
+from restitution.expression.tree import (
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+    is_quantity,
+    walk,
+)
 from restitution.planning.writing.desk import chain
+from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.scene import Scene
 
 
@@ -39,17 +51,21 @@ def _others(scene: Scene, asked: Quantity) -> Iterator[tuple[Meaning, int]]:
         if not isinstance(own.quantity, Quantity) or not scene.desk.holds(line.number):
             continue
         kinds = {_kind(asked), _kind(own.quantity)}
-        alike = kinds in (
-            {"two", "line"},
-            {"two", "fixed"},
-            {"direction", "fixed"},
-            {"line", "fixed"},
-        )
-        if alike and _moving(asked) & _moving(own.quantity) and _tangent(scene, own.letter):
+        if (
+            kinds in _ALIKE
+            and _moving(asked) & _moving(own.quantity)
+            and _tangent(scene, own.letter)
+        ):
             yield own, line.number
 
 
-_ALIKE = ({"two", "line"}, {"two", "fixed"}, {"direction", "fixed"}, {"line", "fixed"})
+_ALIKE = (
+    {"two", "line"},
+    {"two", "fixed"},
+    {"direction", "fixed"},
+    {"direction", "line"},
+    {"line", "fixed"},
+)
 
 
 def _kind(angle: Quantity) -> str:
@@ -106,9 +122,20 @@ def tangent_by_the_same(scene: Scene, letter: str, line: int) -> int | None:
     known = _tangent(scene, other.name) if isinstance(other, Letter) else None
     if known is None:
         return None
-    relation = chain(Apply("tan", Letter(letter)), (scene.desk.last_link(known).right, None))
-    refs = scene.judge.enough(Move("put"), (known, line), relation)
-    return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+    right = scene.desk.last_link(known).right
+    value, put = scene.put(scene.scalar(right))
+    steps: list[tuple[Expression, MoveId | None]] = [(right, None)]
+    if put:
+        worths: dict[Expression, Expression] = {}
+        for node in (node for node in walk(right) if isinstance(node, Apply)):
+            worths[node] = tree_of(scene.put(scene.scalar(node))[0])
+            own = _tangent(scene, node.argument.name) if isinstance(node.argument, Letter) else None
+            put = put if node.function != "tan" or own is None else (own, *put)
+        final = tree_of(tidy(value))
+        steps = [(swept(exchanged(right, worths)), None), (final, "rearrange")]
+    relation = chain(Apply("tan", Letter(letter)), *steps)
+    premises = scene.judge.needed(Move("put"), (known, line, *put), relation)
+    return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
 def angle_by_the_same(scene: Scene, line: int) -> int | None:

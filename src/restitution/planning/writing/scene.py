@@ -156,9 +156,9 @@ class Scene:
 
     def _answered(self) -> Iterator[tuple[Any, Any]]:
         """The items of the part that have an answer, each with the event at which it is asked."""
-        items = self.problem.asked(self.part)
-        for own, result in zip(items, self.solution.items, strict=True):
-            if result.error is None:
+        without = {n for n, result in enumerate(self.solution.items) if result.error is not None}
+        for n, own in enumerate(self.problem.asked(self.part)):
+            if n not in without:
                 yield own
 
     @property

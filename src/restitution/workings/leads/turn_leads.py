@@ -488,6 +488,9 @@ class TurnLeads(LinesAround):
             for side in (angle.arguments if isinstance(angle, Quantity) else ())
             if isinstance(side, Quantity)
         ]
+        if any(side.kind == "line_of_centres" for side in moving):
+            velocity, axis = (self._naming.layout(e) for e in (moving[0], Unit("i")))
+            return say("same.line", velocity=velocity, axis=axis)
         if not walls and moving:
             velocity, axis = (self._naming.layout(e) for e in (moving[0], Unit("j")))
             return say("same.angle", velocity=velocity, axis=axis)
