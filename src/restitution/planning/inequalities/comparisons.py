@@ -73,7 +73,7 @@ class Comparison:
             turn = 1 if link.sign[0] == ">" else -1
             value = tidy(factored(values[::turn][0] - values[::turn][1]))
             put = swept(Binary("-", *map(tree_of, values[::turn])))
-            steps = [tree_of(value), *_with_its_square(value)]
+            steps = [tree_of(value), *self._with_its_square(value)]
             difference = chain(
                 Binary("-", *sides[::turn]), (put, None), *((step, "rearrange") for step in steps)
             )
@@ -251,13 +251,12 @@ class Comparison:
         line = self.judge.write((Move("put"),), (*own.refs, *refs), relation)
         return source.refs if line is None else (line,)
 
-
-def _with_its_square(value: sp.Expr) -> Iterator[Expression]:
-    """A product whose only sum is 1 − e + e², with that as (e − ½)² + ¾; nothing of another one."""
-    sums = [factor for factor in sp.Mul.make_args(sp.fraction(value)[0]) if factor.is_Add]
-    completed = completed_square(sums[0]) if len(sums) == 1 else None
-    if completed is None or isinstance(completed, Negate):
-        return
-    stand_in = sp.Dummy("sum", positive=True)
-    tree = tree_of(value.xreplace({sums[0]: stand_in}))
-    yield exchanged(tree, {Letter(stand_in.name): completed})
+    def _with_its_square(self, value: sp.Expr) -> Iterator[Expression]:
+        """A product whose only sum is 1 − e + e², with (e − ½)² + ¾ for it; or nothing."""
+        sums = [factor for factor in sp.Mul.make_args(sp.fraction(value)[0]) if factor.is_Add]
+        completed = completed_square(self.scene, sums[0]) if len(sums) == 1 else None
+        if completed is None or isinstance(completed, Negate):
+            return
+        stand_in = sp.Dummy("sum", positive=True)
+        tree = tree_of(value.xreplace({sums[0]: stand_in}))
+        yield exchanged(tree, {Letter(stand_in.name): completed})

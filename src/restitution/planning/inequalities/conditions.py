@@ -302,7 +302,7 @@ class Conditions:
         inequality = Relation(((Link(tree_of(positive * rest), sign, ZERO),),))
         moves = (Move("rearrange"), Move("cancel"))
         last = self.judge.write(moves, [first, *self.worths.known_in(gap)], inequality)
-        completed = None if last is None else completed_square(positive * rest)
+        completed = None if last is None else completed_square(self.scene, positive * rest)
         if last is None or completed is None:
             return first if last is None else last
         inequality = Relation(((Link(completed, sign, ZERO),),))

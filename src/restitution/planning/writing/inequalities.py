@@ -247,10 +247,11 @@ def completed_parts(
     return (lead, least, more) if least.is_Rational and more.is_Rational else None
 
 
-def completed_square(x: sp.Expr) -> Expression | None:
+def completed_square(scene: Scene, x: sp.Expr) -> Expression | None:
     """A square of the second degree in one letter that is never zero: 2(e − ¼)² + 15/8.
 
-    None of another expression, where the square says nothing or the letter has a root.
+    None of another expression, where the square says nothing or the letter has a root; and where
+    every term has the same sign, as with 9 + 2e + 9e² and a letter that is not negative.
     """
     letters_ = x.free_symbols
     if len(letters_) != 1:
@@ -261,6 +262,9 @@ def completed_square(x: sp.Expr) -> Expression | None:
         return None
     lead, least, more = parts
     if least == 0 or not more > 0:
+        return None
+    role = roles(scene.problem).get(symbol.name)
+    if least < 0 and role is not None and role.low is not None and role.low >= 0:
         return None
     away = (
         difference(tree_of(symbol), tree_of(least))

@@ -376,6 +376,10 @@ def _without_zeros(layout: Any) -> Any:
     if isinstance(layout, lay.Number):
         digits = layout.digits
         return lay.Number(digits.rstrip("0").rstrip(".")) if "." in digits else layout
+    if isinstance(layout, lay.Product):
+        factors = _without_zeros(layout.factors)
+        is_one = factors[:-1] == (lay.Number("1"),) and isinstance(factors[-1], lay.Bold)
+        return factors[-1] if is_one else replace(layout, factors=factors)
     if isinstance(layout, lay.Layout):
         changed = {e.name: _without_zeros(getattr(layout, e.name)) for e in fields(layout)}
         return replace(layout, **changed)
