@@ -22,13 +22,13 @@ from typing import Any
 
 import restitution.examples
 from restitution.language import parse
+from restitution.render.document.columns import inline
 from restitution.render.text import to_text as in_a_line
 from restitution.solving import solve
 from restitution.workings import Explanation, explain, to_html, to_latex, to_markdown, to_text
+from restitution.workings.rendering.document import to_typst
 from restitution.workings.rendering.principles import about
 from restitution.workings.rendering.steps import Row, Step
-from restitution.workings.rendering.text import inline
-from restitution.workings.rendering.typst import to_markup
 
 QUESTIONS = Path(__file__).resolve().parent.parent / "tests" / "questions"
 EXAMPLES = Path(restitution.examples.__file__).parent
@@ -77,7 +77,7 @@ def working(path: Path) -> dict[str, str]:
         "tex": f"{to_latex(made)}\n",
         "html": to_html(made).replace("<", "\n<") + "\n",
         # Words that follow each other are one.
-        "typ": to_markup(made).replace('";#"', ""),
+        "typ": to_typst(made).replace('";#"', ""),
     }
 
 

@@ -16,8 +16,8 @@ from restitution.problem import trees
 from restitution.render import layout as lay
 from restitution.wording import (
     Block,
+    Emphasis,
     Listing,
-    Named,
     Question,
     question,
     to_html,
@@ -102,7 +102,7 @@ def every_letter_and_name_of_the_statement_is_told(path: Path) -> None:
         told |= {getattr(step, "letter", None) or "", *(getattr(step, "letters", None) or ())}
         told |= set(getattr(step, "in_terms_of", None) or ())
     assert told - {""} <= said
-    names = {each.text for each in leaves(asked, Named)}
+    names = {each.text for each in leaves(asked, Emphasis)}
     assert names == {each.name for each in (*problem.spheres, *problem.walls, *problem.points)}
 
 
@@ -203,7 +203,7 @@ def html_and_markdown_say_the_same(path: Path) -> None:
         *(row for part in asked.parts for block in part.body for row in told(block)),
     ]
     assert len(page.findall(".//math")) == sum(
-        not isinstance(piece, str | Named) for row in rows for piece in row
+        not isinstance(piece, str | Emphasis) for row in rows for piece in row
     )
 
 
@@ -238,9 +238,9 @@ def read_through(asked_question: Question) -> None:
             assert tangle not in text, (tangle, text)
         # Two names side by side belong to two clauses.
         for one, between, other in zip(each, each[1:], each[2:], strict=False):
-            assert not (between == " " and isinstance(one, Named) and isinstance(other, Named)), (
-                text
-            )
+            assert not (
+                between == " " and isinstance(one, Emphasis) and isinstance(other, Emphasis)
+            ), text
 
 
 @law(FILES)

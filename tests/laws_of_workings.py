@@ -38,7 +38,7 @@ from restitution.problem import Value
 from restitution.solving import Solution
 from restitution.workings.derived import explanation_of
 from restitution.workings.naming.measured import Measures
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 Law = Callable[[Solution, Derivation], list[str]]
 

@@ -25,6 +25,9 @@ from restitution.expression.tree import Letter, Quantity, walk
 from restitution.language import parse
 from restitution.problem import Problem
 from restitution.problem import trees as trees_of_problem
+from restitution.render.document.aligned import columns
+from restitution.render.document.styles import WORKING
+from restitution.render.document.typst import PREAMBLE
 from restitution.render.layout import Phrase, Words
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width
@@ -40,17 +43,21 @@ from restitution.workings.naming.measured import (
     with_unit,
 )
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.rendering.document import (
+    to_body,
+    to_html,
+    to_latex,
+    to_markdown,
+    to_text,
+    to_typst,
+)
 from restitution.workings.rendering.explanation import Explanation
-from restitution.workings.rendering.html import STYLE, to_body, to_html
-from restitution.workings.rendering.markup import columns, to_latex, to_markdown
 from restitution.workings.rendering.principles import about
 from restitution.workings.rendering.steps import Step
-from restitution.workings.rendering.text import to_text
-from restitution.workings.rendering.typst import PREAMBLE, to_markup
 
 FILES = sorted(FOLDER.glob("*.txt"))
 EACH = pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-FORMATS = (to_text, to_markdown, to_latex, to_html, to_markup)
+FORMATS = (to_text, to_markdown, to_latex, to_html, to_typst)
 
 
 @cache
@@ -193,7 +200,7 @@ def test_marks_have_reasons_and_belong_to_items(path: Path) -> None:
 @EACH
 def test_paper_is_set(path: Path) -> None:
     typst = pytest.importorskip("typst")
-    markup = PREAMBLE + to_markup(explained(path))
+    markup = PREAMBLE + to_typst(explained(path))
     assert typst.compile(markup.encode(), format="pdf", ignore_system_fonts=True)[:4] == b"%PDF"
 
 
@@ -237,7 +244,7 @@ def test_marks_are_in_sight_on_a_phone_and_on_paper(page: Page, wide: int, mediu
     body = "".join(map(to_body, every[: -1 if wide < 600 else None]))
     page.set_viewport_size({"width": wide, "height": 800})
     page.emulate_media(media=medium)  # type: ignore[arg-type]
-    page.set_content(f"<!DOCTYPE html><style>body {{ margin: 0 }} {STYLE}</style>{body}")
+    page.set_content(f"<!DOCTYPE html><style>body {{ margin: 0 }} {WORKING}</style>{body}")
     assert not too_wide(page)
     hidden = page.evaluate(
         """() => [...document.querySelectorAll("td.m, .mark")].filter((each) => {

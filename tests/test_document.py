@@ -13,14 +13,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from restitution.render.document import (
+    Chain,
     Document,
+    Emphasis,
+    Entries,
+    Equations,
     Heading,
     Item,
+    Labelled,
     Listing,
     NewPage,
     Paragraph,
     Picture,
     Table,
+    latex,
+    markdown,
+    text,
 )
 from restitution.render.document.html import to_html
 from restitution.render.document.typst import to_markup, to_pdf
@@ -67,7 +75,7 @@ def test_all_blocks_are_printed_in_order():
 
 
 def test_all_blocks_stand_on_the_page():
-    text = to_html(ALL)
+    page = to_html(ALL)
     for wanted in (
         "<title>A &lt;title&gt; of #all</title>",
         "<h2>First</h2>",
@@ -78,7 +86,73 @@ def test_all_blocks_stand_on_the_page():
         "<figcaption>beneath</figcaption>",
         '<div class="break"></div>',
     ):
-        assert wanted in text
+        assert wanted in page
+
+
+def test_all_blocks_are_written_as_text_markdown_and_latex():
+    page, marks, tex = text.to_text(ALL, 40), markdown.to_markdown(ALL), latex.to_latex(ALL)
+    for written in (page, marks, tex):
+        words = ["First", "where", "grows", "a remark", "0.577", "one", "two", "dot", "Second"]
+        places = [written.index(word) for word in words]
+        assert places == sorted(places)
+    assert "n  tan α\n1  0.577\n2" in page
+    assert "3. one\n4. two\n\n- dot" in page and "3. one\n4. two\n\n- dot" in marks
+    assert "| n | $\\tan\\alpha$ |\n| :-- | --: |\n| 1 | 0.577 |" in marks
+    assert "![](data:image/svg+xml;base64," in marks
+    assert r"n & $\tan\alpha$ \\" in tex and r"\item one" in tex and r"\newpage" in tex
+
+
+QUESTION = Document(
+    "Two parts",
+    (
+        Paragraph(("A ball ", Emphasis("P"), " moves.")),
+        Labelled(
+            "(a)", (Entries((("(i)", ("one,",)), ("(ii)", ("two.",))), ("Find",)),), "(2 marks)"
+        ),
+    ),
+    kind="question",
+)
+WORKING = Document(
+    "",
+    (
+        Heading("(a)"),
+        Paragraph((Emphasis("A law"), ": in words"), mark="B1"),
+        Equations((Chain((Letter("v"), TAN), ("=",), "A1", (", as v > 0",), label="(i)"),)),
+        Paragraph("Nothing more.", "note"),
+    ),
+    kind="working",
+)
+
+
+def test_a_question_stands_behind_its_labels():
+    assert text.to_text(QUESTION, 30).splitlines() == [
+        "Two parts",
+        "",
+        "A ball P moves.",
+        "",
+        "(a)  Find",
+        "     (i)  one,",
+        "     (ii) two.",
+        "                     (2 marks)",
+    ]
+    assert "A ball *P* moves.\n\n**(a)** Find\n\n(i) one," in markdown.to_markdown(QUESTION)
+    assert '<div class="row"><span>(i)</span><div><p>one,</p></div></div>' in to_html(QUESTION)
+    assert r"\textbf{(a)} Find" in latex.to_latex(QUESTION, whole=False)
+    assert "(a) Find" in " ".join(printed(QUESTION))
+
+
+def test_a_working_has_its_marks_at_the_right():
+    assert text.to_text(WORKING, 40).splitlines() == [
+        "(a)",
+        "",
+        "A law: in words                       B1",
+        "(i) v = tan α, as v > 0               A1",
+        "Nothing more.",
+    ]
+    assert r"v &= \tan\alpha\text{, as v > 0} &&\quad\text{A1}" in markdown.to_markdown(WORKING)
+    assert r"\tag*{\textbf{A1}}" in latex.to_latex(WORKING)
+    assert '<p><span class="mark">B1</span><i>A law</i>: in words</p>' in to_html(WORKING)
+    assert "A1" in " ".join(printed(WORKING))
 
 
 def test_a_row_without_a_cell_is_refused():

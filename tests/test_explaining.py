@@ -44,10 +44,13 @@ from restitution.explaining.lines.storing import from_json, to_json
 from restitution.language.reading import parse
 from restitution.oracle.roles import ACUTE, POSITIVE
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.html import to_html
-from restitution.workings.rendering.markup import to_latex, to_markdown
-from restitution.workings.rendering.text import to_text
-from restitution.workings.rendering.typst import to_markup
+from restitution.workings.rendering.document import (
+    to_html,
+    to_latex,
+    to_markdown,
+    to_text,
+    to_typst,
+)
 
 NAMES = {"A": "sphere", "B": "sphere", "W": "wall"}
 FILES = sorted(FOLDER.glob("*.txt"))
@@ -391,7 +394,7 @@ def test_every_format_has_every_line_and_every_mark(path: Path) -> None:
         to_markdown(explanation),
         to_latex(explanation),
         to_html(explanation),
-        to_markup(explanation),
+        to_typst(explanation),
     ):
         assert len(written) > 20 * len(shown)
         assert "along(" not in written

@@ -17,7 +17,7 @@ from restitution.problem import Problem
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 DIRECT = """
 point N: (10, 10)

@@ -11,7 +11,7 @@ from restitution.planning.planner import plan
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 SPHERES = """
 sphere A: mass {a}, velocity {u}

@@ -21,7 +21,7 @@ from restitution.solving import solve
 from restitution.solving.story.letters import roles
 from restitution.workings import explain
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 INSIDE = """
 wall C: circle centre (0, 0) radius 5a

@@ -19,7 +19,7 @@ from restitution.solving import solve
 from restitution.solving.printed_terms import in_printed_terms
 from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 WALL = "wall W: along i\nsphere P: velocity 2u at theta to W\nP hits W\n"
 TWO = "sphere A: mass {a}, velocity {u}\nsphere B: mass {b}, {v}\nA hits B: along i{e}\n"

@@ -21,7 +21,7 @@ from restitution.language import parse
 from restitution.oracle import Oracle
 from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 STATEMENTS = {
     "an angle by the energy that is lost": """

@@ -16,7 +16,7 @@ from restitution.oracle import Oracle
 from restitution.problem import Problem
 from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 TURNED_BACK = """
 sphere A: mass m, velocity u i, radius r

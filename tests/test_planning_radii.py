@@ -14,7 +14,7 @@ from restitution.oracle import Oracle
 from restitution.problem import Problem
 from restitution.solving.story.letters import roles
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 AT_REST = """
 sphere A: mass 2, radius 5, at (0, 1), velocity 3i

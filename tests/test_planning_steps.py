@@ -18,7 +18,7 @@ from restitution.solving import Solution, solve
 from restitution.solving.story.letters import roles
 from restitution.workings import explain
 from restitution.workings.derived import explanation_of
-from restitution.workings.rendering.text import to_text
+from restitution.workings.rendering.document import to_text
 
 TARGET = "sphere A: mass m, velocity {velocity}\nsphere B: mass {mass}, at rest\n"
 

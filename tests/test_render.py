@@ -342,7 +342,7 @@ def test_mathml() -> None:
         "<math><mfrac><msup><mi>u</mi><mn>2</mn></msup><mn>2</mn></mfrac></math>"
     )
     assert "<mi>𝐢</mi>" in to_mathml(vector(3, -4))
-    assert to_mathml(Words('<b> & "')) == "<math><mtext>&lt;b&gt; &amp; &quot;</mtext></math>"
+    assert to_mathml(Words('<b> & "')) == '<math><mtext>&lt;b&gt; &amp; "</mtext></math>'
 
 
 def everything() -> list[Layout]:

@@ -27,8 +27,8 @@ from serving import serving
 from test_hostile import STATEMENTS as HOSTILE
 
 from restitution import examples
-from restitution.export.tree import tree, trees
 from restitution.killable import LostError
+from restitution.render.markup import element, to_markup, together
 from restitution.web import Settings, api
 from restitution.web.pool import BusyError, pool
 from restitution.web.replies import Replies
@@ -848,20 +848,13 @@ def test_settings_are_limits():
 # --- trees, the font ------------------------------------------------------------------------------
 
 
-def test_trees():
-    assert tree("<p>a &lt; b<br>c <i class='x'>d</i></p>") == [
-        "p",
-        {},
-        "a < b",
-        ["br", {}],
-        "c ",
-        ["i", {"class": "x"}, "d"],
-    ]
-    assert tree("a<wbr>b") == ["span", {}, "a", ["wbr", {}], "b"]
-    assert trees("<tr></tr><tr></tr>") == [["tr", {}], ["tr", {}]]
-    for wrong in ("<p>", "</p>", "<p><i></p></i>"):
-        with pytest.raises(ValueError):
-            tree(wrong)
+def test_elements_are_trees_and_text_is_escaped():
+    parts = ["a < b", element("br"), "c ", "& d", element("i", ["e"], {"class": 'x"'})]
+    whole = element("p", parts)
+    assert whole == ["p", {}, "a < b", ["br", {}], "c & d", ["i", {"class": 'x"'}, "e"]]
+    assert to_markup(whole) == '<p>a &lt; b<br>c &amp; d<i class="x&quot;">e</i></p>'
+    assert together(["a", element("wbr"), "b"]) == ["span", {}, "a", ["wbr", {}], "b"]
+    assert together([whole]) == whole
 
 
 def mathematics(of: object, inside: bool = False) -> str:

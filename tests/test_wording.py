@@ -21,7 +21,7 @@ from restitution.errors import StatementError
 from restitution.language import parse
 from restitution.render.text import to_text as one_line
 from restitution.wording import (
-    Named,
+    Emphasis,
     question,
     telling,
     to_html,
@@ -155,7 +155,7 @@ def test_lines_keep_to_the_width(columns):
     for path in FILES[::7]:
         asked = worded(path)
         pieces = [piece for each in sentences(asked) for piece in each]
-        formulas = [one_line(each) for each in pieces if not isinstance(each, str | Named)]
+        formulas = [one_line(each) for each in pieces if not isinstance(each, str | Emphasis)]
         for line in to_text(asked, columns).splitlines():
             # A long formula is not broken; nothing but its number and full stop stands beside it.
             whole = max((len(each) for each in formulas if each in line), default=0)

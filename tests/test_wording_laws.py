@@ -12,7 +12,7 @@ from laws_of_questions import check_english, leaves, plain, read_through, senten
 
 from restitution.language import parse
 from restitution.render import layout as lay
-from restitution.wording import Listing, Named, Question, question, to_text
+from restitution.wording import Emphasis, Listing, Question, question, to_text
 
 # A statement without its questions, its spheres and walls, and how many events it has.
 SCENES = {
@@ -342,4 +342,4 @@ def test_facts_that_are_many_are_told_before_what_is_asked() -> None:
 
 def test_names_are_in_italics_in_formulas_too() -> None:
     found = question_of("places", "find 2 position(P, 1) - 3 position(P, 0)")
-    assert Named("P") in sentences(found)[-1]
+    assert Emphasis("P") in sentences(found)[-1]

@@ -7,7 +7,7 @@ from functools import cache
 from restitution.language import parse
 from restitution.solving import solve
 from restitution.wording import question
-from restitution.wording.text import to_text as to_words
+from restitution.wording.document import to_text as to_words
 from restitution.workings import explain, to_html, to_latex, to_markdown, to_text
 
 # The speed of B is found in letters first; each part has values of its own.

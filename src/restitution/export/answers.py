@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from html import escape as escape_html
 from typing import Any, Literal
 
 from restitution.export.units import Units
 from restitution.problem import Value
 from restitution.records import dataclass
-from restitution.render.latex import escape as escape_latex
-from restitution.render.latex import to_latex
+from restitution.render.document import Document, Item, Listing, Piece, Typed
+from restitution.render.document.html import to_html
+from restitution.render.document.latex import to_latex
+from restitution.render.document.markdown import to_markdown
 from restitution.render.layout import Layout, Phrase, display, display_point, display_vector
-from restitution.render.mathml import to_mathml
-from restitution.render.page import page
 from restitution.render.text import NO_BREAK, to_text, width
 from restitution.solving.equations.solution import Answer, ItemResult, Rejected, Solution
 from restitution.workings.naming.instances import instances
@@ -24,11 +23,6 @@ Format = Literal["text", "markdown", "latex", "html"]
 UNDECIDED = "not decided, as neither a proof nor a counter-example is known"
 
 _WIDE = 48  # columns of a cell; what is wider stands out of line
-
-_STYLE = """\
-body { font-family: serif; line-height: 1.5; max-width: 45em; margin: 2em auto; padding: 0 1em }
-li { margin: .5em 0 }
-"""
 
 
 @dataclass(frozen=True)
@@ -60,15 +54,16 @@ def answers(solution: Solution, form: Format = "text", label: str | None = None)
     """Every item with its answers, one a line; of the part ``label`` only where that is given."""
     lines = list(_lines(solution, label))
     title = solution.problem.title
+    if form == "text":
+        return _text(title, lines)
+    document = _document(title or "", lines)
     match form:
         case "markdown":
-            return _markdown(title, lines)
+            return to_markdown(document)
         case "latex":
-            return _latex(title, lines)
+            return to_latex(document, whole=False)
         case "html":
-            return _html(title, lines)
-        case _:
-            return _text(title, lines)
+            return to_html(document, "Answers")
 
 
 def _lines(solution: Solution, label: str | None) -> Iterator[_Line]:
@@ -177,7 +172,7 @@ def _text(title: str | None, lines: list[_Line]) -> str:
     """A line for each item; those of one value aligned at their signs and units."""
     blocks = [title, ""] if title else []
     asked = {line: f"{_label(line)}{line.asked}" for line in lines}
-    texts = {line: _joined(line.pieces, str, _plain) for line in lines}
+    texts = {line: _joined(line.pieces) for line in lines}
     first = _room(asked[line] for line in lines if line.equal)
     second = _room(texts[line] for line in lines if line.unit)
     for line in lines:
@@ -187,7 +182,7 @@ def _text(title: str | None, lines: list[_Line]) -> str:
         text = f"{left}{_sign(line)}{texts[line]}"
         if line.unit:
             text += " " * max(0, second - width(texts[line])) + f"  {line.unit}"
-        text += _joined(line.beside, str, _plain)
+        text += _joined(line.beside)
         blocks.append(text.replace(NO_BREAK, " "))
     return "\n".join(blocks) + "\n"
 
@@ -198,49 +193,34 @@ def _room(texts: Iterable[str]) -> int:
     return max((number for number in widths if number <= _WIDE), default=0)
 
 
-def _markdown(title: str | None, lines: list[_Line]) -> str:
-    blocks = [f"# {title}", ""] if title else []
-    for line in lines:
-        written = _whole(line, str, lambda layout, text: f"${to_latex(layout)}$")
-        blocks.append(f"- {_label(line)}`{line.asked}`{_sign(line)}{written}")
-    return "\n".join(blocks) + "\n"
-
-
-def _latex(title: str | None, lines: list[_Line]) -> str:
-    blocks = [rf"\section*{{{escape_latex(title)}}}"] if title else []
-    blocks.append(r"\begin{itemize}")
-    for line in lines:
-        written = _whole(line, _words_in_latex, lambda layout, text: f"${to_latex(layout)}$")
-        asked = escape_latex(line.asked)
-        blocks.append(rf"  \item {_label(line)}\texttt{{{asked}}}{_sign(line)}{written}")
-    blocks.append(r"\end{itemize}")
-    return "\n".join(blocks) + "\n"
-
-
-_IN_LATEX = {"⁻¹": r"\textsuperscript{$-1$}", "⁻²": r"\textsuperscript{$-2$}"}
-
-
-def _words_in_latex(text: str) -> str:
-    latex: str = escape_latex(text).replace(NO_BREAK, "~")
-    for power, written in _IN_LATEX.items():
-        latex = latex.replace(power, written)
-    return latex
-
-
-def _html(title: str | None, lines: list[_Line]) -> str:
-    name = title or "Answers"
-    items = "\n".join(
-        f"<li>{escape_html(_label(line))}<code>{escape_html(line.asked)}</code>{_sign(line)}"
-        + _whole(line, escape_html, lambda layout, text: to_mathml(layout))
-        + "</li>"
-        for line in lines
+def _document(title: str, lines: list[_Line]) -> Document:
+    """A list with an entry for each item."""
+    items = tuple(
+        Item((_label(line), Typed(line.asked), _sign(line), *_words(line))) for line in lines
     )
-    return page(name, _STYLE, f"<h1>{escape_html(name)}</h1>\n<ul>\n{items}\n</ul>")
+    return Document(title, (Listing(items),))
 
 
-def _behind(unit: str) -> str:
+def _words(line: _Line) -> Iterator[Piece]:
+    """All that is said in a line."""
+    for piece in line.pieces:
+        yield from _with_unit(piece)
+    yield from _behind(line.unit)
+    for piece in line.beside:
+        yield from _with_unit(piece)
+
+
+def _with_unit(piece: str | _Piece) -> Iterator[Piece]:
+    if isinstance(piece, str):
+        yield piece
+    else:
+        yield piece.layout
+        yield from _behind(piece.unit)
+
+
+def _behind(unit: str) -> tuple[str, ...]:
     """A unit with the blank before it."""
-    return f"{NO_BREAK}{unit}" if unit else ""
+    return (f"{NO_BREAK}{unit}",) if unit else ()
 
 
 def _label(line: _Line) -> str:
@@ -251,26 +231,8 @@ def _sign(line: _Line) -> str:
     return " = " if line.equal else ": "
 
 
-def _plain(layout: Layout, text: str) -> str:
-    return text
-
-
-def _whole(
-    line: _Line, words: Callable[[str], str], mathematics: Callable[[Layout, str], str]
-) -> str:
-    """All that is said in a line, on one line."""
-    text = _joined(line.pieces, words, mathematics) + words(_behind(line.unit))
-    return text + _joined(line.beside, words, mathematics)
-
-
-def _joined(
-    pieces: tuple[str | _Piece, ...],
-    words: Callable[[str], str],
-    mathematics: Callable[[Layout, str], str],
-) -> str:
+def _joined(pieces: tuple[str | _Piece, ...]) -> str:
     return "".join(
-        words(piece)
-        if isinstance(piece, str)
-        else mathematics(piece.layout, piece.text) + words(_behind(piece.unit))
+        piece if isinstance(piece, str) else "".join((piece.text, *_behind(piece.unit)))
         for piece in pieces
     )

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from html import escape
 
 from restitution.practice.marking.mark_scheme import SchemeRow
-from restitution.render.layout import Words
-from restitution.render.typst import to_typst as equation
+from restitution.render.document import cells, typst
+from restitution.render.markup import to_markup
 from restitution.render.typst import words
 
 _HEADS = ("Part", "Marks", "For", "Notes")
@@ -35,10 +35,8 @@ def to_html(rows: Sequence[SchemeRow]) -> str:
 
 
 def _html_row(row: SchemeRow, new: bool, parted: bool) -> str:
-    from restitution.workings.rendering.html import inline
-
     label = f"({escape(row.part)})" if new and row.part is not None else ""
-    line = f"<br>{inline(row.line)}" if row.line else ""
+    line = f"<br>{to_markup(*cells.inline(row.line))}" if row.line else ""
     notes = "<br>".join(map(escape, row.notes))
     return (
         f"<tr>{f'<td>{label}</td>' if parted else ''}"
@@ -51,36 +49,25 @@ def to_typst(rows: Sequence[SchemeRow]) -> str:
     """The scheme as a table in Typst's markup; its head stands on every page."""
     parted = _has_parts(rows)
     heads = ", ".join(f"[#strong[{words(each)}]]" for each in _HEADS[not parted :])
-    cells = [f"table.header({heads})"]
+    content = [f"table.header({heads})"]
     for row, new in _with_parts(rows):
         label = f"({row.part})" if new and row.part is not None else ""
-        line = f" #linebreak() {_typst_line(row)}" if row.line else ""
+        line = f" #linebreak() {typst.inline(row.line)}" if row.line else ""
         notes = " #linebreak() ".join(words(note) for note in row.notes)
-        cells += [f"[{words(label)}]"] * parted
-        cells += [
+        content += [f"[{words(label)}]"] * parted
+        content += [
             f"[#strong[{words(' '.join(row.marks))}]]",
             f"[{words(row.purpose)}{line}]",
             f"[#text(size: 0.85em)[{notes}]]",
         ]
     total = sum(len(row.marks) for row in rows)
-    cells += ["[]"] * parted
-    cells += [f"[#strong[{words(str(total))}]]", f"[{words('Total')}]", "[]"]
-    inside = ",\n  ".join(cells)
+    content += ["[]"] * parted
+    content += [f"[#strong[{words(str(total))}]]", f"[{words('Total')}]", "[]"]
+    inside = ",\n  ".join(content)
     columns = "(auto, auto, 1.2fr, 1fr)" if parted else "(auto, 1.2fr, 1fr)"
     return (
         f"#table(columns: {columns}, stroke: 0.4pt, inset: 5pt, align: left + top,\n  {inside},\n)"
     )
-
-
-def _typst_line(row: SchemeRow) -> str:
-    """The line as it is set in the worked solution."""
-    pieces = []
-    for word in row.line:
-        if isinstance(word, str | Words):
-            pieces.append(words(word if isinstance(word, str) else word.text))
-        else:
-            pieces.append(equation(word))
-    return "".join(pieces)
 
 
 def _has_parts(rows: Sequence[SchemeRow]) -> bool:

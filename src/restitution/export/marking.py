@@ -83,7 +83,7 @@ def _question(solution: Solution) -> str:
     from dataclasses import replace
 
     from restitution.wording import question
-    from restitution.wording.html import to_body
+    from restitution.wording.document import to_body
 
     try:
         return to_body(replace(question(solution.problem), title=None))

@@ -76,6 +76,7 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     """
     from restitution.wording import question
     from restitution.workings import explain, illustrated
+    from restitution.workings.rendering.document import to_body, to_typst
 
     explanation = explain(solution, marks="fm1" if options.marks == "none" else options.marks)
     marks = {part.label: part.marks for part in explanation.parts if part.marks}
@@ -90,14 +91,10 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     figure = _figure(solution) if options.diagrams else None
     room = rooms[-1] if rooms else 0.0
     if form == "pdf":
-        from restitution.workings.rendering import typst
-
-        working = typst.to_markup(explained) if options.solutions else ""
+        working = to_typst(explained) if options.solutions else ""
         written = _typst_question
     else:
-        from restitution.workings.rendering import html
-
-        working = html.to_body(explained) if options.solutions else ""
+        working = to_body(explained) if options.solutions else ""
         written = _html_question
     close = written(asked, figure, [0.0] * len(rooms)) if options.scheme else ""
     text, scheme = written(asked, figure, rooms), _scheme(solution, form, options)
@@ -156,7 +153,7 @@ def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> byt
 
 
 def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
-    from restitution.workings.rendering.typst import PREAMBLE
+    from restitution.render.document.typst import PREAMBLE
 
     head = "" if options.solutions or options.scheme else NAME
     setup = paper(title, head) + _SETUP.replace("WIDTH", f"{FIGURE}mm")
@@ -184,10 +181,11 @@ def _typst_numbered(number: int, title: str | None, body: str, alone: bool, shee
 
 
 def _typst_question(question: Question, figure: str | None, rooms: Sequence[float]) -> str:
-    from restitution.wording import typst
+    from restitution.render.document.typst import to_blocks
+    from restitution.wording import document
 
-    opening = typst.opening(question)
-    parts = [typst.part(part) for part in question.parts]
+    opening = to_blocks(document.opening(question))
+    parts = [to_blocks([document.part(part)]) for part in question.parts]
     first = parts[0] if parts else ""
     short = len(opening) + len(first) < _LONG
     if figure is not None:
@@ -225,8 +223,7 @@ main > h2 { font: 600 1.15rem/1.3 Georgia, serif; break-before: page }
 def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> str:
     """The sheet as one page that needs nothing else and prints on A4."""
     from restitution.export.mark_scheme import STYLE as SCHEME
-    from restitution.wording.html import STYLE as QUESTION
-    from restitution.workings.rendering.html import STYLE as WORKING
+    from restitution.render.document.styles import QUESTION, WORKING
 
     named = title or _title(entries)
     alone = len(entries) == 1
@@ -259,15 +256,16 @@ def _html_numbered(number: int, title: str | None, body: str, alone: bool, sheet
 
 
 def _html_question(question: Question, figure: str | None, rooms: Sequence[float]) -> str:
-    from restitution.wording import html
+    from restitution.render.document.html import to_text
+    from restitution.wording import document
 
-    blocks = html.opening(question)
+    blocks = [to_text(document.opening(question))]
     if figure is not None:
         blocks.append(f'<div class="figure">{figure}</div>')
     for index, part in enumerate(question.parts):
         if index:
             blocks.append(_html_room(rooms[index - 1]))
-        blocks.append(html.part(part))
+        blocks.append(to_text([document.part(part)]))
     return '<article class="question">' + "\n".join(blocks) + "</article>"
 
 

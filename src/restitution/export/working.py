@@ -1,6 +1,6 @@
 """All that a page shows of one solved problem, as plain data: see `Pieces`.
 
-Mathematics and words are trees, as `restitution.export.tree` describes them. One solve serves all
+Mathematics and words are trees, as `restitution.render.markup` describes them. One solve serves all
 pieces, and a piece that cannot be made leaves the others as they are.
 """
 
@@ -18,18 +18,19 @@ from restitution.errors import RestitutionError, TimeLimitError
 from restitution.export.answers import condition_of, is_equal, layout_of
 from restitution.export.pictures import chosen
 from restitution.export.player.data import is_hurried, of_solution
-from restitution.export.tree import Tree, tree, trees
 from restitution.export.units import Units
 from restitution.records import dataclass
-from restitution.render.mathml import to_mathml
+from restitution.render.document.cells import inline, rows
+from restitution.render.document.html import to_tree
+from restitution.render.markup import Tree, together
+from restitution.render.mathml import mathematics
 from restitution.wording import asked, question
-from restitution.wording.html import inline as words
-from restitution.wording.html import to_body
+from restitution.wording.document import document_of
 from restitution.work import limited
 from restitution.workings import explain, to_latex
 from restitution.workings.naming.instances import instances
+from restitution.workings.rendering.document import chain
 from restitution.workings.rendering.explanation import Explanation
-from restitution.workings.rendering.html import inline, table_rows
 from restitution.workings.rendering.principles import about
 from restitution.workings.rendering.steps import Row, Step
 
@@ -122,7 +123,7 @@ def shown(
     ``early`` is given those that come before the working: question, answers, pictures.
     """
     clock = _Clock(seconds)
-    worded = clock.spare("question", lambda: tree(to_body(question(solution.problem))))
+    worded = clock.spare("question", lambda: to_tree(document_of(question(solution.problem))))
     names = clock.spare("wording of the items", lambda: _names(solution))
     pictures, undrawn = clock.piece("pictures", _PICTURES, lambda: pictured(solution))
     figured, _ = clock.piece("figure", _PICTURES, lambda: _figure(solution))
@@ -253,7 +254,7 @@ _Names = Mapping[tuple[str | None, int], Tree]
 def _names(solution: Solution) -> _Names:
     """What each item asks, in words, by part and number; nothing for those that have none."""
     return {
-        (label, number): tree(words(name))
+        (label, number): together(inline(name))
         for label, names in asked(solution.problem).items()
         for number, name in enumerate(names)
     }
@@ -299,7 +300,7 @@ def _answers(part: PartSolution, names: _Names, units: Units) -> list[AnswersCon
             "undecided": item.undecided,
             "counterexample": None
             if item.counterexample is None
-            else [tree(to_mathml(instance)) for instance in instances(item.counterexample)],
+            else [mathematics(instance) for instance in instances(item.counterexample)],
             "error": None if item.error is None else item.error.message,
             "rejected": [
                 {"value": _value(item, root), "reason": root.reason} for root in item.rejected
@@ -313,22 +314,21 @@ def _value(item: ItemResult, answer: Answer | Rejected) -> Tree:
     layout, condition = layout_of(item, answer), condition_of(answer)
     if layout is None:
         return answer.display
-    value = tree(to_mathml(layout))
+    value = mathematics(layout)
     if condition is None:
         return value
     # The words stand outside the mathematics, so that a line may end between them.
-    pieces = (word if isinstance(word, str) else tree(to_mathml(word)) for word in condition)
+    pieces = (word if isinstance(word, str) else mathematics(word) for word in condition)
     return ["span", {}, value, ["span", {"class": "condition"}, ", for\u00a0", *pieces]]
 
 
 def _step(step: Step) -> StepContent:
-    words = inline(step.words)
     return {
         "kind": step.kind,
         "principle": step.principle,
         "sign": step.sign,
         "about": about(step),
-        "said": tree(words) if words else None,
+        "said": together(inline(step.words)) if step.words else None,
         "mark": step.mark,
         "event": step.event,
         "item": step.item,
@@ -337,5 +337,5 @@ def _step(step: Step) -> StepContent:
 
 
 def _row(row: Row) -> RowContent:
-    lines = trees("".join(table_rows(row)))
+    lines = rows(chain(row))
     return {"row": lines[0] if len(lines) == 1 else lines, "mark": row.mark}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from itertools import pairwise
-from unicodedata import normalize
+from unicodedata import decomposition, normalize
 
 from restitution.render.layout import (
     Bold,
@@ -65,7 +65,17 @@ _ESCAPES = {
 }
 
 
-_POWER = re.compile("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+_POWER = re.compile("([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
+_BY_SIGN = {
+    "−": "-",
+    "√": r"\surd",
+    "÷": r"\div",
+    "±": r"\pm",
+    "°": r"^{\circ}",
+    "∞": r"\infty",
+    **SIGNS,
+    **{sign: f"\\{name}" for name, sign in GREEK.items()},
+}
 
 
 def to_latex(layout: Layout) -> str:
@@ -83,7 +93,7 @@ def to_latex(layout: Layout) -> str:
         case Words("±"):
             return r"\pm{}"
         case Words(text):
-            return rf"\text{{{_words(text)}}}"
+            return rf"\text{{{words(text)}}}"
         case Sum(terms):
             return _sum(terms)
         case Product(factors, times):
@@ -119,18 +129,39 @@ def to_latex(layout: Layout) -> str:
             return _phrase(items, separator)
 
 
-def _words(text: str) -> str:
-    """Upright words; the powers of units as mathematics, blanks that hold as ties."""
-    return _POWER.sub(_power, escape(text)).replace("\u00a0", "~")
+def words(text: str) -> str:
+    """Plain text as LaTeX; it never comes through as markup.
+
+    Characters of formulas and the powers of units among it are mathematics, blanks that hold ties.
+    """
+    pieces = _POWER.split(text)
+    return "".join(
+        _power(piece) if number % 2 else "".join(_ESCAPES.get(c) or _sign(c) for c in piece)
+        for number, piece in enumerate(pieces)
+    ).replace("\u00a0", "~")
 
 
-def _power(raised: re.Match[str]) -> str:
-    return f"$^{{{normalize('NFKC', raised[0]).replace('−', '-')}}}$"
+def _power(raised: str) -> str:
+    return f"$^{{{normalize('NFKC', raised).replace('−', '-')}}}$"
+
+
+def _sign(c: str) -> str:
+    """A character of a formula among words, as mathematics; other characters as they are."""
+    if c in _BY_SIGN:
+        return f"${_BY_SIGN[c]}$"
+    kind, _, parts = decomposition(c).partition(" ")
+    if kind == "<fraction>":
+        above, _, below = (chr(int(code, 16)) for code in parts.replace(" 2044 ", " 2f ").split())
+        return rf"$\tfrac{{{above}}}{{{below}}}$"
+    if kind in ("<super>", "<sub>") and len(parts) == 4:
+        mark = "^" if kind == "<super>" else "_"
+        return f"${mark}{{{chr(int(parts, 16))}}}$"
+    return c
 
 
 def escape(text: str) -> str:
-    """Plain text with the characters that mean something to LaTeX made harmless."""
-    return "".join(_ESCAPES.get(each, each) for each in text)
+    """A name with the characters that mean something to LaTeX made harmless."""
+    return "".join(_ESCAPES.get(c, c) for c in text)
 
 
 def _subscript(subscript: str) -> str:

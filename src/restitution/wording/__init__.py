@@ -5,26 +5,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from restitution.wording.html import to_fragment as to_fragment
-    from restitution.wording.html import to_html as to_html
-    from restitution.wording.markup import to_markdown as to_markdown
+    from restitution.wording.document import to_fragment as to_fragment
+    from restitution.wording.document import to_html as to_html
+    from restitution.wording.document import to_markdown as to_markdown
+    from restitution.wording.document import to_text as to_text
+    from restitution.wording.document import to_typst as to_typst
     from restitution.wording.structure import Block as Block
+    from restitution.wording.structure import Emphasis as Emphasis
     from restitution.wording.structure import Listing as Listing
-    from restitution.wording.structure import Named as Named
     from restitution.wording.structure import Paragraph as Paragraph
     from restitution.wording.structure import QuestionPart as QuestionPart
     from restitution.wording.structure import Sentence as Sentence
     from restitution.wording.structure import Words as Words
     from restitution.wording.telling import asked as asked
     from restitution.wording.telling import question as question
-    from restitution.wording.text import to_text as to_text
-    from restitution.wording.typst import to_typst as to_typst
     from restitution.wording.whole import Question as Question
 
 __all__ = [
     "Block",
+    "Emphasis",
     "Listing",
-    "Named",
     "Paragraph",
     "Question",
     "QuestionPart",
@@ -42,7 +42,7 @@ __all__ = [
 _MODULES = {
     "Block": "structure",
     "Listing": "structure",
-    "Named": "structure",
+    "Emphasis": "structure",
     "Paragraph": "structure",
     "Question": "whole",
     "QuestionPart": "structure",
@@ -50,11 +50,11 @@ _MODULES = {
     "Words": "structure",
     "asked": "telling",
     "question": "telling",
-    "to_fragment": "html",
-    "to_html": "html",
-    "to_markdown": "markup",
-    "to_text": "text",
-    "to_typst": "typst",
+    "to_fragment": "document",
+    "to_html": "document",
+    "to_markdown": "document",
+    "to_text": "document",
+    "to_typst": "document",
 }
 
 

@@ -35,7 +35,7 @@ from restitution.wording.formulas import plain as sayable
 from restitution.wording.noun_phrases import Noun, kinds_of, of_bodies
 from restitution.wording.nouns import line, phrase, share
 from restitution.wording.scene import Scene, name_of
-from restitution.wording.structure import Named, Words
+from restitution.wording.structure import Emphasis, Words
 from restitution.wording.words import listed, words
 
 
@@ -141,7 +141,7 @@ def _value(scene: Scene, tree: Expression, plain: bool) -> Noun:
     if is_quantity(tree, "direction"):
         name = name_of(tree.arguments[0]) or ""
         if scene.is_wall(name):
-            return Noun(words("a vector parallel to ", Named(name)))
+            return Noun(words("a vector parallel to ", Emphasis(name)))
         return line(scene, Quantity("velocity", tree.arguments, tree.stage))
     noun = noun_phrase(scene, tree)
     if noun.where and not plain and not values.is_vector(tree):

@@ -40,7 +40,7 @@ from restitution.wording.nouns import (
 )
 from restitution.wording.scene import INITIALLY, Scene, after, leading
 from restitution.wording.setting import moving
-from restitution.wording.structure import Named, Words
+from restitution.wording.structure import Emphasis, Words
 from restitution.wording.words import listed, words
 
 # What both sides of a relation together may cost in words.
@@ -72,7 +72,7 @@ def clause(scene: Scene, relation: Relation) -> Words:
         case Aligned():
             return _aligned(scene, relation)
         case AtRest(body):
-            return words(Named(body.name), " is at rest ", after(scene, scene.now, body.name))
+            return words(Emphasis(body.name), " is at rest ", after(scene, scene.now, body.name))
         case Meets(first, second, again, happens):
             return _meets(scene, first.name, second.name, again, happens)
 
@@ -229,7 +229,7 @@ def _two(scene: Scene, left: Expression, sign: str, right: Expression) -> Words:
 
 def _value(scene: Scene, tree: Expression, dimension: Dimension | None) -> Words:
     if isinstance(tree, Name):
-        return (Named(tree.name),)
+        return (Emphasis(tree.name),)
     return values.value(scene.style, tree, dimension)
 
 
@@ -242,7 +242,7 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
     match left:
         case Quantity("velocity", (Name(body),)) if isinstance(right, Polar):
             when = moment(scene, left, body)
-            return words(leading(when), Named(body), " is ", moving(scene, right))
+            return words(leading(when), Emphasis(body), " is ", moving(scene, right))
         case Quantity("position", (Name(),)):
             at = place(scene, left)
             if at.when == INITIALLY:
@@ -252,11 +252,11 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
             where = noun(scene, left).when
             through = _through(right)
             return words(
-                Named(body), " is deflected through ", through, " " if where else "", where
+                Emphasis(body), " is deflected through ", through, " " if where else "", where
             )
         case Quantity("direction", (Name(body),)) if not scene.is_wall(body):
             when = leading(moment(scene, left, body))
-            return words(when, Named(body), " is moving ", values.turned(scene.style, right))
+            return words(when, Emphasis(body), " is moving ", values.turned(scene.style, right))
         case Quantity("angle", (Quantity("velocity", (Name(body),)) as velocity, other)) if (
             not is_quantity(other, "velocity")
         ):
@@ -265,7 +265,7 @@ def _special(scene: Scene, left: Expression, sign: str, right: Expression) -> Wo
             angle = words("at an angle " if _is_letter(right) else "at an angle of ")
             to = direction.head if same_event(when, direction.when) else direction.words()
             phrase = words(" is moving ", angle, values.layout_of(right), " to ", to)
-            return words(leading(when), Named(body), phrase)
+            return words(leading(when), Emphasis(body), phrase)
     return None
 
 
@@ -343,7 +343,7 @@ def _towards(
             verb = "towards " if own[0] != opposite else "away from "
             when = leading(moment(scene, moving_one, body))
             to = somewhere(scene, other)
-            return words(when, Named(body), f" is moving directly {verb}", to)
+            return words(when, Emphasis(body), f" is moving directly {verb}", to)
     return None
 
 
@@ -368,9 +368,11 @@ def _way(scene: Scene, tree: Expression, sensed: bool) -> Noun:
 def _meets(scene: Scene, first: str, second: str, again: bool, happens: bool) -> Words:
     wall = scene.is_wall(second)
     if not again:
-        return words(Named(first), " will hit " if happens else " will not hit ", Named(second))
+        return words(
+            Emphasis(first), " will hit " if happens else " will not hit ", Emphasis(second)
+        )
     if wall:
         verb = " hits " if happens else " does not hit "
-        return words(Named(first), verb, Named(second), " again")
+        return words(Emphasis(first), verb, Emphasis(second), " again")
     verb = " collide again" if happens else " do not collide again"
-    return words(Named(first), " and ", Named(second), verb)
+    return words(Emphasis(first), " and ", Emphasis(second), verb)

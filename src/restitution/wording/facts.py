@@ -18,7 +18,7 @@ from restitution.wording.clauses import mathematics
 from restitution.wording.later_facts import later_relations
 from restitution.wording.letters import is_ratio, named_letters
 from restitution.wording.scene import Scene, is_letter_fact
-from restitution.wording.structure import Named, Sentence, Words
+from restitution.wording.structure import Emphasis, Sentence, Words
 from restitution.wording.words import listed, words
 
 # Letters that stand for numbers wherever people write them.
@@ -158,7 +158,7 @@ def _broken(sentence: Sentence, names: frozenset[str]) -> tuple[Words, Words] | 
         for place, piece in enumerate(sentence)
         if isinstance(piece, str)
         and piece.endswith(" and ")
-        and isinstance(sentence[place + 1], Named)
+        and isinstance(sentence[place + 1], Emphasis)
         and str(sentence[place + 2]).startswith((" is at rest", " is moving"))
     ]
     if len(joints) != 1 or any(", " in word for word in sentence if isinstance(word, str)):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from restitution.expression.quantities import KINDS
 from restitution.records import dataclass
 from restitution.wording.scene import INITIALLY
-from restitution.wording.structure import Named, Words
+from restitution.wording.structure import Emphasis, Words
 from restitution.wording.words import listed, names, words
 
 INITIAL = "initial "
@@ -63,7 +63,7 @@ def of_bodies(kind: str, bodies: Sequence[str], *, several: bool = False) -> Wor
 def kinds_of(kinds: Sequence[str], body: str) -> Words:
     """``the speed and the direction of motion of A``."""
     nouns = [f"the {called(kind, 1)}" for kind in kinds]
-    return words(listed(nouns), " of ", Named(body))
+    return words(listed(nouns), " of ", Emphasis(body))
 
 
 def called(kind: str, number: int) -> str:

@@ -53,7 +53,7 @@ from restitution.wording.scene import (
     just_before,
     name_of,
 )
-from restitution.wording.structure import Named, Words
+from restitution.wording.structure import Emphasis, Words
 from restitution.wording.words import listed, names, words
 
 _LINE = "line_of_centres"
@@ -81,7 +81,7 @@ def noun(scene: Scene, tree: Expression) -> Noun:
     """An expression as a noun phrase."""
     if not has_quantity(tree):
         return Noun(
-            (Named(tree.name),) if isinstance(tree, Name) else words(values.layout_of(tree))
+            (Emphasis(tree.name),) if isinstance(tree, Name) else words(values.layout_of(tree))
         )
     defined = quantity_of(tree)
     if defined is not None:
@@ -196,7 +196,7 @@ def _difference(scene: Scene, left: Expression, right: Expression) -> Noun:
         case Quantity("velocity", (Name(a),)), Quantity("velocity", (Name(b),)) if a != b:
             one, other = noun(scene, left), noun(scene, right)
             if (one.kind, one.when) == (other.kind, other.when):
-                relative = words(f"the {one.kind} of ", Named(a), " relative to ", Named(b))
+                relative = words(f"the {one.kind} of ", Emphasis(a), " relative to ", Emphasis(b))
                 return Noun(relative, one.when)
     between = displacement(scene, Binary("-", left, right))
     if between is not None:
@@ -318,7 +318,7 @@ def somewhere(scene: Scene, tree: Expression) -> Words:
     if isinstance(tree, Pair):
         for point in scene.problem.points:
             if point.position == tree:
-                return (Named(point.name),)
+                return (Emphasis(point.name),)
     return values.point(tree)
 
 
@@ -408,7 +408,7 @@ def _of_several(kind: str, initial: str, bodies: Sequence[str]) -> Words:
 def _direction(scene: Scene, tree: Quantity) -> Noun:
     name = name_of(tree.arguments[0]) or ""
     if scene.is_wall(name):
-        return Noun(words("the direction of ", Named(name)))
+        return Noun(words("the direction of ", Emphasis(name)))
     moving = at_moment("direction", name, moment(scene, tree, name))
     return led(("the angle anticlockwise from ", values.EAST, " to "), moving)
 
@@ -420,11 +420,11 @@ def _impulse(scene: Scene, tree: Quantity) -> Noun:
     if isinstance(event, Kick):
         size = "" if body else "the magnitude of "
         alone = sum(isinstance(event, Kick) for event in scene.events) == 1
-        on = (" on ", Named(event.body)) if alone else ()
+        on = (" on ", Emphasis(event.body)) if alone else ()
         return Noun(words(size, event_name(scene, number), on))
     where = during(scene, number)
     if body is not None:
-        return Noun(words("the impulse on ", Named(body)), where)
+        return Noun(words("the impulse on ", Emphasis(body)), where)
     return Noun(("the magnitude of the impulse",), where)
 
 
@@ -439,7 +439,7 @@ def _energy(scene: Scene, tree: Quantity) -> Noun:
 def _energy_of_all(scene: Scene, initial: str) -> Words:
     if len(scene.problem.spheres) == 1:
         (only,) = scene.problem.spheres
-        return words(f"the {initial}kinetic energy of ", Named(only.name))
+        return words(f"the {initial}kinetic energy of ", Emphasis(only.name))
     return (f"the {initial}total kinetic energy",)
 
 
@@ -466,9 +466,11 @@ def _line_of_centres(scene: Scene, tree: Quantity) -> Noun:
     where = in_event(scene, number)
     if scene.is_wall(event.second):
         return Noun(
-            words("the unit vector perpendicular to ", Named(event.second), " and directed into it")
+            words(
+                "the unit vector perpendicular to ", Emphasis(event.second), " and directed into it"
+            )
         )
-    towards = words(" from ", Named(event.first), " to ", Named(event.second))
+    towards = words(" from ", Emphasis(event.first), " to ", Emphasis(event.second))
     return Noun(words("the unit vector along the line of centres", towards), where)
 
 
@@ -476,18 +478,18 @@ def line(scene: Scene, tree: Expression) -> Noun:
     """A direction as the side of an angle."""
     match tree:
         case Name(name):
-            return Noun((Named(name),))
+            return Noun((Emphasis(name),))
         case Quantity("line_of_centres"):
             number = event_number(scene, tree)
             event = scene.events[number - 1] if number else None
             if isinstance(event, Impact) and scene.is_wall(event.second):
-                return Noun(words("the perpendicular to ", Named(event.second)))
+                return Noun(words("the perpendicular to ", Emphasis(event.second)))
             return Noun(("the line of centres",), in_event(scene, number))
         case Quantity("velocity", (Name(name),)):
             return at_moment("direction", name, moment(scene, tree, name))
         case Quantity("direction", (Name(name),)):
             if scene.is_wall(name):
-                return Noun((Named(name),))
+                return Noun((Emphasis(name),))
             return at_moment("direction", name, moment(scene, tree, name))
     between = displacement(scene, tree)
     if between is not None:
@@ -554,9 +556,9 @@ def _axis(scene: Scene, axis: Expression, *, across: bool) -> Noun:
                 axis = along
             case Segment(start, end):
                 ends = (values.spot(start), " to ", values.spot(end))
-                return Noun(words(turn, Named(axis.name), ", taken from ", *ends, ","))
+                return Noun(words(turn, Emphasis(axis.name), ", taken from ", *ends, ","))
             case _:
-                return Noun(words(turn, Named(axis.name)))
+                return Noun(words(turn, Emphasis(axis.name)))
     if is_quantity(axis, "direction"):
         return led(turn if across else "", line(scene, axis))
     between = displacement(scene, axis)
@@ -580,7 +582,8 @@ def sensed_line(scene: Scene, tree: Quantity) -> Noun:
     if scene.is_wall(event.second):
         return Noun(words(plain.head, ", directed into it,"), plain.when)
     return Noun(
-        words(plain.head, " from ", Named(event.first), " to ", Named(event.second)), plain.when
+        words(plain.head, " from ", Emphasis(event.first), " to ", Emphasis(event.second)),
+        plain.when,
     )
 
 
@@ -600,7 +603,7 @@ def place(scene: Scene, tree: Quantity) -> Noun:
     """What is somewhere, a sphere or its centre, and when."""
     body = name_of(tree.arguments[0]) or ""
     centre = "the centre of " if _has_size(scene) else ""
-    return Noun(words(centre, Named(body)), _place_when(scene, tree, body))
+    return Noun(words(centre, Emphasis(body)), _place_when(scene, tree, body))
 
 
 def _has_size(scene: Scene) -> bool:
@@ -634,7 +637,7 @@ def _somewhere(scene: Scene, tree: Expression) -> Noun:
     """One end of a distance."""
     match tree:
         case Name(name):
-            return Noun((Named(name),))
+            return Noun((Emphasis(name),))
         case Quantity("position", (Name(),)):
             return _placed(scene, tree, "position")
     return Noun(values.point(tree)) if not has_quantity(tree) else noun(scene, tree)
@@ -660,7 +663,7 @@ def _distance(scene: Scene, tree: Quantity) -> Noun:
             if second == INITIALLY:
                 first, second = second, first
             moments = (" ", first, " and ", second)
-            return Noun(words("the distance between the positions of ", Named(a), *moments))
+            return Noun(words("the distance between the positions of ", Emphasis(a), *moments))
     if bodies:
         when = _place_when(scene, tree, bodies[0])
         if when == INITIALLY:

@@ -47,7 +47,7 @@ from restitution.problem import (
     trees_of_step,
 )
 from restitution.records import dataclass
-from restitution.wording.structure import Named, Words
+from restitution.wording.structure import Emphasis, Words
 from restitution.wording.units import Style, style_of
 from restitution.wording.values import point
 from restitution.wording.words import words
@@ -253,10 +253,10 @@ def event_name(scene: Scene, number: int) -> Words:
             if len(same) == 1:
                 return ("the impulse",)
             if len({event.body for event in scene.events if isinstance(event, Kick)}) == len(same):
-                return words("the impulse on ", Named(body))
+                return words("the impulse on ", Emphasis(body))
             return (f"the {ordinal(same.index(number) + 1)} impulse",)
         case Arrival(body, target):
-            return words("the arrival of ", Named(body), " at ", point(target))
+            return words("the arrival of ", Emphasis(body), " at ", point(target))
 
 
 def _impact_name(scene: Scene, number: int, event: Impact) -> Words:
@@ -273,11 +273,11 @@ def _impact_name(scene: Scene, number: int, event: Impact) -> Words:
     if not wall:
         between = sorted((event.first, event.second))
         return words(
-            f"the {which}collision between ", Named(between[0]), " and ", Named(between[1])
+            f"the {which}collision between ", Emphasis(between[0]), " and ", Emphasis(between[1])
         )
     if len(scene.problem.spheres) == 1:
-        return words(f"the {which}impact with ", Named(event.second))
-    return words(f"the {which}impact of ", Named(event.first), " with ", Named(event.second))
+        return words(f"the {which}impact with ", Emphasis(event.second))
+    return words(f"the {which}impact of ", Emphasis(event.first), " with ", Emphasis(event.second))
 
 
 def happening(scene: Scene, number: int, subject: str | None = None) -> Words:
@@ -295,7 +295,7 @@ def happening(scene: Scene, number: int, subject: str | None = None) -> Words:
                 for event in scene.events
             )
             time = f" for the {ordinal(before + 1)} time" if total > 1 else ""
-            return words(_spoken(first, subject), verb, Named(second), time)
+            return words(_spoken(first, subject), verb, Emphasis(second), time)
         case Kick(body):
             name = event_name(scene, number)
             impulse = "the impulse" if len(name) > 1 else name
@@ -305,7 +305,7 @@ def happening(scene: Scene, number: int, subject: str | None = None) -> Words:
 
 
 def _spoken(body: str, subject: str | None) -> Words:
-    return ("it",) if body == subject else (Named(body),)
+    return ("it",) if body == subject else (Emphasis(body),)
 
 
 def after(scene: Scene, number: int, body: str | None = None) -> Words:
@@ -344,7 +344,7 @@ def instant(scene: Scene, number: int, subject: str | None = None) -> Words:
 
 def leading(when: Words) -> Words:
     """A moment in front of its clause, which may begin with a name as the moment ends."""
-    return words(when, ", ") if isinstance(when[-1], Named) else words(when, " ")
+    return words(when, ", ") if isinstance(when[-1], Emphasis) else words(when, " ")
 
 
 def name_of(tree: Expression) -> str | None:

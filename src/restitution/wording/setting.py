@@ -17,7 +17,7 @@ from restitution.shapes import Circle, Line, Segment
 from restitution.vector import Vector
 from restitution.wording import values
 from restitution.wording.scene import Scene, before, wall_before
-from restitution.wording.structure import Named, Sentence, Words
+from restitution.wording.structure import Emphasis, Sentence, Words
 from restitution.wording.words import count, listed, names, sentence, words
 
 _PLANE = "on a smooth horizontal plane"
@@ -47,7 +47,7 @@ def spheres(scene: Scene) -> Iterator[Sentence]:
             of.append(words("radius ", values.length(scene.style, only.radius)))
         radius = words(", of ", listed(of), ",") if of else ""
         yield sentence(
-            f"a {small}smooth uniform sphere ", Named(only.name), radius, f" moves {_PLANE}"
+            f"a {small}smooth uniform sphere ", Emphasis(only.name), radius, f" moves {_PLANE}"
         )
         return
     yield from _several(scene, spheres, small)
@@ -83,7 +83,7 @@ def _several(scene: Scene, spheres: tuple[Sphere, ...], small: str) -> Iterator[
         for sphere in spheres:
             if sphere.radius is not None:
                 phrase = values.length(scene.style, sphere.radius)
-                yield sentence("the radius of ", Named(sphere.name), " is ", phrase)
+                yield sentence("the radius of ", Emphasis(sphere.name), " is ", phrase)
 
 
 def _by_mass(spheres: tuple[Sphere, ...]) -> list[list[Sphere]]:
@@ -123,13 +123,14 @@ def _walls(scene: Scene) -> Iterator[Sentence]:
             yield sentence(all_names, kind, " ", values.lies_along(scene.style, walls[0].along))
         else:
             directions = [
-                words(Named(w.name), " is ", values.lies_along(scene.style, w.along)) for w in walls
+                words(Emphasis(w.name), " is ", values.lies_along(scene.style, w.along))
+                for w in walls
             ]
             yield sentence(all_names, kind)
             yield sentence(listed(directions))
         return
     for wall in walls:
-        kind, name = "a fixed smooth vertical wall ", Named(wall.name)
+        kind, name = "a fixed smooth vertical wall ", Emphasis(wall.name)
         match wall.shape:
             case Circle(centre, radius):
                 kind = "a fixed smooth vertical circular wall "
@@ -169,7 +170,7 @@ def _points(scene: Scene) -> Sentence:
     return sentence(
         listed(
             [
-                words(Named(point.name), " is ", values.point(point.position))
+                words(Emphasis(point.name), " is ", values.point(point.position))
                 for point in scene.problem.points
             ]
         )
@@ -206,7 +207,7 @@ def start(scene: Scene) -> Iterator[Sentence]:
 
 
 def _state(scene: Scene, sphere: Sphere) -> Words:
-    name = Named(sphere.name)
+    name = Emphasis(sphere.name)
     rest = values.is_rest(sphere.velocity)
     if sphere.position is None:
         return words(name, " is ", moving(scene, sphere.velocity))
@@ -243,7 +244,7 @@ def course(scene: Scene, velocity: Polar) -> Words:
     match wall.shape if wall is not None else None:
         case Line(along) if along is not None and values.is_vector(along):
             turned = Polar(velocity.size, Negate(velocity.angle), along)
-            return words("towards ", Named(velocity.wall.name), " ", course(scene, turned))
+            return words("towards ", Emphasis(velocity.wall.name), " ", course(scene, turned))
     return words(values.direction(scene.style, velocity), _sense(scene, velocity.wall.name))
 
 
@@ -264,7 +265,7 @@ def _sense(scene: Scene, name: str) -> Words:
 def _side(scene: Scene, sphere: Sphere) -> Words:
     """Inside or outside a circular wall, where it is known."""
     sides = [
-        words(f"{side} ", Named(wall.name))
+        words(f"{side} ", Emphasis(wall.name))
         for wall in scene.problem.walls
         if (side := _which_side(scene.problem, sphere, wall))
     ]

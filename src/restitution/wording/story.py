@@ -12,7 +12,7 @@ from restitution.render import layout as lay
 from restitution.wording import values
 from restitution.wording.scene import Scene, is_mirrored
 from restitution.wording.setting import course, exact
-from restitution.wording.structure import Named, Sentence, Words
+from restitution.wording.structure import Emphasis, Sentence, Words
 from restitution.wording.words import names, sentence, words
 
 _E = Letter("e")
@@ -29,13 +29,13 @@ def event_sentences(scene: Scene, number: int) -> Iterator[Sentence]:
             size = values.value(scene.style, impulse.size, IMPULSE)
             direction = course(scene, impulse)
             yield sentence(
-                Named(body), then, " receives an impulse of magnitude ", size, " ", direction
+                Emphasis(body), then, " receives an impulse of magnitude ", size, " ", direction
             )
         case Kick(body, impulse):
             size = values.value(scene.style, impulse, IMPULSE)
-            yield sentence(Named(body), then, " receives an impulse of ", size)
+            yield sentence(Emphasis(body), then, " receives an impulse of ", size)
         case Arrival(body, target):
-            yield sentence(Named(body), then, " reaches ", values.point(target))
+            yield sentence(Emphasis(body), then, " reaches ", values.point(target))
 
 
 def _impact(scene: Scene, number: int, event: Impact, then: str) -> Iterator[Sentence]:
@@ -44,7 +44,7 @@ def _impact(scene: Scene, number: int, event: Impact, then: str) -> Iterator[Sen
         isinstance(event, Impact) and frozenset(bodies_of(event)) == pair
         for event in scene.events[: number - 1]
     )
-    first, second = Named(event.first), Named(event.second)
+    first, second = Emphasis(event.first), Emphasis(event.second)
     tail = " again" if again else ""
     if scene.is_wall(event.second):
         yield sentence(first, f"{then} hits ", second, tail)
@@ -109,7 +109,7 @@ def _restitution(scene: Scene, number: int, event: Impact) -> Iterator[Sentence]
 
 def _offset(scene: Scene, event: Impact, offset: Expression) -> Sentence:
     """How far off centre an impact is; positive with B to the left of A's path."""
-    first, second = Named(event.first), Named(event.second)
+    first, second = Emphasis(event.first), Emphasis(event.second)
     size, side = offset, "left"
     if isinstance(offset, Negate):
         size, side = offset.operand, "right"

@@ -8,19 +8,9 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from restitution.records import dataclass
-from restitution.render.layout import Layout
+from restitution.render.document import Emphasis, Piece, Words
 
-
-@dataclass(frozen=True, slots=True)
-class Named:
-    """The name of a sphere, a wall or a point, which print sets in italics."""
-
-    text: str
-
-
-Piece: TypeAlias = str | Named | Layout
-Words: TypeAlias = tuple[Piece, ...]
-Sentence: TypeAlias = tuple[Piece, ...]
+Sentence: TypeAlias = Words
 
 
 @dataclass(frozen=True)
@@ -96,3 +86,17 @@ class QuestionContent:
     title: str | None
     intro: tuple[Sentence, ...]
     parts: tuple[QuestionPart, ...]
+
+
+__all__ = [
+    "Block",
+    "Emphasis",
+    "Entry",
+    "Listing",
+    "Paragraph",
+    "Piece",
+    "QuestionContent",
+    "QuestionPart",
+    "Sentence",
+    "Words",
+]

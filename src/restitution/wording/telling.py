@@ -41,9 +41,9 @@ from restitution.wording.setting import setting, spheres, start
 from restitution.wording.story import event_sentences
 from restitution.wording.structure import (
     Block,
+    Emphasis,
     Entry,
     Listing,
-    Named,
     Paragraph,
     QuestionPart,
     Sentence,
@@ -327,7 +327,7 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
 def _statement(phrase: Words) -> Sentence:
     """A clause as a sentence, which does not begin with mathematics."""
     first = phrase[0]
-    return sentence("" if isinstance(first, str | Named) else "it is given that ", phrase)
+    return sentence("" if isinstance(first, str | Emphasis) else "it is given that ", phrase)
 
 
 def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing | None:

@@ -21,7 +21,7 @@ from restitution.expression.tree import (
     Unit,
 )
 from restitution.render import layout as lay
-from restitution.wording.structure import Named, Words
+from restitution.wording.structure import Emphasis, Words
 from restitution.wording.units import Style
 from restitution.wording.words import words
 
@@ -83,7 +83,7 @@ def point(tree: Expression) -> Words:
     """A point of the plane, or a wall, as somewhere to be or to get to."""
     match tree:
         case Name(name):
-            return (Named(name),)
+            return (Emphasis(name),)
         case Pair(x, y):
             return words("the point ", lay.Coordinates((lay.from_tree(x), lay.from_tree(y))))
     return words("the point with position vector ", layout_of(tree))
@@ -132,7 +132,7 @@ def direction(style: Style, tree: Polar) -> Words:
 
 def towards(style: Style, wall: str, size: Expression) -> Words:
     """``towards W at an angle of 60° to W``."""
-    return words("towards ", Named(wall), " at ", angle(style, size), " to ", Named(wall))
+    return words("towards ", Emphasis(wall), " at ", angle(style, size), " to ", Emphasis(wall))
 
 
 def direction_of(style: Style, tree: Expression) -> Words:

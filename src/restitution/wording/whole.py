@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from restitution.wording.html import to_fragment
-from restitution.wording.markup import to_markdown
+from restitution.wording.document import to_fragment, to_markdown, to_text
 from restitution.wording.structure import QuestionContent
-from restitution.wording.text import to_text
 
 
 class Question(QuestionContent):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from restitution.counting import counted
-from restitution.wording.structure import Named, Piece, Sentence, Words
+from restitution.wording.structure import Emphasis, Piece, Sentence, Words
 
 _COUNTS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"]
 
@@ -54,7 +54,7 @@ def number_of_words(phrase: Words) -> int:
 
 def names(each: Iterable[str]) -> Words:
     """``A, B and C``, in italics."""
-    return listed([Named(name) for name in each])
+    return listed([Emphasis(name) for name in each])
 
 
 def count(number: int) -> str:

@@ -1,120 +1,163 @@
-"""A document as one page of HTML, light or dark, that prints on A4."""
+"""A document as HTML with MathML: a page that needs nothing else, or what stands in one.
+
+Elements are trees (`restitution.render.markup`); the text of a page is written of these.
+"""
 
 from __future__ import annotations
 
-from html import escape
+from collections.abc import Iterable
 from typing import assert_never
 
 from restitution.render.document import (
     Block,
     Document,
+    Entries,
+    Equations,
     Heading,
     Inline,
+    Labelled,
     Listing,
     NewPage,
     Paragraph,
     Picture,
     Table,
-    pieces,
 )
-from restitution.render.mathml import to_mathml
+from restitution.render.document.cells import inline, rows
+from restitution.render.document.styles import AROUND, STYLES
+from restitution.render.markup import Raw, Tree, element, to_markup
 from restitution.render.page import page
 
-STYLE = """
-:root { --ink: #1b1b1f; --paper: #fff; --soft: #5f6368; --line: #b9bcc4 }
-@media (prefers-color-scheme: dark) { :root { --ink: #e8e8ec; --paper: #17181c; --soft: #a3a7ae;
-  --line: #4a4d55 } }
-body { margin: 0; background: var(--paper); color: var(--ink);
-  font: 1.02rem/1.5 Georgia, "Times New Roman", serif }
-main { max-width: 46rem; margin: 0 auto; padding: 1rem; overflow-wrap: break-word }
-h1 { font-size: 1.35rem; line-height: 1.25; margin: .5rem 0 1rem }
-h2 { font-size: 1.1rem; margin: 1.5rem 0 .5rem; break-after: avoid }
-p { margin: .5rem 0 } .result { font-size: 1.3rem } .remark { color: var(--soft); font-size: .9em }
-.head { text-align: right; color: var(--soft); margin: 0 }
-.wide { overflow-x: auto }
-table { border-collapse: collapse; margin: .6rem 0; font-variant-numeric: tabular-nums }
-table.full { width: 100% } thead { display: table-header-group } tr { break-inside: avoid }
-th, td { padding: .18rem .5rem; vertical-align: top; font-size: .95em }
-th { border-bottom: 1.5px solid var(--ink); font-weight: 600; vertical-align: bottom }
-td { border-bottom: 1px solid var(--line) }
-.ruled.full { table-layout: fixed } .ruled th, .ruled td { border: 1px solid var(--soft) }
-.l { text-align: left } .c { text-align: center } .r { text-align: right }
-figure { margin: 1rem 0; text-align: center; break-inside: avoid }
-figure svg { max-width: 100%; height: auto }
-ol, ul { padding-left: 1.6rem } li { margin: .4rem 0 }
-.break { break-before: page }
-math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math }
-@media print { @page { size: A4; margin: 20mm } main { padding: 0; max-width: none }
-  :root { --ink: #000; --paper: #fff; --soft: #333; --line: #999 } body { font-size: 11pt }
-  li, p { break-inside: avoid } }
-"""
+_CLASSES = {"question": "question", "working": "restitution"}
 
 
-def to_html(document: Document) -> str:
-    """The whole page."""
-    head = f'<p class="head">{escape(document.head)}</p>\n' if document.head else ""
-    body = "\n".join(_block(block) for block in document.blocks)
-    inside = f"<main>\n{head}<h1>{escape(document.title)}</h1>\n{body}\n</main>"
-    return page(document.title, STYLE, inside)
+def to_html(document: Document, title: str = "") -> str:
+    """A whole page; ``title`` is the name of one of a document that has none."""
+    named = document.title or title
+    if document.kind == "report":
+        return page(named, STYLES["report"], to_body(document))
+    return page(named, AROUND[document.kind], to_fragment(document))
 
 
-def _block(block: Block) -> str:
+def to_fragment(document: Document) -> str:
+    """What stands in a page (or in a notebook), with its style."""
+    return f"<style>{STYLES[document.kind]}</style>\n{to_body(document)}"
+
+
+def to_body(document: Document) -> str:
+    """The same without its style, for a page that has it already; each block begins a line."""
+    whole = to_tree(document)
+    assert not isinstance(whole, str)
+    name, attributes, *children = whole
+    inside = [piece for child in children for piece in ("\n", child)]
+    return to_markup(element(name, [*inside, "\n"], attributes))
+
+
+def to_tree(document: Document) -> Tree:
+    """The same as a tree of elements."""
+    title = [element("h1", [document.title])] if document.title else []
+    blocks = to_trees(document.blocks)
+    if document.kind == "report":
+        head = [_classed("p", "head", [document.head])] if document.head else []
+        return element("main", [*head, *title, *blocks])
+    return _classed("article", _CLASSES[document.kind], [*title, *blocks])
+
+
+def to_text(blocks: Iterable[Block]) -> str:
+    """Blocks as HTML, one behind the other."""
+    return to_markup(*to_trees(blocks))
+
+
+def to_trees(blocks: Iterable[Block]) -> list[Tree]:
+    """Blocks as elements, one behind the other."""
+    return [tree for block in blocks for tree in _block(block)]
+
+
+def _block(block: Block) -> list[Tree]:
     match block:
-        case Heading(words):
-            return f"<h2>{inline(words)}</h2>"
-        case Paragraph(words, role):
-            named = "" if role == "text" else f' class="{role}"'
-            return f"<p{named}>{inline(words)}</p>"
+        case Heading(words, level):
+            return [element(f"h{level}", inline(words))]
+        case Paragraph(words, role, mark):
+            beside = [_classed("span", "mark", [mark])] if mark else []
+            own = {} if role == "text" else {"class": role}
+            return [element("p", [*beside, *inline(words)], own)]
+        case Equations(chains):
+            return [element("table", [row for chain in chains for row in rows(chain)])]
+        case Entries(entries, lead):
+            asked = [_row(label, words) if label else _paragraph(words) for label, words in entries]
+            return [*([_paragraph(lead)] if lead else []), _classed("div", "asked", asked)]
+        case Labelled(label, blocks, words):
+            inside = to_trees(blocks)
+            if words:
+                inside.append(_classed("p", "marks", [words]))
+            return [_labelled(label, inside)] if label else inside
         case Table():
-            return _table(block)
-        case Picture(svg, width, words):
-            beneath = f"<figcaption>{inline(words)}</figcaption>" if words else ""
-            sized = svg.replace("<svg ", f'<svg style="width:{width:g}mm" ', 1)
-            return f"<figure>{sized}{beneath}</figure>"
+            return [_table(block)]
+        case Picture():
+            return [_picture(block)]
         case Listing():
-            return _listing(block)
+            return [_listing(block)]
         case NewPage():
-            return '<div class="break"></div>'
+            return [_classed("div", "break", [])]
     assert_never(block)
 
 
-def inline(words: Inline) -> str:
-    """Words with their mathematics."""
-    return "".join(
-        escape(piece) if isinstance(piece, str) else to_mathml(piece) for piece in pieces(words)
-    )
+def _paragraph(words: Inline) -> Tree:
+    return element("p", inline(words))
 
 
-def _table(table: Table) -> str:
-    heads = "".join(
-        f'<th scope="col" class="{side}">{inline(word)}</th>'
-        for side, word in zip(table.align, table.heads, strict=True)
-    )
-    high = "" if table.height is None else f' style="height:{table.height:g}mm"'
-    rows = "".join(
-        f"<tr{high}>"
-        + "".join(
-            f'<td class="{side}">{inline(word)}</td>'
-            for side, word in zip(table.align, row, strict=True)
+def _row(label: str, words: Inline) -> Tree:
+    return _labelled(label, [_paragraph(words)])
+
+
+def _labelled(label: str, inside: list[Tree]) -> Tree:
+    return _classed("div", "row", [element("span", [label]), element("div", inside)])
+
+
+def _picture(picture: Picture) -> Tree:
+    svg = picture.svg
+    if picture.width is not None:
+        svg = svg.replace("<svg ", f'<svg style="width:{picture.width:g}mm" ', 1)
+    beneath = [element("figcaption", inline(picture.words))] if picture.words else []
+    return element("figure", [Raw(svg), *beneath])
+
+
+def _table(table: Table) -> Tree:
+    heads = [
+        element("th", inline(words), {"scope": "col", "class": side})
+        for side, words in zip(table.align, table.heads, strict=True)
+    ]
+    high = {} if table.height is None else {"style": f"height:{table.height:g}mm"}
+    body = [
+        element(
+            "tr",
+            [
+                _classed("td", side, inline(words))
+                for side, words in zip(table.align, row, strict=True)
+            ],
+            high,
         )
-        + "</tr>"
         for row in table.rows
-    )
+    ]
     names = [*(["ruled"] if table.ruled else []), *([] if table.narrow else ["full"])]
-    return (
-        f'<div class="wide"><table class="{" ".join(names)}"><thead><tr>{heads}</tr></thead>'
-        f"<tbody>{rows}</tbody></table></div>"
-    )
+    inside = [element("thead", [element("tr", heads)]), element("tbody", body)]
+    return _classed("div", "wide", [_classed("table", " ".join(names), inside)])
 
 
-def _listing(listing: Listing) -> str:
-    items = "".join(
-        f"<li>{inline(item.words)}"
-        + (f'<div style="height:{item.room:g}mm"></div>' if item.room else "")
-        + "</li>"
+def _listing(listing: Listing) -> Tree:
+    items = [
+        element(
+            "li",
+            [
+                *inline(item.words),
+                *([element("div", [], {"style": f"height:{item.room:g}mm"})] if item.room else []),
+            ],
+        )
         for item in listing.items
-    )
+    ]
     if not listing.numbered:
-        return f"<ul>{items}</ul>"
-    start = "" if listing.first == 1 else f' start="{listing.first}"'
-    return f"<ol{start}>{items}</ol>"
+        return element("ul", items)
+    return element("ol", items, {} if listing.first == 1 else {"start": f"{listing.first}"})
+
+
+def _classed(name: str, kind: str, children: Iterable[Tree]) -> Tree:
+    return element(name, children, {"class": kind})

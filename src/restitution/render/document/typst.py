@@ -1,25 +1,66 @@
-"""A document in Typst's markup, and the PDF of it."""
+"""A document in Typst's markup, and the PDF of it: marks stand in the margin."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import pairwise
 from typing import assert_never
 
 from restitution.render.document import (
     Block,
+    Chain,
     Document,
+    Emphasis,
+    Entries,
+    Equations,
     Heading,
     Inline,
+    Labelled,
     Listing,
     NewPage,
     Paragraph,
     Picture,
     Table,
+    Typed,
+    lines,
     pieces,
 )
-from restitution.render.typst import compiled, literal, paper, to_typst, words
+from restitution.render.layout import Layout, Words
+from restitution.render.text import NO_BREAK
+from restitution.render.typst import compiled, literal, paper, to_typst
+from restitution.render.typst import words as plain
 
 _ALIGNED = {"l": "left", "c": "center", "r": "right"}
-_SIZES = {"text": "", "result": "size: 1.25em", "remark": "size: 0.85em"}
+_SIZES = {"result": "size: 1.25em", "remark": "size: 0.85em"}
+
+PREAMBLE = """
+#let working-mark(mark) = text(size: 0.85em, weight: "bold", mark)
+#let working-picture(svg) = align(center, block(above: 1em, below: 1em,
+  image(bytes(svg), format: "svg")))
+#let working-line(body, mark) = block(above: 0.7em, below: 0.7em, grid(
+  columns: (1fr, 5.6em), column-gutter: 0.6em, body, align(right + bottom, working-mark(mark))))
+// Each row is one line of text, so that all of it stands on one baseline; the left sides are as
+// wide as the widest that is less than half a page. The leading is nothing, as a line of text
+// lets tall formulas reach into it.
+#let working-rows(..rows) = block(above: 0.8em, below: 0.8em, width: 100%, context {
+  set par(leading: 0em)
+  let room = calc.max(0cm, ..rows.pos().map(row => measure(row.at(0)).width).filter(w => w < 8cm))
+  for (left, sign, right, mark) in rows.pos() {
+    let body = if sign == none { left } else {
+      let beside = measure(left).width
+      if beside > room { left } else { box(width: room, align(std.right, left)) }
+      [#h(0.3em)#sign#h(0.3em)#right]
+    }
+    // What does not fit into a line goes on below its right side.
+    let hanging = if sign == none or measure(left).width > room { 2em } else {
+      calc.min(room + 1.6em.to-absolute(), 4.5cm) }
+    block(above: 0.65em, below: 0.65em, grid(columns: (1fr, 5.6em), column-gutter: 0.6em,
+      align: (std.left + horizon, std.right + horizon),
+      par(hanging-indent: hanging, leading: 0.25em, body), working-mark(mark)))
+  }
+})
+"""
+"""What the markup of equations calls; it stands once at the head of a document that has such."""
 
 
 def to_pdf(document: Document) -> bytes:
@@ -33,42 +74,140 @@ def to_pdf(document: Document) -> bytes:
 def to_markup(document: Document) -> str:
     """The document as markup."""
     title = f"#text(size: 1.3em, strong({literal(document.title)}))"
-    body = [_block(block) for block in document.blocks]
-    return "\n\n".join([paper(document.title, document.head), title, *body]) + "\n"
+    setup = paper(document.title, document.head)
+    if any(isinstance(block, Equations) for block in document.blocks):
+        setup += PREAMBLE
+    return "\n\n".join([setup, title, *_blocks(document.blocks)]) + "\n"
 
 
-def _block(block: Block) -> str:
+def to_content(document: Document) -> str:
+    """The document to stand in another; one with equations needs the ``PREAMBLE`` there."""
+    title = [f"#strong[{plain(document.title)}]"] if document.title else []
+    return "\n\n".join([*title, *_blocks(document.blocks)]) + "\n"
+
+
+def to_blocks(blocks: Iterable[Block]) -> str:
+    """Blocks to stand in a document, without a title."""
+    return "\n\n".join(_blocks(blocks))
+
+
+def _blocks(blocks: Iterable[Block]) -> list[str]:
+    return [
+        text
+        for block, after in pairwise((*blocks, None))
+        if block is not None
+        for text in _block(block, isinstance(after, Equations))
+    ]
+
+
+def _block(block: Block, is_held: bool) -> list[str]:
+    """A block as paragraphs; one that is held stays on the page of what follows."""
     match block:
-        case Heading(text):
-            return (
-                f"#block(above: 1.5em, below: 0.8em, sticky: true, "
-                f"text(size: 1.1em, strong[{inline(text)}]))"
-            )
-        case Paragraph(text, role):
-            content = inline(text)
-            return f"#text({_SIZES[role]})[{content}]" if _SIZES[role] else content
+        case Heading(words, level):
+            return [_heading(words, level)]
+        case Paragraph():
+            return [_paragraph(block, is_held)]
+        case Equations(chains):
+            rows = [row for chain in chains for row in _rows(chain)]
+            return ["#working-rows(\n  " + ",\n  ".join(rows) + ",\n)"]
+        case Entries(entries, lead):
+            widest = max((label for label, _ in entries), key=len, default="")
+            own = [
+                _labelled(label, inline(words), widest) if label else inline(words)
+                for label, words in entries
+            ]
+            return [*([inline(lead)] if lead else []), *own]
+        case Labelled(label, inside, words):
+            texts = _blocks(inside)
+            if words:
+                texts.append(f"#align(right)[{plain(words)}]")
+            return [_labelled(label, "\n\n".join(texts), label)] if label else texts
         case Table():
-            return _table(block)
+            return [_table(block)]
         case Picture(svg, width, caption):
             beneath = f"\n  #block(above: 0.6em)[{inline(caption)}]" if caption else ""
-            return (
-                "#align(center, block(above: 1em, below: 1em, breakable: false)[\n"
-                f'  #image(bytes({literal(svg)}), format: "svg", width: {width:g}mm){beneath}\n])'
-            )
+            size = "" if width is None else f", width: {width:g}mm"
+            image = f'#image(bytes({literal(svg)}), format: "svg"{size}){beneath}'
+            around = "block(above: 1em, below: 1em, breakable: false)"
+            return [f"#align(center, {around}[\n  {image}\n])"]
         case Listing():
-            return _listing(block)
+            return [_listing(block)]
         case NewPage():
-            return "#pagebreak(weak: true)"
+            return ["#pagebreak(weak: true)"]
     assert_never(block)
 
 
-def inline(text: Inline) -> str:
+def _heading(words: Inline, level: int) -> str:
+    if level == 2:
+        return (
+            f"#block(above: 1.5em, below: 0.8em, sticky: true, "
+            f"text(size: 1.1em, strong[{inline(words)}]))"
+        )
+    return f"#block(above: 1.1em, sticky: true)[#strong[{inline(words)}]]"
+
+
+def _paragraph(paragraph: Paragraph, is_held: bool) -> str:
+    text = inline(paragraph.words)
+    if paragraph.role == "note":
+        return f"#emph[{text}]"
+    if paragraph.role != "text":
+        return f"#text({_SIZES[paragraph.role]})[{text}]"
+    if paragraph.mark is None:
+        return text
+    line = f"#working-line([{text}], {literal(paragraph.mark)})"
+    return f"#block(sticky: true)[{line}]" if is_held else line
+
+
+def inline(words: Inline) -> str:
     """Words with their mathematics."""
-    return "".join(
-        words(piece) if isinstance(piece, str) else to_typst(piece)
-        for piece in pieces(text)
-        if piece != ""
+    out: list[str] = []
+    for piece in pieces(words):
+        if isinstance(piece, str):
+            # A literal knows no such blank: Typst's own sign for one is outside of it.
+            out.append("~".join(plain(part) if part else "" for part in piece.split(NO_BREAK)))
+        elif isinstance(piece, Emphasis):
+            out.append(f"#emph[{plain(piece.text)}]")
+        elif isinstance(piece, Typed):
+            out.append(f"#raw({literal(piece.text)})")
+        else:
+            out.append(to_typst(piece))
+    return "".join(out)
+
+
+def _labelled(label: str, body: str, widest: str) -> str:
+    """A label and what it is of; ``widest`` is the longest label of those below one another."""
+    room = plain(widest)
+    column = f"calc.max(2.2em.to-absolute(), measure[{room}].width + 0.6em.to-absolute())"
+    return (
+        f"#context grid(columns: ({column}, 1fr), row-gutter: 0.65em, [{plain(label)}], [{body}])"
     )
+
+
+def _rows(chain: Chain) -> list[str]:
+    """Arrays of the left side, the sign, the right side and the mark."""
+    label = f"{plain(chain.label)} #h(0.4em) " if chain.label else ""
+    left = label + _operand(chain.operands[0])
+    note = f"#text(size: 0.9em)[{inline(chain.note)}]" if chain.note else ""
+    note = note if chain.goes_on or not note else f" {note}"
+    mark = literal(chain.mark)
+    if not chain.signs:
+        return [f"([{left}{note}], none, [], {mark})"]
+    cells: list[str] = []
+    broken = lines(chain)
+    for index, (sign, operands) in enumerate(broken):
+        last = index == len(broken) - 1
+        right = "".join(f"{f' ${s}$ ' if s else ''}{_operand(operand)}" for s, operand in operands)
+        cells.append(
+            f"([{left if index == 0 else ''}], [${sign}$], "
+            f"[{right}{note if last else ''}], {mark if last else literal('')})"
+        )
+    return cells
+
+
+def _operand(layout: Layout | None) -> str:
+    if layout is None:
+        return ""
+    return plain(layout.text) if isinstance(layout, Words) else to_typst(layout, block=True)
 
 
 def _table(table: Table) -> str:
@@ -82,7 +221,7 @@ def _table(table: Table) -> str:
         kinds = ["1fr"] * len(table.align)  # room to write in
     elif "l" in table.align and not table.narrow:
         kinds[table.align.rfind("l")] = "1fr"
-    sides = ", ".join(_ALIGNED[each] for each in table.align)
+    sides = ", ".join(_ALIGNED[side] for side in table.align)
     lines = "0.4pt" if table.ruled else "(x, y) => (bottom: if y == 0 { 0.8pt } else { 0.25pt })"
     height = "" if table.height is None else f"rows: (auto, {table.height:g}mm), "
     columns = ", ".join(kinds)

@@ -13,6 +13,7 @@ from restitution.expression.tree import Letter, has_quantity, letters
 from restitution.language.writing import relation_text
 from restitution.problem import Arrival, Compare, Given, Impact, Kick, Part, Problem, Relation
 from restitution.records import dataclass
+from restitution.render.document.columns import inline
 from restitution.solving.algebra.numbers import at
 from restitution.solving.equations.facts import givens
 from restitution.solving.equations.part import work_out
@@ -20,7 +21,6 @@ from restitution.solving.equations.setting import Setting, out_of_range
 from restitution.solving.story.letters import narrowed_by, roles
 from restitution.wording.clauses import clause
 from restitution.wording.scene import scene_of
-from restitution.wording.text import inline
 
 MOST_FACTS = 8
 

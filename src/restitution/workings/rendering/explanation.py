@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from restitution.explaining.awarding.awards import awarded
 from restitution.records import dataclass
+from restitution.workings.rendering.document import to_fragment, to_latex, to_markdown, to_text
 from restitution.workings.rendering.steps import PartExplanation, Working
-from restitution.workings.rendering.text import to_text
 
 
 @dataclass(frozen=True, repr=False)
@@ -27,20 +27,16 @@ class Explanation(Working):
     __repr__ = __str__
 
     def _repr_html_(self) -> str:
-        from restitution.workings.rendering.html import to_fragment
         from restitution.workings.rendering.illustrate import illustrated
 
         return to_fragment(illustrated(self))
 
     def _repr_markdown_(self) -> str:
         from restitution.workings.rendering.illustrate import illustrated
-        from restitution.workings.rendering.markup import to_markdown
 
         return to_markdown(illustrated(self))
 
     def _repr_latex_(self) -> str:
-        from restitution.workings.rendering.markup import to_latex
-
         return to_latex(self, document=False)
 
 

@@ -1,23 +1,20 @@
-"""A worked solution for the terminal: sentences wrapped, equations aligned at their signs."""
+"""Lines of mathematics in the columns of a terminal: aligned at their signs, broken before them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from string import ascii_letters, digits
 
-from restitution.explaining.lines.saying import note
 from restitution.records import dataclass
-from restitution.render.layout import Brackets, Fraction, Layout, Phrase, Relation, Sum
-from restitution.render.layout import Words as Upright
-from restitution.render.text import NO_BREAK, bold, wrapped
+from restitution.render.document import Chain, Emphasis, Inline, Piece, Typed, pieces
+from restitution.render.layout import Brackets, Fraction, Layout, Phrase, Relation, Sum, Words
+from restitution.render.text import NO_BREAK, wrapped
 from restitution.render.text import to_text as one_line
 from restitution.render.text import width as columns
-from restitution.workings.rendering.steps import PartExplanation, Row, Step, Words, Working
 
 # Where lines of mathematics begin; the numbers of items stand in front of them.
-_INDENT = 4
+INDENT = 4
 # Where the right sides stand below a left side that is too long.
 _BELOW = 6
 # So many columns more than the shortest left side has are far.
@@ -34,12 +31,9 @@ _SHORT_BELOW = 8
 # Within more brackets no line ends.
 _DEEPEST = 4
 
-_BOLD, _FAINT, _NORMAL = "\x1b[1m", "\x1b[2m", "\x1b[0m"
-_LETTERS = {bold(c): c for c in ascii_letters + digits}
-
 
 @dataclass(frozen=True)
-class _Line:
+class TextLine:
     """A line of text, the mark at its end, and whether it is a heading."""
 
     text: str = ""
@@ -47,83 +41,12 @@ class _Line:
     strong: bool = False
 
 
-def to_text(explanation: Working, width: int = 80, styled: bool = False) -> str:
-    """The whole working as Unicode text, at most ``width`` columns wide where that can be.
-
-    With ``styled``, for a terminal: headings and vectors in bold type, by ANSI sequences, where
-    plain text has the bold letters of Unicode, which not every terminal shows.
-    """
-    lines: list[_Line] = []
-    if explanation.title:
-        lines += [*_strong(wrapped(explanation.title, width)), _Line()]
-    labels = [row.label for row in explanation.rows()]
-    margin = max(0, max(map(columns, labels), default=0) + 1 - _INDENT)
-    for part in explanation.parts:
-        lines += _part(part, width, margin)
-    for warning in explanation.left_over:
-        lines += _plain(wrapped(note(warning), width))
-    while lines and lines[-1] == _Line():
-        lines.pop()
-    return "\n".join(_finished(line, width, styled) for line in lines).replace(NO_BREAK, " ")
+def plain(texts: Sequence[str]) -> list[TextLine]:
+    """Texts as lines without marks."""
+    return [TextLine(text) for text in texts]
 
 
-def _plain(texts: Sequence[str]) -> list[_Line]:
-    return [_Line(text) for text in texts]
-
-
-def _strong(texts: Sequence[str]) -> list[_Line]:
-    return [_Line(text, strong=True) for text in texts]
-
-
-def _finished(line: _Line, width: int, styled: bool) -> str:
-    gap = " " * max(2, width - columns(line.text) - columns(line.mark)) if line.mark else ""
-    if not styled:
-        return f"{line.text}{gap}{line.mark}"
-    text, mark = line.text, line.mark
-    text = "".join(_LETTERS.get(c, c) for c in text) if line.strong else _with_bold(text)
-    if line.strong and text:
-        text = f"{_BOLD}{text}{_NORMAL}"
-    return f"{text}{gap}{_FAINT}{mark}{_NORMAL}" if mark else text
-
-
-def _with_bold(text: str) -> str:
-    """Bold type for the bold letters of Unicode."""
-    return "".join(f"{_BOLD}{_LETTERS[c]}{_NORMAL}" if c in _LETTERS else c for c in text)
-
-
-def _part(part: PartExplanation, width: int, margin: int) -> list[_Line]:
-    lines: list[_Line] = []
-    if part.label:
-        lines += [_Line(f"({part.label})", strong=True), _Line()]
-    for step in part.steps:
-        printed = _step(step, width, margin)
-        idle = printed and printed[0] == _Line() and not (lines and lines[-1] != _Line())
-        lines += printed[1:] if idle else printed
-    if lines and lines[-1] != _Line():
-        lines.append(_Line())
-    return lines
-
-
-def _step(step: Step, width: int, margin: int) -> list[_Line]:
-    """The lines of a step; its mathematics has so many columns more in front, for labels."""
-    lines: list[_Line] = []
-    if step.picture is not None:
-        return []
-    if step.kind == "heading":
-        return [_Line(), *_strong(wrapped(inline(step.words), width))]
-    intro = inline(step.words)
-    if step.principle:
-        named = f"{step.principle}{step.sign}"
-        intro = f"{named} {intro}" if intro else named
-    if intro:
-        lines += _plain(wrapped(intro, width - (columns(step.mark) + 2 if step.mark else 0)))
-        if step.mark:
-            lines[-1] = replace(lines[-1], mark=step.mark)
-    lines += _rows(step.rows, width, margin)
-    return lines
-
-
-def _labelled(lines: Sequence[_Line], label: str, margin: int) -> Iterator[_Line]:
+def _labelled(lines: Sequence[TextLine], label: str, margin: int) -> Iterator[TextLine]:
     """Lines of mathematics moved to the right, with the number of an item in front of the first."""
     for number, line in enumerate(lines):
         text = " " * margin + line.text if line.text else line.text
@@ -132,14 +55,20 @@ def _labelled(lines: Sequence[_Line], label: str, margin: int) -> Iterator[_Line
         yield line if text == line.text else replace(line, text=text)
 
 
-def inline(words: Words) -> str:
+def inline(words: Inline) -> str:
     """Words with their mathematics, as one string; formulas are not to be broken."""
-    return "".join(word if isinstance(word, str) else _unbroken(word) for word in words)
+    return "".join(map(_piece, pieces(words)))
+
+
+def _piece(piece: Piece) -> str:
+    if isinstance(piece, str):
+        return piece
+    return piece.text if isinstance(piece, Emphasis | Typed) else _unbroken(piece)
 
 
 def _unbroken(layout: Layout) -> str:
     """A formula on one line; only among words, and at the signs of a chain, a line may end."""
-    if isinstance(layout, Upright):
+    if isinstance(layout, Words):
         return layout.text
     if isinstance(layout, Phrase) and NO_BREAK not in layout.separator:
         return layout.separator.join(map(_unbroken, layout.items))
@@ -158,74 +87,75 @@ def _unbroken(layout: Layout) -> str:
     return one_line(layout).replace(" ", NO_BREAK)
 
 
-def _rows(rows: Sequence[Row], width: int, margin: int) -> list[_Line]:
+def aligned(chains: Sequence[Chain], width: int, margin: int) -> list[TextLine]:
+    """Lines of at most ``width`` columns; ``margin`` more stand in front, for labels."""
     width -= margin
-    lefts = [_operand(row.operands[0]) for row in rows]
+    lefts = [_operand(chain.operands[0]) for chain in chains]
     fitting = [
         columns(left)
-        for row, left in zip(rows, lefts, strict=True)
-        if row.signs and not _is_wide(row, columns(left), width)
+        for chain, left in zip(chains, lefts, strict=True)
+        if chain.signs and not _is_wide(chain, columns(left), width)
     ]
     # One left side that is far longer than others does not push them aside.
-    near = min(fitting, default=_INDENT) + _APART
-    room = max((number for number in fitting if number <= near), default=_INDENT)
-    lines: list[_Line] = []
+    near = min(fitting, default=INDENT) + _APART
+    room = max((number for number in fitting if number <= near), default=INDENT)
+    lines: list[TextLine] = []
     own = room
-    for row, left in zip(rows, lefts, strict=True):
-        if row.operands[0] is not None:
+    for chain, left in zip(chains, lefts, strict=True):
+        if chain.operands[0] is not None:
             # What does not fit beside the others goes on below its left side.
             own = max(room, columns(left))
-            if _is_wide(row, own, width):
+            if _is_wide(chain, own, width):
                 own = _BELOW
-        own_lines = _row(row, left, own if row.signs else columns(left), width)
-        lines += _labelled(own_lines, row.label, margin)
+        own_lines = _row(chain, left, own if chain.signs else columns(left), width)
+        lines += _labelled(own_lines, chain.label, margin)
     return lines
 
 
-def _is_wide(row: Row, room: int, width: int) -> bool:
+def _is_wide(chain: Chain, room: int, width: int) -> bool:
     """Whether a right side does not fit beside left sides of a width."""
-    return _INDENT + room + _widest(row) > width - _margin(row)
+    return INDENT + room + _widest(chain) > width - _margin(chain)
 
 
-def _margin(row: Row) -> int:
+def _margin(chain: Chain) -> int:
     """The columns kept for the marks."""
-    return max(_MARKS, columns(row.mark) + 2)
+    return max(_MARKS, columns(chain.mark) + 2)
 
 
-def _widest(row: Row) -> int:
-    return max((columns(_operand(operand)) + 3 for operand in row.operands[1:]), default=0)
+def _widest(chain: Chain) -> int:
+    return max((columns(_operand(operand)) + 3 for operand in chain.operands[1:]), default=0)
 
 
 def _operand(layout: Layout | None) -> str:
     return "" if layout is None else one_line(layout)
 
 
-def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
+def _row(chain: Chain, left: str, room: int, width: int) -> list[TextLine]:
     """One chain; what does not fit goes on below, under its own sign."""
-    first = row.operands[0]
-    if isinstance(first, Fraction) and _INDENT + columns(left) > width:
-        return _over_a_bar(row, first, width)
-    pad = " " * (_INDENT + max(0, room - columns(left)))
-    limit = width - _margin(row)
+    first = chain.operands[0]
+    if isinstance(first, Fraction) and INDENT + columns(left) > width:
+        return _over_a_bar(chain, first, width)
+    pad = " " * (INDENT + max(0, room - columns(left)))
+    limit = width - _margin(chain)
     lines: list[str] = []
-    if first is not None and _INDENT + columns(left) > width:
-        *above, left = _broken(first, limit - _INDENT)
-        lines += [" " * _INDENT + each for each in above]
-        pad = " " * _INDENT
+    if first is not None and INDENT + columns(left) > width:
+        *above, left = _broken(first, limit - INDENT)
+        lines += [" " * INDENT + each for each in above]
+        pad = " " * INDENT
     current = pad + left
-    start = " " * (_INDENT + room)
+    start = " " * (INDENT + room)
     if columns(left) > room:
-        lines.append(" " * _INDENT + left)
+        lines.append(" " * INDENT + left)
         current = start
-    note = _held(inline(row.note))
-    gap = "" if goes_on(row.note) else "   "
+    note = _held(inline(chain.note))
+    gap = "" if chain.goes_on else "   "
     # Behind a line that is alone, marks need no more room than they have.
-    own = width - (columns(row.mark) + 2 if row.mark else 0)
-    room_behind = own if row.number or not (row.mark and goes_on(row.note)) else limit
+    own = width - (columns(chain.mark) + 2 if chain.mark else 0)
+    room_behind = own if chain.number or not (chain.mark and chain.goes_on) else limit
     cut = False
-    for index, (sign, operand) in enumerate(zip(row.signs, row.operands[1:], strict=True), 1):
+    for index, (sign, operand) in enumerate(zip(chain.signs, chain.operands[1:], strict=True), 1):
         piece = f" {sign} {_operand(operand)}"
-        last = index == len(row.signs)
+        last = index == len(chain.signs)
         fresh = current.strip() == "" or current == pad + left
         behind = columns(gap) + columns(note) if note and last else 0
         # The last piece goes to a line of its own, if what stands behind it fits there.
@@ -250,35 +180,35 @@ def _row(row: Row, left: str, room: int, width: int) -> list[_Line]:
     if note and columns(lines[-1]) + columns(gap) + columns(note) <= room_behind:
         lines[-1] = f"{lines[-1]}{gap}{note}"
         note = ""
-    rows = [*_plain(lines[:-1]), _Line(lines[-1], strong=row.answer)]
+    rows = [*plain(lines[:-1]), TextLine(lines[-1], strong=chain.answer)]
     if note:
         # Words go on below the right side where they have room there.
         words = note.removeprefix(",").lstrip()
-        right = columns(start) + 1 + max(map(columns, row.signs), default=0) + 1
-        indent = right if right + columns(words) <= own else _INDENT + 2
-        rows += _plain([" " * indent + each for each in wrapped(words, own - indent)])
-    if row.mark:
-        rows[-1] = replace(rows[-1], mark=row.mark)
+        right = columns(start) + 1 + max(map(columns, chain.signs), default=0) + 1
+        indent = right if right + columns(words) <= own else INDENT + 2
+        rows += plain([" " * indent + each for each in wrapped(words, own - indent)])
+    if chain.mark:
+        rows[-1] = replace(rows[-1], mark=chain.mark)
     return rows
 
 
-def _over_a_bar(row: Row, left: Fraction, width: int) -> list[_Line]:
+def _over_a_bar(chain: Chain, left: Fraction, width: int) -> list[TextLine]:
     """A chain whose left side is one long name over another: with a bar between them."""
     above, below = (one_line(_bare(side)) for side in (left.above, left.below))
     bar = "─" * max(columns(above), columns(below))
     room = columns(bar)
-    chain = "".join(
-        f" {sign} {_operand(e)}" for sign, e in zip(row.signs, row.operands[1:], strict=True)
+    right = "".join(
+        f" {sign} {_operand(e)}" for sign, e in zip(chain.signs, chain.operands[1:], strict=True)
     )
-    beside = _INDENT + room + columns(chain) <= width - _margin(row)
+    beside = INDENT + room + columns(right) <= width - _margin(chain)
     rest = _row(
-        replace(row, operands=(Upright(bar), *row.operands[1:])),
+        replace(chain, operands=(Words(bar), *chain.operands[1:])),
         bar,
         room if beside else _BELOW,
         width,
     )
     top, under = (
-        _Line(" " * (_INDENT + (room - columns(each)) // 2) + each) for each in (above, below)
+        TextLine(" " * (INDENT + (room - columns(each)) // 2) + each) for each in (above, below)
     )
     return [top, rest[0], under, *rest[1:]]
 
@@ -292,11 +222,6 @@ def _held(words: str) -> str:
     """Words behind a line of which a few in brackets at the end stay on one line."""
     before, bracket, last = words.rpartition(" (")
     return before + bracket + last.replace(" ", NO_BREAK) if len(last) <= _SHORT else words
-
-
-def goes_on(words: Words) -> bool:
-    """Whether words behind a line begin with a comma."""
-    return bool(words) and isinstance(words[0], str) and words[0].startswith(",")
 
 
 def _broken(layout: Layout, room: int) -> list[str]:
@@ -313,8 +238,8 @@ def _cut(text: str, room: int) -> list[str]:
         if lines and columns(lines[-1]) + 1 + columns(piece) <= room:
             lines[-1] += f" {piece}"
         else:
-            indent = " " * _INDENT if depth > 0 else ""
-            lines.append(indent + piece if columns(piece) + _INDENT <= room else piece)
+            indent = " " * INDENT if depth > 0 else ""
+            lines.append(indent + piece if columns(piece) + INDENT <= room else piece)
         depth += _opened(piece)
     return lines
 
