@@ -40,7 +40,7 @@ from restitution.problem import (
     Value,
 )
 from restitution.render import layout as lay
-from restitution.render.document import Emphasis
+from restitution.render.document import Emphasis, Typed
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 from restitution.wording.asking import names_of
@@ -306,7 +306,7 @@ class Ends:
 
 def _laid(words: Words) -> lay.Layout | str:
     """Words of a question as an operand."""
-    pieces = [word.text if isinstance(word, Emphasis) else word for word in words]
+    pieces = [word.text if isinstance(word, Emphasis | Typed) else word for word in words]
     if all(isinstance(piece, str) for piece in pieces):
         return "".join(map(str, pieces))
     if len(pieces) == 1:
