@@ -70,7 +70,15 @@ def classes(make: Callable[..., Any]) -> dict[str, Any]:
 
         d: int = 4
 
-    return {kind.__name__: kind for kind in (Plain, Frozen, Slots, Empty, Itself, Own, Below)}
+    @make(frozen=True)
+    class Hashed:
+        """One with a field that is compared and not in the hash."""
+
+        a: list[int] = field(hash=False)
+        b: int = 1
+
+    kinds = (Plain, Frozen, Slots, Empty, Itself, Own, Below, Hashed)
+    return {kind.__name__: kind for kind in kinds}
 
 
 CALLS: list[tuple[str, tuple[Any, ...], dict[str, Any]]] = [
@@ -91,6 +99,8 @@ CALLS: list[tuple[str, tuple[Any, ...], dict[str, Any]]] = [
     ("Itself", (1,), {}),
     ("Own", (-1,), {}),
     ("Below", (1, (2,), 6), {"c": 7}),
+    ("Hashed", ([1],), {}),
+    ("Slots", (float("nan"),), {}),
 ]
 
 
@@ -147,6 +157,15 @@ def test_record_is_compiled_after_many_values() -> None:
     values = [kind(number) for number in range(300)]
     assert values == [kind(number, b=()) for number in range(300)]
     assert inspect.isfunction(vars(kind)["__init__"])
+
+
+def test_records_in_use_are_compiled_where_there_is_time() -> None:
+    kinds = classes(records.dataclass)
+    kinds["Frozen"](1)
+    records.compile_what_is_used()
+    assert inspect.isfunction(vars(kinds["Frozen"])["__init__"])
+    assert not inspect.isfunction(vars(kinds["Slots"])["__init__"])
+    assert kinds["Frozen"](1, (2,)) == kinds["Frozen"](1, (2,), c=4)
 
 
 @records.dataclass(frozen=True, slots=True)

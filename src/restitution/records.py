@@ -10,18 +10,18 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from dataclasses import MISSING, FrozenInstanceError, fields
+from dataclasses import MISSING, Field, FrozenInstanceError, fields
 from functools import partial
 from operator import attrgetter
 from reprlib import recursive_repr
 from types import MethodType
 from typing import TYPE_CHECKING, Any
 
-__all__ = ["dataclass"]
+__all__ = ["compared", "compile_what_is_used", "dataclass"]
 
 _KNOWN = {"frozen", "slots", "eq", "repr"}
 
-_FEW = 100
+_FEW = 40
 """Values of one class for which setting fields one by one takes no longer than compiling."""
 
 
@@ -29,8 +29,9 @@ def _quickly(kind: type[Any] | None = None, /, **options: bool) -> Any:
     """A class as a dataclass; without one, what makes one of a class."""
     if kind is None:
         return lambda named: _quickly(named, **options)
-    if options.keys() - _KNOWN or any(hasattr(base, "__dataclass_fields__") for base in kind.mro()):
-        # What it inherits goes into what is compiled.
+    inherits = any(hasattr(base, "__dataclass_fields__") for base in kind.mro())
+    if options.keys() - _KNOWN or inherits or _has_own_hash(kind):
+        # That goes into what is compiled.
         return dataclasses.dataclass(kind, **options)
     frozen, slots = options.get("frozen", False), options.get("slots", False)
     has_equality, has_repr = options.get("eq", True), options.get("repr", True)
@@ -58,6 +59,12 @@ def _quickly(kind: type[Any] | None = None, /, **options: bool) -> Any:
     return kind
 
 
+def _has_own_hash(kind: type[Any]) -> bool:
+    """Whether a field is in the hash and not compared, or the other way round."""
+    own = [value for value in vars(kind).values() if isinstance(value, Field)]
+    return any(field.hash is not None for field in own)
+
+
 class _Beginning:
     """The ``__init__`` of a class, compiled when so many values are made that this is worth it.
 
@@ -81,11 +88,12 @@ class _Beginning:
             f.name: f.default_factory for f in all_ if f.default_factory is not MISSING
         }
         plain = len(fields(kind)) == len(all_) and all(field.init for field in all_)
-        self._left = _FEW if plain else 0
+        self._most = self._left = _FEW if plain else 0
+        _WAITING.append(self)
 
     def __get__(self, value: Any, kind: type[Any] | None = None) -> Any:
         if value is None or not self._left:
-            begin = self._compiled()
+            begin = self.compiled()
             return begin if value is None else MethodType(begin, value)
         self._left -= 1
         return partial(self._one_by_one, value)
@@ -100,14 +108,19 @@ class _Beginning:
             or not named.keys().isdisjoint(self._by_place[: len(places)])
             or content.keys() != set(self._names)
         ):
-            self._compiled()(value, *places, **named)
+            self.compiled()(value, *places, **named)
             return
         for name in self._names:
             self._set(value, name, content[name])
         if self._has_more:
             value.__post_init__()
 
-    def _compiled(self) -> Callable[..., None]:
+    def is_in_use(self) -> bool:
+        """Whether there were values, and nothing is compiled."""
+        return self._left < self._most and vars(self._kind)["__init__"] is self
+
+    def compiled(self) -> Callable[..., None]:
+        """The function, which takes this place."""
         like: type[Any] = type(self._kind.__name__, (), {**self._own, "__doc__": ""})
         compiled = dataclasses.dataclass(like, frozen=self._frozen, repr=False, eq=False)
         begin: Any = vars(compiled)["__init__"]
@@ -116,51 +129,48 @@ class _Beginning:
         return begin  # type: ignore[no-any-return]
 
 
+def compile_what_is_used() -> None:
+    """Compile what makes values of the classes that had any: for a process that has the time."""
+    for begin in _WAITING:
+        if begin.is_in_use():
+            begin.compiled()
+
+
+_WAITING: list[_Beginning] = []
+
+
 def _repr_of(kind: type[Any]) -> Callable[[Any], str]:
     names = [field.name for field in fields(kind) if field.repr]
 
     @recursive_repr()
     def shown(value: Any) -> str:
-        inside = ", ".join(f"{name}={getattr(value, name)!r}" for name in names)
+        inside = ", ".join([f"{name}={getattr(value, name)!r}" for name in names])
         return f"{value.__class__.__qualname__}({inside})"
 
     return shown
 
 
-def _values_of(names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
-    """What has these names in a value, as a tuple."""
-    if len(names) > 1:
-        return attrgetter(*names)
-    if not names:
-        return lambda value: ()
-    one = attrgetter(*names)
-    return lambda value: (one(value),)
+def compared(kind: type[Any]) -> Callable[[Any], Any]:
+    """What is compared of a value of a dataclass: its fields, or its field where it has one."""
+    names = [field.name for field in fields(kind) if field.compare]
+    return attrgetter(*names) if names else lambda value: ()
 
 
 def _equality_of(kind: type[Any]) -> Callable[[Any, Any], Any]:
-    values = _values_of([field.name for field in fields(kind) if field.compare])
+    get = compared(kind)
 
     def same(value: Any, other: Any) -> Any:
         if other.__class__ is not value.__class__:
             return NotImplemented
-        return values(value) == values(other)
+        own, others = get(value), get(other)
+        return own is others or own == others
 
     return same
 
 
 def _hash_of(kind: type[Any]) -> Callable[[Any], int]:
-    values = _values_of(
-        [
-            field.name
-            for field in fields(kind)
-            if (field.compare if field.hash is None else field.hash)
-        ]
-    )
-
-    def worked_out(value: Any) -> int:
-        return hash(values(value))
-
-    return worked_out
+    get = compared(kind)
+    return lambda value: hash(get(value))
 
 
 def _guards_of(

@@ -20,7 +20,7 @@ from restitution.errors import RestitutionError, StatementError, TimeLimitError
 from restitution.expression.tree import Binary, Name, Number, Quantity
 from restitution.garbage import collect_seldom
 from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
-from restitution.records import dataclass
+from restitution.records import compile_what_is_used, dataclass
 from restitution.work import confirm, limited
 
 if TYPE_CHECKING:
@@ -207,6 +207,7 @@ def rehearse() -> None:
     """Solve and explain a tiny question: the algebra's first steps are slow ones.
 
     They fill what SymPy keeps, and load what it loads late. The next question takes half the time.
+    Classes that such a question has values of will have more of them.
     """
     half = Binary("/", Number(Fraction(1)), Number(Fraction(2)))
     speed = Value(Quantity("speed", (Name("P"),)), text="speed(P)")
@@ -220,6 +221,7 @@ def rehearse() -> None:
             ),
         )
     )
+    compile_what_is_used()
 
 
 def stopped(limit: float | None) -> TimeLimitError:

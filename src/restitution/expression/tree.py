@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, Literal, TypeGuard, TypeVar, get_args, overload
 
-from restitution.records import dataclass
+from restitution.records import compared, dataclass
 
 _Kind = TypeVar("_Kind")
 
@@ -37,18 +37,17 @@ class Node:
 
 
 def keeps_hash(kind: type[_Kind]) -> type[_Kind]:
-    """A frozen kind of which the hash is worked out once, and compared before what is inside.
+    """A frozen dataclass of which the hash is worked out once, and compared before what is inside.
 
     It is not pickled: strings have another hash in another process.
     """
-    worked_out: Any = kind.__hash__
-    same_inside: Any = kind.__eq__
+    get = compared(kind)
 
     def kept(node: Any) -> int:
         try:
             return node._hash  # type: ignore[no-any-return]
         except AttributeError:
-            value: int = worked_out(node)
+            value = hash(get(node))
             object.__setattr__(node, "_hash", value)
             return value
 
@@ -62,7 +61,8 @@ def keeps_hash(kind: type[_Kind]) -> type[_Kind]:
                 return False
         except AttributeError:  # one has not been asked for its hash, which an array has not
             pass
-        return same_inside(node, other)
+        own, others = get(node), get(other)
+        return own is others or own == others
 
     setattr(kind, "__hash__", kept)  # noqa: B010 - a type has no place for it that mypy knows
     setattr(kind, "__eq__", same)  # noqa: B010
