@@ -6,17 +6,16 @@ What goes in and what comes out are plain values, so that the one who asks needs
 from __future__ import annotations
 
 import gc
-import sys
 import time
 import traceback
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from importlib import import_module
-from types import ModuleType
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError
+from restitution.export.algebra import load_algebra
 from restitution.expression.tree import Binary, Name, Number, Quantity
 from restitution.garbage import collect_seldom
 from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
@@ -167,7 +166,7 @@ def prepare() -> None:
     """Load what the work needs: before it is asked whether there is time to rehearse."""
     # Loading makes many objects and no garbage.
     gc.disable()
-    _without_tensors()
+    load_algebra()
     for module in ("export.answers", "export.contract", "solving.showing", "workings"):
         import_module(f"restitution.{module}")
 
@@ -175,32 +174,6 @@ def prepare() -> None:
     gc.freeze()
     gc.enable()
     collect_seldom()
-
-
-_TENSORS = "sympy.tensor.tensor"
-
-
-def _without_tensors() -> None:
-    """Let SymPy not load its tensors: its first sum asks whether a term is one of them.
-
-    Loading them, and the permutations that they need, takes as long as solving a small question.
-    Nothing here is a tensor, so two classes without members answer that. Whoever asks for anything
-    else has the true module loaded in their place.
-    """
-    if _TENSORS in sys.modules:
-        return
-
-    def true_name(name: str) -> Any:
-        if name.startswith("__"):
-            raise AttributeError(name)  # what the import system asks
-        if sys.modules.get(_TENSORS) is absent:
-            del sys.modules[_TENSORS]
-        return getattr(import_module(_TENSORS), name)
-
-    absent: Any = ModuleType(_TENSORS)
-    absent.TensExpr, absent.TensAdd = type("TensExpr", (), {}), type("TensAdd", (), {})
-    absent.__getattr__ = true_name
-    sys.modules[_TENSORS] = absent
 
 
 def rehearse() -> None:
