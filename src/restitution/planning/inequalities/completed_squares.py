@@ -1,4 +1,4 @@
-"""Bounds by a square that is completed: of a speed over a coefficient, of a quadratic."""
+"""Bounds by a square that is completed: of a speed or an energy over a coefficient, or others."""
 
 from __future__ import annotations
 
@@ -45,17 +45,23 @@ from restitution.solving.story.letters import roles
 def write_completed(claims: Comparing, line: int, relation: Relation) -> int | None:
     """The ends of a speed, of which the square is of the second degree in a coefficient.
 
-    It is both, or the greater one where only that is wanted. None where the coefficient is at
-    neither end least, or letters stand beside it in the sum.
+    Of an energy, or of a share of one, it is that itself. It is both ends, or the greater one where
+    only that is wanted. None where the coefficient is at neither end least, or letters stand beside
+    it in the sum.
     """
-    speed = claims.scene.desk.last_link(line).left
-    if not is_quantity(speed, "speed"):
+    asked = claims.scene.desk.last_link(line).left
+    kinds = {node.kind for node in walk(asked) if isinstance(node, Quantity)} - {"mass"}
+    if (
+        not kinds
+        or not kinds <= {"speed", "energy"}
+        or (kinds == {"speed"}) != is_quantity(asked, "speed")
+    ):
         return None
     first, *more = relation.only
-    if not more and (first.left != speed or first.sign[0] != "<"):
+    if not more and (first.left != asked or first.sign[0] != "<"):
         return None  # that a square is not negative is seen at once
     mark = claims.worths.mark()
-    written = _written(claims, speed, line, relation)
+    written = _written(claims, asked, line, relation)
     if written is None:
         claims.worths.back(mark)
     return written
@@ -101,10 +107,14 @@ def write_square(
     return None
 
 
-def _written(claims: Comparing, speed: Quantity, line: int, relation: Relation) -> int | None:
-    claims.worths.determine(speed)
-    own = formula(claims.scene, speed)
-    parts = _completed(claims, tidy(own.value**2))
+def _written(claims: Comparing, asked: Expression, line: int, relation: Relation) -> int | None:
+    power, subject = (2, square(asked)) if is_quantity(asked, "speed") else (1, asked)
+    own = None
+    if isinstance(asked, Quantity):
+        claims.worths.determine(asked)
+        own = formula(claims.scene, asked)
+    value = claims.worths.value(claims.scene.desk.last_link(line).right)
+    parts = _completed(claims, tidy((own.value if own else value) ** power))
     if parts is None:
         return None
     symbol, lead, least, more = parts
@@ -122,15 +132,33 @@ def _written(claims: Comparing, speed: Quantity, line: int, relation: Relation) 
         if at_once is not None:
             return at_once
     claims.worths.back(mark)
-    completed = _square_of(claims, speed, own, whole)
+    completed = _standing(claims, subject, symbol)
+    if completed is None and own is not None:
+        completed = _square_of(claims, own, whole)
+    elif completed is None:
+        completed = claims.judge.write(
+            (Move("rearrange"),), [line, *known], chain(asked, (whole, None))
+        )
     between = claims.judge.write((Move("sign"),), known, Relation((ends,)))
     if completed is None or between is None:
         return None
     low, high = (tree_of(factored(lead * (each + more))) for each in (0, most))
-    both = Link(low, "<=", square(speed)), Link(square(speed), "<=", high)
-    wanted = both[2 - len(relation.only) :]
+    both = Link(low, "<=", subject), Link(subject, "<=", high)
+    wanted = both[2 - len(relation.only) :] if power > 1 else relation.only
     last = claims.compared([completed, between], Relation((wanted,)))
-    return None if last is None else claims.compared([last], relation)
+    return last if last is None or power == 1 else claims.compared([last], relation)
+
+
+def _standing(claims: Comparing, subject: Expression, symbol: sp.Symbol) -> int | None:
+    """The line above in which a coefficient stands in one square of what is bounded; or None."""
+    desk = claims.scene.desk
+    for line in reversed(desk.lines):
+        own = line.relation
+        if isinstance(own, Relation) and len(own.options) == 1 and desk.holds(line.number):
+            is_equation = own.only[0].left == subject and own.only[0].sign == "="
+            if is_equation and _shows(claims, line.number, symbol):
+                return line.number
+    return None
 
 
 def _shows(claims: Comparing, line: int, symbol: sp.Symbol) -> bool:
@@ -141,9 +169,15 @@ def _shows(claims: Comparing, line: int, symbol: sp.Symbol) -> bool:
     return len(squares) == 1 and symbol.name not in letters(outside)
 
 
-def _square_of(claims: Comparing, speed: Quantity, own: Formula, whole: Expression) -> int | None:
-    """The line of the square of a speed as a square plus a constant, perhaps from one above."""
-    right = swept(own.right)
+def _square_of(claims: Comparing, own: Formula, whole: Expression) -> int | None:
+    """The line of an energy, or of the square of a speed, as a square plus a constant.
+
+    That of a speed perhaps comes from a line above.
+    """
+    right, speed = swept(own.right), own.left
+    if not is_quantity(speed, "speed"):
+        sides = chain(own.left, (right, None), (whole, "rearrange"))
+        return claims.judge.write((own.move,), own.refs, sides, own.refs)
     if is_function(right, "sqrt"):
         sides = chain(square(speed), (right.argument, None), (whole, "rearrange"))
         line = claims.judge.write((own.move,), own.refs, sides, own.refs)

@@ -78,13 +78,20 @@ def is_plain(scene: Scene, line: int, relation: Relation) -> bool:
 def _is_monotone(scene: Scene, product: sp.Expr, symbol: sp.Symbol) -> bool:
     """Whether the factors with a letter together only grow with it, or only fall.
 
-    It is asked only where several have it.
+    It is asked only where several have it, or one is a polynomial with several powers of it.
     """
     own = [factor for factor in sp.Mul.make_args(product) if symbol in factor.free_symbols]
-    if len(own) < 2:
+    if len(own) < 2 and not any(_has_powers(factor, symbol) for factor in own):
         return True
     slope = sp.factor(sp.diff(sp.expand(sp.Mul(*own)), symbol))
     return bool(proved_sign(scene.model.inside, slope))
+
+
+def _has_powers(factor: sp.Expr, symbol: sp.Symbol) -> bool:
+    """Whether a factor is a polynomial in a letter, with more than one of its powers."""
+    if not factor.is_polynomial(symbol):
+        return False
+    return len([power for (power,) in sp.Poly(factor, symbol).monoms() if power]) > 1
 
 
 def is_left(worths: Worths, tree: Expression, value: sp.Expr) -> bool:
