@@ -9,7 +9,7 @@ import sympy as sp
 from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
-from restitution.expression.tree import Expression, Letter
+from restitution.expression.tree import Apply, Binary, Expression, Letter, walk
 from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.forms import ZERO, product, square, total, tree_of
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
@@ -24,6 +24,8 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
     """
     link = worths.scene.desk.last_link(line)
     gap = factored(one_fraction(worths.value(link.left) - worths.value(link.right)))
+    if (angle := _angle_of_tangents(worths, link)) is not None:
+        return _in_tangents(worths, line, known, angle, gap)
     above, _ = sp.fraction(gap)
     factors = list(sp.Mul.make_args(above))
     sums = [factor for factor in factors if factor.as_base_exp()[0].is_Add]
@@ -46,6 +48,53 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
     relation = Relation(((Link(product(*trees), sign, ZERO),),))
     written = worths.judge.write(_MOVES, [line, *known], relation)
     return line if written is None else written
+
+
+def _angle_of_tangents(worths: Worths, link: Link) -> sp.Symbol | None:
+    """The angle of which tangents, and no other ratios, stand in an inequality; or None."""
+    ratios = {e for side in (link.left, link.right) for e in walk(side) if isinstance(e, Apply)}
+    arguments = {e.argument for e in ratios if e.function == "tan"}
+    if len(arguments) != 1 or any(e.function in ("sin", "cos") for e in ratios):
+        return None
+    (argument,) = arguments
+    return (
+        worths.scene.model.unknowns.letter(argument.name) if isinstance(argument, Letter) else None
+    )
+
+
+def _in_tangents(
+    worths: Worths, line: int, known: Sequence[Ref], angle: sp.Symbol, gap: sp.Expr
+) -> int:
+    """``4 tan²α − 5 tan α + 1 ≤ 0``, and its factors: an inequality in one tangent, with numbers.
+
+    The line itself where it has no two factors.
+    """
+    tangent = sp.Dummy("t", positive=True)
+    own = sp.factor(one_fraction(gap.subs(sp.sin(angle), tangent * sp.cos(angle))))
+    above, _ = sp.fraction(own)
+    sums = [factor for factor in sp.Mul.make_args(above) if factor.is_Add]
+    if own.free_symbols != {tangent} or len(sums) != 2 or not all(_is_linear(e) for e in sums):
+        return line
+    sums = [-each if sp.Poly(each).LC() < 0 else each for each in sums]
+    rest = sp.cancel(own / sp.Mul(*sums)).subs(tangent, sp.tan(angle))
+    sense = proved_sign(worths.scene.model.inside, rest.rewrite(sp.cos))
+    if not sense:
+        return line
+    link = worths.scene.desk.last_link(line)
+    sign = link.sign if sense > 0 else FLIPPED[link.sign]
+    poly = sp.Poly(expanded(sp.Mul(*sums)), tangent)
+    if 0 in poly.all_coeffs():
+        return line  # of the difference of two squares the root is taken
+    sums.sort(key=lambda each: -sp.Poly(each).nth(0) / sp.Poly(each).LC())
+    factors = product(*(tree_of(each.subs(tangent, sp.tan(angle))) for each in sums))
+    for left in (_in_order(sp.tan(angle), poly)[0], factors):
+        relation = Relation(((Link(left, sign, ZERO),),))
+        line = worths.judge.write(_MOVES, [line, *known], relation) or line
+    return line
+
+
+def _is_linear(factor: sp.Expr) -> bool:
+    return bool(sp.Poly(factor).degree() == 1)
 
 
 def _begins_below_zero(value: sp.Expr) -> bool:
@@ -72,6 +121,8 @@ def as_quadratic(
     stated = worths.scene.desk.last_link(line)
     if tree_of(generator) in (stated.left, stated.right):
         return line  # it is solved
+    if _is_of_factors(stated, generator):
+        return line
     if poly.degree() != 2 or 0 in poly.all_coeffs():
         return line
     sides = _in_order(generator, poly) if poly.LC().is_number else _as_square(generator, poly)
@@ -81,6 +132,15 @@ def as_quadratic(
     link = Link(sides[0], FLIPPED[sign] if turned else sign, sides[1])
     written = worths.judge.write(_MOVES, [line, *known], Relation(((link,),)))
     return line if written is None else written
+
+
+def _is_of_factors(link: Link, generator: sp.Expr) -> bool:
+    """Whether an inequality says the sign of a product of two sums with a ratio of an angle."""
+    match link:
+        case Link(Binary("*", one, other), _, right) if right == ZERO and generator.is_Function:
+            ratio = tree_of(generator)
+            return all(ratio in set(walk(side)) and side != ratio for side in (one, other))
+    return False
 
 
 def _polynomial(x: sp.Expr, wanted: Expression | None) -> tuple[sp.Expr, sp.Poly] | None:
