@@ -290,3 +290,103 @@ def test_a_deflection_lies_between_its_values_at_the_ends_of_the_angle_before() 
     text = "wall W: along i\nsphere P: velocity u at alpha to W\nP hits W: e = 1/2\n"
     own = rows(text + "find range of deflection(P)")
     assert "0° < δ < 180°, as α + arctan(½ tan α) increases with α and α is acute" in own
+
+
+# --- two spheres --------------------------------------------------------------------------------
+
+DIFFERENCE = "let phi = angle(velocity(A), i)\nlet delta = phi - theta\n"
+
+
+def test_a_component_that_a_fact_gives_comes_before_the_laws_in_what_is_shown() -> None:
+    text = (
+        TWO.format(a="m", u="u at theta", b="k m", v="at rest", e="")
+        + "given velocity(A) perpendicular to line_of_centres\nshow e = 1/k"
+    )
+    own = rows(text)
+    assert "v = 0" in own
+    assert before(text, "e = 1/k") == "(u cos θ)/k = eu cos θ"
+
+
+def test_vectors_that_stand_have_their_scalar_product_beside_a_slanting_line() -> None:
+    own = rows(
+        "sphere A: mass 4, velocity 5i\nsphere B: mass 2, at rest\nA hits B\n"
+        "given velocity(B) = 4i + 2j\nfind velocity(A)\nfind e\n"
+        "find angle(velocity(A), velocity(B))"
+    )
+    assert "cos β = (3 × 4 − 2)/(√(3² + 1²)√(4² + 2²)) = √2/2" in own
+
+
+def test_bounds_of_a_square_that_is_shown_come_of_the_square_in_it() -> None:
+    text = (
+        TWO.format(a="m", u="u at alpha", b="2m", v="at rest", e="")
+        + "given cos(alpha) = 4/5\npart a\nshow speed(A)^2 = u^2 (81 + 16(1 - 2e)^2)/225\n"
+        "part b\nfind range of speed(A)"
+    )
+    own = rows(text)
+    assert "0 ≤ (1 − 2e)² ≤ 1, as 0 ≤ e ≤ 1" in own
+    assert not [row for row in own if "64e²" in row]
+
+
+@pytest.mark.parametrize(
+    ("asked", "row"),
+    [
+        ("energy(A)", "= (mu²/18)(1 − 8e)² + ½mu²"),
+        ("energy(A)/energy(A, 0)", "= (1/90)(1 − 8e)² + 1/10"),
+    ],
+)
+def test_bounds_of_an_energy_come_of_a_square_that_is_completed(asked: str, row: str) -> None:
+    own = rows(
+        TWO.format(a="m", u="3u i + u j", b="2m", v="velocity -u i", e="")
+        + f"find range of {asked}"
+    )
+    assert row in own
+    assert "0 ≤ (1 − 8e)² ≤ 49, as 0 ≤ e ≤ 1" in own
+
+
+def test_a_bound_of_a_tangent_is_a_product_of_tangents_before_it_is_solved() -> None:
+    text = (
+        TWO.format(a="m", u="u at theta", b="m", v="at rest", e=", e = 1/2")
+        + "given tan(deflection(A)) >= 3/5\nfind range of tan(theta)"
+    )
+    own = rows(text)
+    assert own[own.index("(4 tan θ − 1)(tan θ − 1) ≤ 0") - 1] == "4 tan²θ − 5 tan θ + 1 ≤ 0"
+
+
+def test_the_tangent_of_a_difference_is_shown_by_both_tangents() -> None:
+    spheres = TWO.format(a="4m", u="u at theta", b="m", v="at rest", e=", e = 2/3")
+    for asked, lets in (("delta", DIFFERENCE), ("phi - theta", DIFFERENCE.split("let delta")[0])):
+        text = f"{spheres}{lets}show tan({asked}) = tan(theta)/(2 + 3 tan^2(theta))"
+        assert before(text, "= tan θ/(2 + 3 tan²θ)").endswith(
+            "= ((3/2) tan θ − tan θ)/(1 + (3/2) tan²θ)"
+        )
+
+
+def test_a_difference_from_an_angle_to_an_axis_is_acute_by_its_tangent() -> None:
+    own = rows(
+        TWO.format(a="4m", u="u at theta", b="m", v="at rest", e=", e = 2/3")
+        + f"{DIFFERENCE}find maximum of delta over theta"
+    )
+    assert "tan δ > 0, as θ is acute" in own
+    assert "δ ≤ arctan(√6/12), as −90° < δ < 180°" in own
+
+
+@pytest.mark.parametrize(
+    ("given", "asked", "row"),
+    [
+        ("tan(theta) = 1/2", "delta", "δ = arctan 3 − arctan(1/2) ≈ 45.0°"),
+        ("theta = 45°", "phi - theta", "φ − θ = arctan 7 − 45° ≈ 36.9°"),
+    ],
+)
+def test_a_difference_of_angles_of_numbers_is_worked_out(given: str, asked: str, row: str) -> None:
+    mass = "2m" if "tan" in given else "4/3 m"
+    own = rows(
+        TWO.format(
+            a="m",
+            u="u at theta",
+            b=mass,
+            v="at rest",
+            e=", e = 1/4" if "tan" in given else ", e = 1/2",
+        )
+        + f"{DIFFERENCE}given {given}\nfind {asked}"
+    )
+    assert row in own

@@ -44,3 +44,16 @@ ACUTE = Role("angle", sp.Integer(0), sp.pi / 2)
 TO_180 = Role("angle", sp.Integer(0), sp.pi, (True, True))
 DIRECTION = Role("angle", -sp.pi, sp.pi, (False, True))
 COEFFICIENT = Role("restitution", sp.Integer(0), sp.Integer(1), (True, True))
+
+
+def of_two_angles(one: Role, sign: str, other: Role) -> Role | None:
+    """What the sum or the difference of two angles may be."""
+    if one.kind != "angle" or other.kind != "angle":
+        return None
+    if one.low is None or one.high is None or other.low is None or other.high is None:
+        return None
+    ends, closed = (other.low, other.high), other.closed
+    if sign == "-":
+        ends, closed = (-other.high, -other.low), closed[::-1]
+    low, high = one.low + ends[0], one.high + ends[1]
+    return Role("angle", low, high, (one.closed[0] and closed[0], one.closed[1] and closed[1]))

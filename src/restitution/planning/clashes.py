@@ -39,8 +39,8 @@ from restitution.planning.closing.squares_in_degrees import square_in_degrees
 from restitution.planning.formulas.impacts import after, residual
 from restitution.planning.formulas.rewriting import in_another_form
 from restitution.planning.inequalities.claims import Claims
+from restitution.planning.routes.determining import goals
 from restitution.planning.routes.givens import write_given
-from restitution.planning.routes.items import goals
 from restitution.planning.routes.order import Solver
 from restitution.planning.unfinished import require_followed
 from restitution.planning.writing.checking import require_true

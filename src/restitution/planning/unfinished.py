@@ -12,8 +12,8 @@ from restitution.planning.angles.expressions import write_expression
 from restitution.planning.closing.excluded_roots import written_law
 from restitution.planning.formulas.impacts import momentum, rebound, restitution, unchanged
 from restitution.planning.inequalities.ranges import relation_of
+from restitution.planning.routes.determining import determine, goals
 from restitution.planning.routes.givens import write_given
-from restitution.planning.routes.items import determine, goals
 from restitution.planning.routes.order import Solver
 from restitution.planning.routes.refusals import note_of
 from restitution.planning.writing.checking import require_true

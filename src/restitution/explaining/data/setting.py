@@ -13,7 +13,7 @@ from restitution.explaining.lines.notation import read_tree
 from restitution.explaining.lines.trees import settled
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Binary, Expression, Letter, Name, Quantity, letters
-from restitution.oracle.roles import ACUTE, DIRECTION, REAL, TO_180, Role
+from restitution.oracle.roles import ACUTE, DIRECTION, REAL, TO_180, Role, of_two_angles
 from restitution.records import dataclass
 
 TO_90 = Role("angle", sp.Integer(0), sp.pi / 2, (True, True))
@@ -72,7 +72,7 @@ class Setting:
             case Quantity("direction", (Name(name),)) if self.names.get(name) != "wall":
                 return DIRECTION
             case Binary("+" | "-" as sign, Letter(one), Letter(other)):
-                return _of_two(self.role(one), sign, self.role(other))
+                return of_two_angles(self.role(one), sign, self.role(other))
         return None
 
     def _is_line(self, tree: Expression) -> bool:
@@ -166,19 +166,6 @@ class Setting:
     def spheres(self) -> tuple[str, ...]:
         """The names of the spheres."""
         return tuple(name for name, kind in self.names.items() if kind == "sphere")
-
-
-def _of_two(one: Role, sign: str, other: Role) -> Role | None:
-    """What the sum or the difference of two angles may be."""
-    if one.kind != "angle" or other.kind != "angle":
-        return None
-    if one.low is None or one.high is None or other.low is None or other.high is None:
-        return None
-    ends, closed = (other.low, other.high), other.closed
-    if sign == "-":
-        ends, closed = (-other.high, -other.low), closed[::-1]
-    low, high = one.low + ends[0], one.high + ends[1]
-    return Role("angle", low, high, (one.closed[0] and closed[0], one.closed[1] and closed[1]))
 
 
 def is_angle(meaning: Meaning) -> bool:

@@ -299,7 +299,7 @@ def _meaning_of(step: Step, angle: Expression) -> Expression | None:
 
 
 def is_ratio_of(step: Step, value: Link, end: Link) -> bool:
-    """Whether a tangent or cosine tells that an angle of up to 180° has a value: the only one."""
+    """Whether a tangent or cosine tells that an angle has a value: the only one in its range."""
     cosine = value.left == Apply("cos", end.left)
     if not cosine and value.left != Apply("tan", end.left):
         return False
@@ -316,6 +316,9 @@ def is_ratio_of(step: Step, value: Link, end: Link) -> bool:
         return is_of_one and _equal(step, sp.cos(angle), ratio_) and all(map(oracle.proves, within))
     if role.low >= -sp.pi / 2 and role.high <= sp.pi / 2 and isinstance(angle, sp.atan):
         return _equal(step, sp.tan(angle), ratio_)
+    if role.low == -sp.pi / 2 and role.high == sp.pi and isinstance(angle, sp.atan):
+        # A difference with an angle of up to 180°: of a positive tangent it is acute.
+        return _equal(step, sp.tan(angle), ratio_) and oracle.proves(Claim(ratio_, ">"))
     if role.low != 0:
         return False
     inside = (compared(angle, ">", sp.Integer(0)), compared(angle, "<", sp.pi))

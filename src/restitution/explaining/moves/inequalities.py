@@ -33,6 +33,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.oracle import Relation as Claim
+from restitution.oracle.roles import Role
 
 
 def is_of_vectors(link: Link) -> bool:
@@ -181,8 +182,9 @@ def is_certain(step: Step, relation: Relation) -> bool:
 def between_tangents(step: Step, relation: Relation) -> bool:
     """An angle of up to 180° between bounds of which its tangent is between the tangents.
 
-    What bounds it is at least 0 and less than 90°, and the least tangent is not negative, or the
-    tangent is cited as positive: so the angle is acute too, and grows with its tangent.
+    A difference of two may be above -90° as well. What bounds it is at least 0 and less than 90°,
+    and the least tangent is not negative, or the tangent is cited as positive: so the angle is
+    acute too, and grows with its tangent.
     """
     if len(relation.options) != 1:
         return False
@@ -202,9 +204,11 @@ def between_tangents(step: Step, relation: Relation) -> bool:
             (link.right, _turned(link)),
         ):
             role = step.setting.of_angle(named.get(angle, angle))
+            if role is None and isinstance(angle, Letter):
+                role = step.setting.role(angle.name)  # a letter of the statement
             if named.get(angle, angle) not in cited:
                 continue
-            if role is None or role.low != 0 or role.high not in (sp.pi / 2, sp.pi):
+            if role is None or not _is_acute_or_has_a_negative_tangent(role):
                 continue
             tangents = [r for a, r in ratios if a == named.get(angle, angle) and r.sign == own.sign]
             if not any(_is_tangent_below_90(step, own.right, r.right) for r in tangents):
@@ -216,6 +220,13 @@ def between_tangents(step: Step, relation: Relation) -> bool:
         else:
             return False
     return positive
+
+
+def _is_acute_or_has_a_negative_tangent(role: Role) -> bool:
+    """Whether an angle is from 0, or above -90°, to 90° or 180°."""
+    from_zero = role.low == 0
+    from_below = role.low == -sp.pi / 2 and not role.closed[0]
+    return (from_zero or from_below) and role.high in (sp.pi / 2, sp.pi)
 
 
 def _turned(link: Link) -> Link:

@@ -11,12 +11,14 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Letter,
+    Negate,
     Quantity,
+    Unit,
     is_quantity,
     letters,
     walk,
 )
-from restitution.planning.angles.angle_sums import write_tangent_of_two
+from restitution.planning.angles.angle_sums import write_tangent_of_sum, write_tangent_of_two
 from restitution.planning.angles.quantities import formula
 from restitution.planning.angles.turn_lines import (
     Term,
@@ -83,6 +85,12 @@ def tangent_of_two(
             pass
         case _:
             return None
+    extent = "-90° < {} < 90°" if sign == "-" else "0° < {} < 180°"
+    if sign == "-" and any(_may_be_obtuse(side) for side in (left, right)):
+        extent = "-90° < {} < 180°" if _may_be_obtuse(left) else "-180° < {} < 90°"
+    if (named := _named_in_the_statement(scene, worths, asked)) is not None:
+        standing, called, fact = named
+        return standing, called, (extent.format(called.name), fact)
     terms: list[Term] = []
     for side in (left, right):
         if isinstance(side, Quantity):
@@ -99,8 +107,35 @@ def tangent_of_two(
     let = scene.desk.write(Move("let"), (), Meaning(name, whole, angle="signed"))
     form = "sum" if sign == "+" else "difference"
     number = by_tangents(scene, let, form, terms, Apply("tan", Letter(name)))  # type: ignore[arg-type]
-    extent = "-90° < {} < 90°" if sign == "-" else "0° < {} < 180°"
     return None if number is None else (number, Letter(name), (extent.format(name), let))
+
+
+def _named_in_the_statement(
+    scene: Scene, worths: Worths, asked: Expression
+) -> tuple[int, Letter, Ref] | None:
+    """The line of the tangent of two angles by the letter that the statement has for both.
+
+    With the letter, and the fact that says what it is. None without such a letter.
+    """
+    for fact in scene.desk.facts:
+        match fact.relation.options:
+            case ((Link(whole, "=", Letter() as letter),),) if fact.id.startswith("let "):
+                if worths.opened(whole) != asked:
+                    continue
+                mark = scene.desk.mark()
+                line = tangent_as_asked(scene, worths, Apply("tan", letter))
+                if line is not None:
+                    return line, letter, fact.id
+                scene.desk.back(mark)
+    return None
+
+
+def _may_be_obtuse(angle: Expression) -> bool:
+    """Whether an angle is one to **i** or **j**, of up to 180°."""
+    match angle:
+        case Quantity("angle", sides):
+            return any(isinstance(side, Unit | Negate) for side in sides)
+    return False
 
 
 def is_tangent_of_letters(tree: Expression) -> bool:
@@ -123,6 +158,9 @@ def tangent_as_asked(scene: Scene, worths: Worths, asked: Expression) -> int | N
     for node in walk(worths.opened(asked)):
         if isinstance(node, Quantity) and node.kind in ANGLES:
             worths.determine(node)
+    match asked:
+        case Apply("tan", Letter() as letter):
+            return write_tangent_of_sum(scene, letter)
     return write_tangent_of_two(scene, asked)
 
 

@@ -19,7 +19,7 @@ from restitution.planning.angles.turning import angle_line
 from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.letter_ranges import ranges_of
-from restitution.planning.routes.items import determine
+from restitution.planning.routes.determining import determine
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of

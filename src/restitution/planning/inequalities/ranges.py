@@ -30,7 +30,7 @@ from restitution.planning.inequalities.angles_at_ends import (
     write_at_ends,
 )
 from restitution.planning.inequalities.claims import Claims
-from restitution.planning.routes.items import determine
+from restitution.planning.routes.determining import determine
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError

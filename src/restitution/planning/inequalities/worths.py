@@ -92,8 +92,9 @@ class Worths:
         def change(tree: Expression) -> Expression:
             if isinstance(tree, Letter):
                 fact = self.scene.facts.get(f"let {tree.name}")
-                if fact is not None and has_quantity(fact.relation.only[0].left):
-                    return self.opened(fact.relation.only[0].left)
+                inside = None if fact is None else self.opened(fact.relation.only[0].left)
+                if inside is not None and has_quantity(inside):
+                    return inside
             return tree
 
         return rebuilt(tree, change)

@@ -35,9 +35,14 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.angles.angle_sums import write_tangent_of_sum, write_tangent_of_two
-from restitution.planning.angles.expressions import outermost, write_expression
+from restitution.planning.angles.expressions import write_expression
 from restitution.planning.angles.quantities import formula
-from restitution.planning.angles.turning import is_angle, quantity_of, write_angle, write_ratio
+from restitution.planning.angles.sums_of_angles import (
+    angles_in,
+    made_of_angles,
+    write_sum_of_angles,
+)
+from restitution.planning.angles.turning import is_angle, write_angle, write_ratio
 from restitution.planning.axes.by_changes import write_axis, write_wall
 from restitution.planning.axes.momenta import write_by_momentum, write_total_kept
 from restitution.planning.axes.opposite_impulses import is_by_vectors
@@ -48,10 +53,10 @@ from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.energy_formulas import speed_by_given_energy, speed_by_its_energy
 from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.related_velocities import write_related
-from restitution.planning.formulas.separations import event_of_relative
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.aimed_velocities import write_by_its_way
 from restitution.planning.routes.closed_before import write_from_above
+from restitution.planning.routes.determining import determine, determine_velocities
 from restitution.planning.routes.given_shares import write_given_share
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
@@ -60,7 +65,6 @@ from restitution.planning.writing.desk import NotPlannedError, Source, chain, to
 from restitution.planning.writing.either_side import write_sides
 from restitution.planning.writing.forms import ONE, difference, product, square, tree_of
 from restitution.planning.writing.scene import Scene
-from restitution.problem import Find, Value
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
 
@@ -92,7 +96,7 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
         solver.determine(journeys.goals(scene, asked))
     elif not _by_a_line_above(scene, solver, asked):
         _determine_by_squares(scene, solver, asked)
-        _determine_velocities(scene, solver, asked)
+        determine_velocities(scene, solver, asked)
         _determine_what_stands(scene, solver, asked)
     write_related(scene, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
@@ -102,6 +106,8 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, *write_angle(scene, asked))
         case Apply("sin" | "cos" | "tan" as function, angle) if is_angle(scene, angle):
             scene.desk.end(name, *write_ratio(scene, function, angle))
+        case Letter() | Binary() if (summed := _of_angles(scene, solver, asked)) is not None:
+            scene.desk.end(name, *summed)
         case Letter() if named is not None:
             _named(scene, solver, asked, named, name)
         case Letter() if (defining := _defining(scene, asked)) is not None:
@@ -298,6 +304,24 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
     if len(relation.options) == 1:
         relation = chain(asked, (tree_of(known.value), None))
     scene.desk.end(name, line, relation)
+
+
+def _of_angles(scene: Scene, solver: Solver, asked: Expression) -> tuple[int, Relation] | None:
+    """The line of a sum or a difference of angles of numbers, and the answer; None of another."""
+    whole = made_of_angles(scene, asked)
+    if whole is None:
+        return None
+    standing = solver.mark()
+    with suppress(NotPlannedError):
+        for angle in angles_in(scene, whole):
+            determine(scene, solver, angle)
+        symbols = scene.scalar(whole).free_symbols & scene.model.final.keys()
+        solver.determine(sorted(scene.unknown(sp.Add(*symbols)), key=str))
+        written = write_sum_of_angles(scene, asked)
+        if written is not None:
+            return written
+    solver.back(standing)
+    return None
 
 
 def _named(scene: Scene, solver: Solver, asked: Letter, fact: Fact, name: str) -> None:
@@ -623,106 +647,3 @@ def _as_solved(scene: Scene, asked: Expression, line: int) -> Relation:
     if len(relation.options) == 1:
         return chain(asked, (_right(scene, line), None))
     return relation
-
-
-def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
-    """Everything that is asked: each quantity in it, if they can be found, else the whole."""
-    wanted: list[sp.Expr] = []
-    match asked:
-        case Quantity("direction", (Name(body),), int(stage)):
-            wanted = list(scene.velocity(body, stage))
-        case Quantity("angle", (Quantity("velocity") as a, Quantity("velocity") as b)):
-            wanted = [*goals(scene, a), *goals(scene, b)]
-        case Quantity() | Letter():
-            pass
-        case Apply("abs", velocity) if event_of_relative(scene, velocity) is not None:
-            pass
-        case Binary("-") if event_of_relative(scene, asked) is not None:
-            pass
-        case _:
-            wanted = [
-                goal
-                for tree in outermost(asked)
-                if isinstance(tree, Quantity)
-                for goal in goals(scene, tree)
-            ]
-    if wanted:
-        try:
-            solver.determine(wanted)
-        except NotPlannedError:
-            pass
-        else:
-            return
-    standing = solver.mark()
-    try:
-        solver.determine(goals(scene, asked))
-    except NotPlannedError:
-        solver.back(standing)
-        if _determine_components(scene, solver, asked):
-            return
-        solver.back(standing)
-        if not _determine_letters(scene, solver):
-            raise
-        solver.determine(goals(scene, asked))
-
-
-def _determine_components(scene: Scene, solver: Solver, asked: Expression) -> bool:
-    """Finds first a component after an impact, by what is asked; then that."""
-    components = {component.symbol for component in scene.model.components.values()}
-    for symbol in sorted(components & scene.model.final.keys(), key=str):
-        standing = solver.mark()
-        try:
-            solver.determine([symbol])
-            solver.determine(goals(scene, asked))
-        except NotPlannedError:
-            solver.back(standing)
-        else:
-            return True
-    return False
-
-
-def _determine_letters(scene: Scene, solver: Solver) -> bool:
-    """Finds first what else the part asks: its letters. Returns whether there are any."""
-    progress = False
-    for step in scene.part.steps:
-        for item in step.items if isinstance(step, Find) else ():
-            match item:
-                case Value(expression=Letter(name)):
-                    symbol = scene.model.unknowns.letter(name)
-                    if symbol in scene.unknown(symbol):
-                        solver.determine([symbol])
-                        progress = True
-    return progress
-
-
-def _determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:
-    """The components of which an angle is made, where it is the same whatever they are."""
-    components = {component.symbol for component in scene.model.components.values()}
-    for angle in walk(asked):
-        if isinstance(angle, Letter | Quantity) and is_angle(scene, angle):
-            velocities = _velocities_of(scene, quantity_of(scene, angle))
-            open_ = {s for velocity in velocities for s in scene.unknown(velocity)} & components
-            if open_:
-                solver.determine(sorted(open_, key=str))
-
-
-def _velocities_of(scene: Scene, angle: Quantity) -> Iterator[Vector]:
-    match angle:
-        case Quantity("angle", arguments):
-            for argument in arguments:
-                if is_quantity(argument, "velocity"):
-                    yield scene.vector(argument)
-        case Quantity("deflection" | "direction", (Name(body),), int(stage)):
-            yield scene.velocity(body, stage)
-
-
-def goals(scene: Scene, tree: Expression) -> list[sp.Expr]:
-    """What has to be known for an expression to be: its value, or the components of it."""
-    value = scene.value(tree)
-    if isinstance(value, Vector):
-        return [sp.sympify(other, strict=True) for other in value]
-    if hasattr(value, "measure"):
-        # Of a right angle there is no tangent.
-        x, y = (sp.sympify(component, strict=True) for component in (value.x, value.y))
-        return [x / y if scene.model.sign(x) == 0 else y / x]
-    return [sp.sympify(value, strict=True)]

@@ -27,16 +27,16 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.comparisons import Comparison
 from restitution.planning.inequalities.extrema import write_extremum
 from restitution.planning.inequalities.ranges import write_range
-from restitution.planning.routes.items import determine, in_a_frame, is_named
+from restitution.planning.routes.determining import determine
+from restitution.planning.routes.items import in_a_frame, is_named
 from restitution.planning.routes.order import Solver
 from restitution.planning.shows.refuting import write_refutation
+from restitution.planning.shows.shown_angles import is_form_of, says
 from restitution.planning.shows.shown_directions import write_aligned, write_right_angle
 from restitution.planning.shows.shown_equations import (
     LAST,
     ShownEquation,
-    is_form_of,
     quantities_in,
-    says,
 )
 from restitution.planning.writing.angle_ratios import write_other_ratio
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -22,7 +23,6 @@ from restitution.explaining.lines.derivation import (
     equality,
 )
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -35,23 +35,18 @@ from restitution.expression.tree import (
     has_quantity,
     is_binary,
     is_function,
-    is_quantity,
     letters,
-    unsigned,
     walk,
 )
-from restitution.planning.angles.angle_sums import write_tangent_of_two
-from restitution.planning.angles.angles_by_letters import write_by_equal_letters
 from restitution.planning.angles.deflections import cosine_of_deflection
-from restitution.planning.angles.turning import angle_line, is_angle, write_ratio
 from restitution.planning.closing.complements import has_complement, without_complements
 from restitution.planning.closing.letters_cleared import written_by_clearing
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.formulas.definitions import Formula
-from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.conditions import has_quantity_in
 from restitution.planning.journeys import journeys
+from restitution.planning.shows.shown_angles import ShownAngles, says
 from restitution.planning.shows.shown_ratios import (
     in_one_ratio,
     ratio_by_a_tangent,
@@ -64,7 +59,6 @@ from restitution.planning.writing.between import terms_between, with_squares_out
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
     alike,
-    is_rational,
     negative,
     product,
     square,
@@ -74,7 +68,6 @@ from restitution.planning.writing.forms import (
     tree_of,
 )
 from restitution.planning.writing.polynomials import expanded
-from restitution.planning.writing.scene import Scene
 
 # By these a line becomes the printed form, in the order in which they are tried.
 _TO_CLEAR = (Move("rearrange"), Move("cancel"))
@@ -86,28 +79,9 @@ LAST: tuple[Move, ...] = (
 )
 
 _ONE, _TWO = (Number(Fraction(n)) for n in (1, 2))
-_TO_FORM = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
-_LAST_LINKS: tuple[MoveId | None, ...] = (None, "rearrange", "identity")
 
 
-def says(scene: Scene, line: int, link: Link) -> bool:
-    """Whether a line is an equation, but for the order of its factors."""
-    if len(scene.desk.relation(line).options) > 1:
-        return False
-    own = scene.desk.last_link(line)
-    same = own.sign == link.sign and own.left == link.left
-    return same and is_form_of(scene, (own.right, link.right))
-
-
-def is_form_of(scene: Scene, pair: tuple[Expression, Expression]) -> bool:
-    """Whether two expressions are one, but for the order of factors or a decimal point."""
-    if all(is_rational(unsigned(tree)) for tree in pair):
-        one, other = (sp.sympify(scene.scalar(tree), strict=True) for tree in pair)
-        return bool(one == other)
-    return alike(*pair)
-
-
-class ShownEquation:
+class ShownEquation(ShownAngles):
     """An equation to be shown."""
 
     def __init__(self, claims: Claims, link: Link) -> None:
@@ -128,6 +102,8 @@ class ShownEquation:
             line = self._of_expression(self.link.left, left)
             if line is not None:
                 return line
+        if (line := self._of_two_angles()) is not None:
+            return line
         quantities = list(dict.fromkeys(quantities_in(left, right)))
         subjects = [quantity for quantity in quantities if quantity in set(walk(left))]
         if subjects == quantities:
@@ -178,96 +154,6 @@ class ShownEquation:
             self.claims.worths.back(mark)
         return line
 
-    def _of_equal_angles(self, *sides: Expression) -> int | None:
-        """Two angles that are the same: each as an angle, in letters."""
-        angles = [
-            side for side in sides if isinstance(side, Quantity) and is_angle(self.scene, side)
-        ]
-        if len(angles) != len(sides):
-            return None
-        lines: list[int] = []
-        names: list[Ref] = []
-        try:
-            for angle in angles:
-                self.claims.worths.determine(angle)
-                lines.append(angle_line(self.scene, angle))
-                names += self.claims.worths.name_of(angle)
-        except NotPlannedError:
-            return None
-        refs = [*(write_by_equal_letters(self.scene, lines) or lines), *names]
-        return self.judge.write((Move("put"),), [*refs, *self._lets_of(*angles)], self.relation)
-
-    def _lets_of(self, *angles: Quantity) -> list[int]:
-        """The lines that introduce letters for angles."""
-        desk = self.scene.desk
-        return [
-            line.number
-            for line in desk.lines
-            if isinstance(line.relation, Meaning) and line.relation.quantity in angles
-        ]
-
-    def _speed_by_an_angle(self, quantities: Sequence[Quantity]) -> int | None:
-        """A speed in terms of the angle of its velocity to a line: a component, by that."""
-        scene, claims = self.scene, self.claims
-        trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
-        for speed in quantities:
-            if speed.kind != "speed" or not isinstance(speed.stage, int):
-                continue
-            velocity = replace(speed, kind="velocity")
-            for ratio in trees:
-                match ratio:
-                    case Apply("sin" | "cos", Letter() | Quantity("angle") as angle):
-                        opened = claims.worths.opened(angle)
-                    case _:
-                        continue
-                if not isinstance(opened, Quantity) or opened.arguments[:1] != (velocity,):
-                    continue
-                mark = claims.worths.mark()
-                claims.worths.determine(velocity)
-                body, stage = body_and_stage(scene, velocity)
-                frame = frame_after(scene, body, stage)
-                lets = scene.lets_in(Link(angle, "=", angle))
-                move = Move("define", "speed", frame.number, (body,))
-                for kind in ("across", "along"):
-                    own = claims.worths.component(kind, body, stage, frame)
-                    size = tree_of(own.value)
-                    size = negative(size) if scene.model.sign(own.value) < 0 else size
-                    pool = together(own.whole, frame.refs, lets)
-                    relation = equality(product(speed, ratio), size)
-                    line = self.judge.write((move,), pool, relation)
-                    if line is None:
-                        continue
-                    if relation == self.relation:
-                        return line
-                    names = letters(self.link.left) | letters(self.link.right)
-                    form = self._last([line, *lets, *self._known(names)])
-                    if form is not None:
-                        return form
-                claims.worths.back(mark)
-        return None
-
-    def _ratio_as_asked(self, angle: Quantity) -> int | None:
-        """A ratio of an angle as it is written where it is asked, then in the printed form."""
-        match self.link.left:
-            case Apply("sin" | "cos" | "tan" as function, tree) if is_angle(self.scene, tree):
-                pass
-            case _:
-                return None
-        mark = self.claims.worths.mark()
-        try:
-            self.claims.worths.determine(angle)
-            line, _ = write_ratio(self.scene, function, tree)
-        except NotPlannedError:
-            self.claims.worths.back(mark)
-            return None
-        if says(self.scene, line, self.link):
-            return line
-        names = self._known(letters(self.scene.desk.last_link(line).right) | letters(tree))
-        printed = self._last([line, *self.claims.worths.name_of(angle), *names])
-        if printed is None:
-            self.claims.worths.back(mark)
-        return printed
-
     def _of_expression(self, letter: Letter, tree: Expression) -> int | None:
         """A letter of the statement for an expression of quantities."""
         mark = self.claims.worths.mark()
@@ -289,6 +175,12 @@ class ShownEquation:
     def _of_letters(self) -> int:
         """A relation of letters: the equation that the facts give, or the letters by themselves."""
         mark = self.claims.worths.mark()
+        if self._has_component_given():
+            with suppress(*UNPLANNED):
+                line = self._worked_out()
+                if line is not None:
+                    return line
+            self.claims.worths.back(mark)
         try:
             return self._of_ties()
         except UNPLANNED:
@@ -297,6 +189,16 @@ class ShownEquation:
             if line is None:
                 raise
             return line
+
+    def _has_component_given(self) -> bool:
+        """Whether a given fact says by itself what a component after an impact of spheres is."""
+        scene = self.scene
+        components = {own.symbol for own in scene.model.components.values()}
+        for equation in scene.given:
+            symbols = {s for each in equation.residuals for s in each.free_symbols}
+            if len(symbols) == 1 and symbols <= components & scene.unknown(sp.Add(*symbols)):
+                return True
+        return False
 
     def _worked_out(self) -> int | None:
         """The letters that the facts fix, worked out as those that are asked."""
@@ -569,39 +471,6 @@ class ShownEquation:
         if line is None:
             self.claims.worths.back(mark)
         return line
-
-    def _turned(self, angle: Quantity) -> int | None:
-        """The tangent of an angle between two velocities, by their angles to one line."""
-        mark = self.claims.worths.mark()
-        match self.link.left:
-            case Apply("tan", inside) if isinstance(inside, Letter) or is_quantity(
-                inside, *UNSIGNED_ANGLES
-            ):
-                line = self.claims.worths.turned(angle, by_letter=True)
-            case _:
-                line = write_tangent_of_two(self.scene, self.link.left)
-        if line is None:
-            return None
-        desk, (left, right) = self.scene.desk, (self.link.left, self.link.right)
-        own = desk.line(line)
-        first = desk.relation(line).only[0].right
-        named = self.claims.worths.name_of(angle)
-        pool = (*own.premises, *named, *self.judge.known(letters(first) | letters(right)))
-        for by in _LAST_LINKS:
-            printed = chain(left, (first, None), (right, by))
-            refs = self.judge.needed(own.move, pool, printed, own.premises)
-            if refs is not None and own.number == len(desk.lines):
-                desk.lines.pop()
-                return desk.write(own.move, refs, printed)
-        names = self.judge.known(letters(first) | letters(right))
-        written = self.judge.write(_TO_FORM, [line, *named, *names], self.relation)
-        if written is None:
-            # By a letter of the statement for a tangent.
-            known = self._known(letters(first) | letters(right))
-            written = self.judge.write((Move("put"),), [line, *named, *known], self.relation)
-        if written is None:
-            self.claims.worths.back(mark)
-        return written
 
     def _by_definition(
         self, own: Formula, left: Expression, extra: tuple[Ref, ...], pool: Sequence[Ref]

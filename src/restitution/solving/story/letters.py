@@ -41,6 +41,7 @@ from restitution.oracle.roles import (
     REAL,
     TO_180,
     Role,
+    of_two_angles,
 )
 from restitution.problem import (
     Aligned,
@@ -98,6 +99,10 @@ def _roles(problem: Problem) -> dict[str, Role]:
         else:
             role = POSITIVE
         roles[name] = role
+    for _, step in problem.steps():
+        match step:
+            case Let(letter, Binary("+" | "-" as sign, Letter(one), Letter(other))):
+                roles[letter] = of_two_angles(roles[one], sign, roles[other]) or roles[letter]
     return {name: _narrowed(role, name, problem) for name, role in roles.items()}
 
 
