@@ -15,6 +15,26 @@ from restitution.workings.derived import explanation_of
 
 # A statement, and lines of its working, or parts of them.
 CASES = {
+    "of an angle of which an equation has the square of the cosine": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = e
+given energy_lost = 3/32 m u^2
+find maximum of alpha over e
+""",
+        ("cos²α ≥ ⅜, as e² ≥ 0", "α ≤ arccos(√6/4)", "arccos(√6/4) ≈ 52.2°, when e = 0"),
+    ),
+    "of an angle of which an equation has the square of the sine": (
+        """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given energy_lost = 1/3 m u^2
+find minimum of alpha over e
+""",
+        ("sin²α ≥ ⅔, as e² ≥ 0", "least value of α = arcsin(√6/3) ≈ 54.7°, when e = 0"),
+    ),
     "at the end of e, and then of the angle": (
         """
 wall W: along i

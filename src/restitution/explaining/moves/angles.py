@@ -299,9 +299,12 @@ def _meaning_of(step: Step, angle: Expression) -> Expression | None:
 
 
 def is_ratio_of(step: Step, value: Link, end: Link) -> bool:
-    """Whether a tangent or cosine tells that an angle has a value: the only one in its range."""
-    cosine = value.left == Apply("cos", end.left)
-    if not cosine and value.left != Apply("tan", end.left):
+    """Whether a ratio tells that an angle has a value: the only one in its range.
+
+    A sine does so of an angle of up to 90°.
+    """
+    cosine, sine = (value.left == Apply(ratio, end.left) for ratio in ("cos", "sin"))
+    if not cosine and not sine and value.left != Apply("tan", end.left):
         return False
     angle, ratio_ = in_radians(step, end.right), in_radians(step, value.right)
     oracle = Oracle(step.setting.roles)
@@ -314,6 +317,10 @@ def is_ratio_of(step: Step, value: Link, end: Link) -> bool:
         within = (compared(angle, ">=", sp.Integer(0)), compared(angle, "<=", sp.pi))
         is_of_one = role.low >= 0 and role.high <= sp.pi
         return is_of_one and _equal(step, sp.cos(angle), ratio_) and all(map(oracle.proves, within))
+    if sine:
+        within = (compared(angle, ">=", sp.Integer(0)), compared(angle, "<=", sp.pi / 2))
+        is_of_one = role.low >= 0 and role.high <= sp.pi / 2
+        return is_of_one and _equal(step, sp.sin(angle), ratio_) and all(map(oracle.proves, within))
     if role.low >= -sp.pi / 2 and role.high <= sp.pi / 2 and isinstance(angle, sp.atan):
         return _equal(step, sp.tan(angle), ratio_)
     if role.low == -sp.pi / 2 and role.high == sp.pi and isinstance(angle, sp.atan):

@@ -39,6 +39,7 @@ from restitution.planning.inequalities.claims import Claims
 from restitution.planning.inequalities.completed_squares import write_completed, write_square
 from restitution.planning.inequalities.extrema_above import write_bound_again
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
+from restitution.planning.inequalities.inverses import inverse_by_lines
 from restitution.planning.inequalities.letter_ranges import ranges_of
 from restitution.planning.inequalities.quotients import by_tangent, write_quotient
 from restitution.planning.inequalities.wide_angles import compared_by_cosine, cosine_of
@@ -317,23 +318,28 @@ class _Extremum:
         lines = self.claims.ties.lines()
         if any(self.claims.ties.subject(number, asked.name) is not None for number in lines):
             return None
-        bound = self.claims.write(self._relation)
         role = roles(self.scene.problem)[asked.name]
-        subject: Expression = Apply("tan", asked) if role.kind == "angle" else asked
-        value = tidy(sp.tan(self.value)) if role.kind == "angle" else self.value
+        reached: list[tuple[Expression, sp.Expr]] = [(asked, self.value)]
+        if role.kind == "angle":
+            ratios = {"tan": sp.tan, "cos": sp.cos, "sin": sp.sin}
+            reached = [(Apply(e, asked), tidy(ratios[e](self.value))) for e in ratios]
+            by_ratio = inverse_by_lines(self.scene, lines, asked, self.value)
+            self.end = self.end if by_ratio is None else replace(self.end, right=by_ratio)
+        bound = self.claims.write(self._relation)
         other = roles(self.scene.problem)[self.symbol.name]
         for line in lines:
             for end in (other.low, other.high):
                 if end is None or not self._comes_to(asked.name, end):
                     continue
                 unless = Link(Letter(self.symbol.name), "!=", tree_of(end))
-                relation = Relation(((unless,), (Link(subject, "=", tree_of(value)),)))
                 pool = [line, *self._known(asked.name, self.symbol.name)]
-                there = self.judge.write((Move("put"),), pool, relation, shown="silent")
-                if there is not None and self.judge.follows(
-                    self.move, [bound, there], self._relation
-                ):
-                    return self.scene.desk.write(self.move, [bound, there], self._relation)
+                for subject, value in reached:
+                    relation = Relation(((unless,), (Link(subject, "=", tree_of(value)),)))
+                    there = self.judge.write((Move("put"),), pool, relation, shown="silent")
+                    if there is not None and self.judge.follows(
+                        self.move, [bound, there], self._relation
+                    ):
+                        return self.scene.desk.write(self.move, [bound, there], self._relation)
         raise NotPlannedError("a greatest or least value of a letter")
 
     def _comes_to(self, name: str, end: sp.Expr) -> bool:
