@@ -93,3 +93,18 @@ def test_working_is_the_same_with_what_is_loaded(name: str) -> None:
     )
     assert lean == whole
     assert lean
+
+
+PREPARED = """
+import sys
+from restitution.export.job import prepare
+prepare()
+assert "restitution.planning.planner" in sys.modules
+seldom = ("planning.shows.forward", "planning.inequalities.extrema", "solving.equations.clash",
+          "explaining.following.tracing", "render.document.html", "solving.story.alteration")
+assert [name for name in seldom if f"restitution.{name}" in sys.modules] == []
+"""
+
+
+def test_what_few_questions_need_is_loaded_for_them_alone() -> None:
+    subprocess.run([sys.executable, "-c", PREPARED], check=True)

@@ -10,7 +10,6 @@ from restitution.export.units import Units
 from restitution.problem import Value
 from restitution.records import dataclass
 from restitution.render.document import Document, Item, Listing, Piece, Typed
-from restitution.render.document.html import to_html
 from restitution.render.document.latex import to_latex
 from restitution.render.document.markdown import to_markdown
 from restitution.render.layout import Layout, Phrase, display, display_point, display_vector
@@ -63,6 +62,8 @@ def answers(solution: Solution, form: Format = "text", label: str | None = None)
         case "latex":
             return to_latex(document, whole=False)
         case "html":
+            from restitution.render.document.html import to_html
+
             return to_html(document, "Answers")
 
 

@@ -63,7 +63,6 @@ from restitution.problem import (
 )
 from restitution.problem import Relation as Said
 from restitution.solving import solve
-from restitution.solving.equations.clash import clause_of
 from restitution.solving.equations.solution import PartSolution, Solution
 
 
@@ -150,6 +149,8 @@ def _refuted(
         return None
     scene = scene_without(problem, part, without, own, desk, name)
     claim = Relation((links_of(problem, relation, events),))
+    from restitution.solving.equations.clash import clause_of
+
     note = desk.new_note(name, "contradiction", clause_of(problem, given, relation))
     late = tuple(sorted(desk.withheld))
     solver = Solver(scene)

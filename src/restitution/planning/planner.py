@@ -53,7 +53,6 @@ from restitution.planning.ends_required import (
     require_letters,
 )
 from restitution.planning.idle_facts import with_facts_that_agree, write_idle_facts
-from restitution.planning.inequalities.extrema import only_answer, write_extremum
 from restitution.planning.inequalities.forms_of_ranges import (
     is_in_a_form,
     write_form,
@@ -73,7 +72,6 @@ from restitution.planning.routes.items import write_item
 from restitution.planning.routes.late_facts import write_with_facts
 from restitution.planning.routes.order import Solver
 from restitution.planning.routes.refusals import note_of, write_refusal
-from restitution.planning.shows.forward import write_show
 from restitution.planning.unfinished import (
     answer_of,
     note_unwritten,
@@ -601,6 +599,8 @@ def _write_item(
     problem = scene.problem
     match item:
         case Show():
+            from restitution.planning.shows.forward import write_show
+
             write_show(scene, solver, item, result, now, name)
         case Range():
             asked = staged(problem, item.expression, now)
@@ -610,6 +610,8 @@ def _write_item(
             if not _write_one_value(scene, solver, asked, relation, name):
                 _write_range(scene, solver, asked, relation, result, name)
         case Extremum():
+            from restitution.planning.inequalities.extrema import only_answer, write_extremum
+
             asked = staged(problem, item.expression, now)
             over = item.over
 

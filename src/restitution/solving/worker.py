@@ -53,7 +53,6 @@ from restitution.records import dataclass
 from restitution.solving.above_events import answered_above
 from restitution.solving.algebra import forms
 from restitution.solving.algebra.numbers import Sample, at, sample
-from restitution.solving.equations import clash
 from restitution.solving.equations.answers import (
     answer_of,
     has_dimension,
@@ -247,6 +246,8 @@ class Worker:
         """The facts that clash; sought once for the same facts."""
         key = (error.message, tuple(id(given) for given, _ in setting.facts))
         if key not in self.clashes:
+            from restitution.solving.equations import clash
+
             self.clashes[key] = clash.named(setting, error)
         return self.clashes[key]
 

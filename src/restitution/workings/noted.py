@@ -37,7 +37,6 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.no_root import reason_of_no_root
-from restitution.workings.refuted import claim_of, refutation
 
 # These notes are of one item each.
 _ALONE = frozenset({"unbounded", "refuted", "undecided", "unwritten", "standing", "agreeing"})
@@ -110,6 +109,9 @@ class Notes:
     def _of_several(self, notes: Sequence[Note]) -> Sentence:
         (first, *_) = notes
         items = self._items(notes)
+        if first.kind in ("refuted", "undecided"):
+            from restitution.workings.refuted import claim_of, refutation
+
         if first.kind == "refuted":
             return refutation(first, self._derivation, self._naming, self._ends)
         if first.kind == "undecided":

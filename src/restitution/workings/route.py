@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from restitution.errors import TimeLimitError, UnsupportedError, require
 from restitution.explaining.awarding.awards import awarded
-from restitution.explaining.following.agreeing import agreeing_facts
 from restitution.explaining.following.follower import follow
 from restitution.explaining.lines.derivation import Derivation
 from restitution.explaining.lines.marks import STYLES, Style
@@ -89,6 +88,8 @@ def _printed(
     warnings = [warning for warning in solution.warnings if warning not in proved]
     followed: bool | None = None
     if check:
+        from restitution.explaining.following.agreeing import agreeing_facts
+
         oracle = Oracle(roles(solution.problem))
         complaints = follow(derivation, oracle, agreeing_facts(derivation, oracle))
         warnings += [

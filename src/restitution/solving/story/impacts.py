@@ -19,7 +19,6 @@ from restitution.problem import Impact
 from restitution.shapes import Circle, Line
 from restitution.solving.algebra.neat import neat
 from restitution.solving.story import bodies, contacts, missing, places
-from restitution.solving.story.alteration import AlteredLaws
 from restitution.solving.story.conditions import Condition, Equation
 from restitution.solving.story.happenings import Happening
 from restitution.solving.story.state import State
@@ -304,6 +303,8 @@ def _altered(
     if not unknown:
         sign = state.sign(closing)
         c = c * closing if sign is None else c * state.field.number(Fraction(sign or 1))
+    from restitution.solving.story.alteration import AlteredLaws
+
     laws = AlteredLaws(state, altered, step, before, c, e)
     laws.require_senses()
     state.altered_laws[number] = laws
