@@ -7,7 +7,7 @@ import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, wraps
+from functools import cache, partial, wraps
 from typing import Any
 
 import sympy
@@ -209,28 +209,34 @@ def stages(events: int, first: int = 0) -> st.SearchStrategy[Any]:
     return st.one_of(st.none(), st.integers(first, events))
 
 
-def _of_a_sphere(kind: str, stage: st.SearchStrategy[Any]) -> st.SearchStrategy[Quantity]:
-    if KINDS[kind].before:
-        stage = st.one_of(stage, st.just("before"))
-    return st.builds(lambda name, s: Quantity(kind, (Name(name),), s), sphere_names, stage)
-
-
-def _of_all(kind: str, stage: st.SearchStrategy[Any]) -> st.SearchStrategy[Quantity]:
-    return st.builds(lambda s: Quantity(kind, (), s), stage)
+def _of_spheres(events: int, *, vectors: bool) -> list[st.SearchStrategy[Quantity]]:
+    """Quantities of a sphere and of all, by their records: the vectors, or all others."""
+    kinds: list[st.SearchStrategy[Quantity]] = []
+    for kind in KINDS.values():
+        if not kind.in_statements or kind.stage_needed:
+            continue
+        stage = stages(events, first=kind.of_an_event) if kind.staged else st.none()
+        if kind.stands_alone and (kind.nature_of(()) == "vector") == vectors:
+            numbered = stage if "(n)" in kind.usage else st.none()
+            kinds.append(st.builds(partial(Quantity, kind.word, ()), numbered))
+        body = (Name("A"),)
+        is_own = kind.written_out(body, None, events) is None  # else it is read as another
+        of_one = kind.arguments[1] == 1 and "sphere" in kind.names and is_own
+        if of_one and (kind.nature == "vector") == vectors:
+            further = [st.just("before")] if kind.before else []
+            further += [st.builds(AtTime, scalars())] if kind.at_time else []
+            bodies = st.tuples(st.builds(Name, sphere_names))
+            kinds.append(
+                st.builds(partial(Quantity, kind.word), bodies, st.one_of(stage, *further))
+            )
+    return kinds
 
 
 @once
 def vector_quantities(events: int) -> st.SearchStrategy[Quantity]:
     """Quantities that are vectors or points."""
-    now, of_one = stages(events), stages(events, first=1)
-    time = st.builds(AtTime, scalars())
     return st.one_of(
-        _of_a_sphere("velocity", now),
-        _of_a_sphere("momentum", now),
-        _of_a_sphere("impulse", of_one),
-        _of_a_sphere("position", st.one_of(now, time)),
-        _of_all("momentum", now),
-        _of_all("line_of_centres", of_one),
+        *_of_spheres(events, vectors=True),
         st.builds(lambda name: Quantity("direction", (Name(name),)), wall_names),
     )
 
@@ -238,16 +244,11 @@ def vector_quantities(events: int) -> st.SearchStrategy[Quantity]:
 @once
 def scalar_quantities(events: int) -> st.SearchStrategy[Quantity]:
     """Quantities that are numbers or angles."""
-    now, of_one = stages(events), stages(events, first=1)
+    now = stages(events)
     vector = st.one_of(vectors(), vector_quantities(events))
     direction = st.one_of(vector, angles(), st.builds(Name, wall_names))
     kinds = [
-        *(_of_a_sphere(kind, now) for kind in ("speed", "direction", "energy")),
-        _of_a_sphere("deflection", of_one),
-        _of_a_sphere("mass", st.none()),
-        _of_all("energy", now),
-        *(_of_all(kind, of_one) for kind in ("impulse", "energy_lost")),
-        _of_all("total_energy_lost", st.none()),
+        *_of_spheres(events, vectors=False),
         *(
             st.builds(lambda v, d, kind=kind: Quantity(kind, (v, d)), vector, direction)
             for kind in ("along", "across", "angle")
@@ -261,7 +262,7 @@ def scalar_quantities(events: int) -> st.SearchStrategy[Quantity]:
         ),
     ]
     if events:
-        kinds.append(_of_all("time", st.integers(1, events)))
+        kinds.append(st.builds(partial(Quantity, "time", ()), st.integers(1, events)))
     return st.one_of(kinds)
 
 

@@ -102,6 +102,13 @@ def test_what_all_lose_is_no_other_quantity() -> None:
     assert read_expression("energy_lost(2)") == Quantity("energy_lost", (), 2)
 
 
+def test_a_tree_that_nobody_read_is_worth_its_definition() -> None:
+    (part,) = solution("energy_lost").parts.values()
+    (branch,) = part.branches
+    assert branch.numbers.quantity(Quantity("energy_lost", (Name("A"),), 1), 1) == 8
+    assert branch.numbers.quantity(Quantity("energy_lost", (), 1), 1) == 4
+
+
 def _approach(bodies: tuple[Expression, ...], early: Stage, late: Stage) -> Expression:
     one, other = (Quantity("speed", (body,), early) for body in bodies)
     return Binary("+", one, other)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from restitution import law
 from restitution.errors import ImpossibleError, StatementError, UnsupportedError
 from restitution.expression.evaluate import Angle, Scalar, Value
+from restitution.expression.quantities import KINDS
 from restitution.expression.tree import AtTime, Expression, Name, Quantity, letters, line_and_column
 from restitution.problem import Arrival, Impact
 from restitution.shapes import Circle
@@ -65,6 +66,9 @@ def event_of(state: State, tree: Quantity, now: int, name: str | None = None) ->
 def quantity(state: State, tree: Quantity, now: int) -> Value:
     """The value of a quantity asked for after ``now`` events."""
     kind, arguments = tree.kind, tree.arguments
+    defined = KINDS[kind].written_out(arguments, tree.stage, now) if kind in KINDS else None
+    if defined is not None:
+        return state.evaluator(now).value(defined)
     body = arguments[0].name if arguments and isinstance(arguments[0], Name) else None
     match kind:
         case "velocity":

@@ -4,11 +4,20 @@ import { countOf, eventsOf, nameOf, spheresOf } from "./form-model.js";
 
 // The quantities of bodies that the language has, by their records, but for those below.
 let records = [];
+let alone = /(?!)/;
 const WORDED = new Set(["velocity", "speed", "deflection"]);
 
 export function learn(words) {
   records = words.offered.filter(({ word }) => !WORDED.has(word));
+  const standing = words.quantities.filter((each) => each.alone).map(({ word }) => word);
+  alone = new RegExp(`\\b(${standing.join("|")})\\b`);
 }
+
+// Whether a text speaks of the motion, by a quantity with brackets or one that stands alone.
+export const speaksOfMotion = (text) => {
+  const plain = text.replace(/(sqrt|arc(sin|cos|tan)|cosec)\(/g, "(");
+  return /[a-z_]{4,}\(/.test(plain) || alone.test(plain);
+};
 
 const TIMES = ["after the first impact", "after the second impact"];
 

@@ -1,7 +1,7 @@
 // A statement that the server has taken apart, as the answers of a form, where a form can hold it.
 
 import { countOf, emptyOf, eventsOf, noFact, noResult, spheresOf } from "./form-model.js";
-import { factsOf, PERCENT, quantitiesOf } from "./form-quantities.js";
+import { factsOf, PERCENT, quantitiesOf, speaksOfMotion } from "./form-quantities.js";
 
 // What a form has no field for: why, and the line where it stands.
 class Beyond extends Error {
@@ -195,5 +195,3 @@ function show(answers, step) {
   } else answers.shows.push({ ...noResult(), what: "relation", value: text });
 }
 
-const speaksOfMotion = (text) => /[a-z_]{4,}\(|\b(impulse|energy|energy_lost)\b/.test(
-  text.replace(/(sqrt|arc(sin|cos|tan)|cosec)\(/g, "("));
