@@ -36,6 +36,38 @@ show energy(A) + energy(B) = m u^2/2
         ),
         ("V_A² + V_B² = u²",),
     ),
+    "a ratio of energies by the speed that was shown": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W
+let beta = angle(velocity(P), W)
+show speed(P) cos(beta) = u cos(alpha)
+show energy(P)/energy(P, 0) = cos^2(alpha)/cos^2(beta)
+""",
+        ("speed of P = (u cos α)/cos β", "= ((u cos α)/cos β)²/u² = (cos²α)/cos²β"),
+        ("m_P", "Newton", "tan β"),
+    ),
+    "a difference that is positive by a letter": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass k m, at rest
+A hits B: along i, e = 1/2
+show energy_lost < 3/8 m u^2
+""",
+        ("kinetic energy lost < ⅜mu², as k > 0 (as required)",),
+        (),
+    ),
+    "a speed that is positive as the spheres do not pass by": (
+        """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass m, at rest, radius r
+A hits B: offset d, e = e
+find range of speed(B) in terms of u
+""",
+        ("A does not pass by B:\n    speed of B > 0, as e ≥ 0",),
+        ("increases with u",),
+    ),
     "two speeds multiplied, and one with a root squared": (
         """
 sphere A: mass m, velocity u at alpha

@@ -91,7 +91,8 @@ class InStages(ClaimLines):
         """A bound of what only grows, or only falls; that it is positive is seen at once."""
         own = Relation(((link,),))
         if ZERO in (link.left, link.right):
-            return self.compared([line], own) or self.monotone(line, own)
+            signed = self.compared([line], own) or self.compared([line, *meeting(self.scene)], own)
+            return signed or self.monotone(line, own)
         written = self._by_bounds_above(link) or self.monotone(line, own)
         if written is None and not is_plain(self.scene, line, own):
             written = self._quotient_at_an_end(line, own) or self._by_quotient(line, own)

@@ -49,6 +49,7 @@ from restitution.planning.journeys import journeys
 from restitution.planning.shows.shown_angles import ShownAngles, says
 from restitution.planning.shows.shown_ratios import (
     in_one_ratio,
+    ratio_by_a_shown_speed,
     ratio_by_a_tangent,
     shown_by_squares,
 )
@@ -110,6 +111,9 @@ class ShownEquation(ShownAngles):
             line = shown_by_squares(self.claims.worths, self.link, quantities)
             if line is not None:
                 return line
+        by_speed = ratio_by_a_shown_speed(self.claims.worths, self.link)
+        if by_speed is not None:
+            return by_speed
         if len(quantities) == 1 and len(subjects) == 1:
             line = self._of_one(quantities[0]) or self._ratio_as_asked(quantities[0])
             line = line or speed_by_a_tie(self.claims, self.link)

@@ -11,9 +11,20 @@ from restitution.explaining.lines.derivation import Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Number, is_function, walk
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Negate,
+    Number,
+    is_binary,
+    is_function,
+    letters,
+    walk,
+)
 from restitution.oracle.roles import Role
-from restitution.planning.writing.forms import factors_above
+from restitution.planning.writing.forms import ZERO, factors_above
 from restitution.planning.writing.inequalities import turned
 from restitution.workings.naming.quantities import Naming
 
@@ -94,3 +105,26 @@ def positive_letters(value: Expression, roles: Mapping[str, Role]) -> Iterator[L
     """The positive letters that are factors of a value above, where nothing else tells its sign."""
     if is_never_negative(value, roles):
         yield from (factor for factor in factors_above(value) if isinstance(factor, Letter))
+
+
+def signs_in_a_sum(cited: Relation, roles: Mapping[str, Role]) -> Iterator[Relation]:
+    """The signs of letters in a sum that is seen to be positive by them, none of which is cited.
+
+    Those of coefficients of restitution in a sum without ratios of angles, as in 1 + e + e². Where
+    the sum is a difference of two quantities, those of positive letters added to numbers too.
+    """
+    whole = cited.options[0][-1].right
+    nodes = list(walk(whole))
+    ops = {node.op for node in nodes if isinstance(node, Binary)}
+    if "-" in ops or "+" not in ops or any(isinstance(node, Negate) for node in nodes):
+        return
+    kinds = {name: roles[name].kind for name in sorted(letters(whole)) if name in roles}
+    if not any(isinstance(node, Apply) for node in nodes):
+        for name in (name for name, kind in kinds.items() if kind == "restitution"):
+            yield Relation(((Link(Letter(name), ">=", ZERO),),))
+    if not is_binary(cited.options[0][0].left, "-"):
+        return
+    sums = (node for node in nodes if is_binary(node, "+") and isinstance(node.left, Number))
+    beside = {name for node in sums for name in letters(node)}
+    for name in (name for name, kind in kinds.items() if kind == "positive" and name in beside):
+        yield Relation(((Link(Letter(name), ">", ZERO),),))

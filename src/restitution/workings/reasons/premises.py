@@ -64,6 +64,7 @@ from restitution.workings.reasons.plain_signs import (
     bound_in_words,
     bounds_said,
     positive_letters,
+    signs_in_a_sum,
 )
 from restitution.workings.reasons.pushed import pushed_away
 from restitution.workings.reasons.pythagoras import pythagoras
@@ -630,22 +631,10 @@ class Reasons:
             yield say("derived.positive", letter=self._naming.layout(left))
 
     def _positive_sum(self, line: Line) -> Iterator[lay.Layout]:
-        """That coefficients of restitution are not negative, where a sum of them is positive.
-
-        A reader sees it by that, and of 1 + e + e² there is nothing that has to be cited.
-        """
+        """The signs of letters by which a reader sees that a sum is positive."""
         cited = [self._shapes.relation_of(ref) for ref in line.premises]
-        if line.move.id != "sign" or len(cited) != 1 or cited[0] is None:
-            return
-        whole = cited[0].options[0][-1].right
-        signs = {node.op for node in walk(whole) if isinstance(node, Binary)}
-        if "-" in signs or "+" not in signs:
-            return
-        if any(isinstance(node, Negate | Apply) for node in walk(whole)):
-            return
-        names = sorted(letters(whole))
-        for name in (n for n in names if n in self._roles and self._roles[n].kind == "restitution"):
-            yield self._laid(Relation(((Link(Letter(name), ">=", ZERO),),)))
+        if line.move.id == "sign" and len(cited) == 1 and cited[0] is not None:
+            yield from map(self._laid, signs_in_a_sum(cited[0], self._roles))
 
     def _positive_ratio(self, line: Line) -> Iterator[lay.Layout]:
         """That a letter is positive, of a ratio of an angle that is so by it."""
