@@ -390,3 +390,21 @@ def test_a_difference_of_angles_of_numbers_is_worked_out(given: str, asked: str,
         + f"{DIFFERENCE}given {given}\nfind {asked}"
     )
     assert row in own
+
+
+def test_an_impulse_leaves_no_velocities_behind_that_it_does_not_need() -> None:
+    own = rows(
+        "sphere A: mass m, velocity u i, radius a\nsphere B: mass m, at rest, radius a\n"
+        "A hits B: offset d, e = 1/2\npart a\nfind speed(A)\npart b\nfind impulse\n"
+        "part c\ngiven d = 6a/5\nfind deflection(A)"
+    )
+    assert "tan β = (3u/5)/(u/5) = 3" in own
+
+
+def test_the_line_of_an_impulse_stands_where_it_is_needed() -> None:
+    own = rows(
+        "sphere A: mass 2, velocity 3i + j\nsphere B: mass 4, velocity -i - j\nA hits B\n"
+        "given impulse(A) = -8i - 4j\nfind velocity(A), velocity(B)\nfind e"
+    )
+    (axis,) = [n for n, row in enumerate(own) if row.endswith("parallel to −8𝐢 − 4𝐣")]
+    assert own.index("𝐯_B = 𝐢 m s⁻¹") < axis

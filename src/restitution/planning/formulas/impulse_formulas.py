@@ -189,14 +189,16 @@ def _size_by_vectors(scene: Scene, quantity: Quantity, event: int) -> Formula | 
     if not frame.is_slanted or not any(component.free_symbols for component in frame.n):
         return None
     for body in scene.spheres(event):
-        ends = [velocity_source(scene, body, n).value for n in (event - 1, event)]
-        plain = all(0 in end for end in ends) and ends[0].dot(ends[1]) == 0
-        if not plain or not _comes_by_vectors(scene, body, event):
-            continue
         if _has_components(scene, body, event):
             continue
-        own = _impulse_vector(scene, Quantity("impulse", (Name(body),), event), event)
-        if any(map(scene.unknown, own.value)):
+        mark = scene.desk.mark()
+        ends = [velocity_source(scene, body, n).value for n in (event - 1, event)]
+        plain = all(0 in end for end in ends) and ends[0].dot(ends[1]) == 0
+        own = None
+        if plain and _comes_by_vectors(scene, body, event):
+            own = _impulse_vector(scene, Quantity("impulse", (Name(body),), event), event)
+        if own is None or any(map(scene.unknown, own.value)):
+            scene.desk.back(mark)
             continue
         line = write_formula(scene, own)
         return _size(Move("define", "size", event, (body,)), quantity, Source(own.value, (line,)))

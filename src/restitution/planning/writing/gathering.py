@@ -88,8 +88,9 @@ def _with_standing(derivation: Derivation) -> Derivation:
 def _where_needed(derivation: Derivation) -> Derivation:
     """The same working, in which what was written on the way stands where it is first used.
 
-    That is another ratio of an angle, a bound of letters, or a component, which may have been
-    written for its sign; and whatever no item of its own part rests on.
+    That is another ratio of an angle, a bound of letters, the line of centres that an impulse
+    tells, or a component, which may have been written for its sign; and whatever no item of its own
+    part rests on.
     """
     parts = derivation.asked
     items = {part: n for n, part in enumerate(parts)}
@@ -105,7 +106,10 @@ def _where_needed(derivation: Derivation) -> Derivation:
             line.number not in (fixed if elsewhere else held)
             and {item, line.item} <= items.keys()
             and (
-                elsewhere or line.move.id in ("triangle", "sign") or line.move.record == "component"
+                elsewhere
+                or line.move.id in ("triangle", "sign")
+                or line.move.record == "component"
+                or _is_of_the_axis(line)
             )
             and items[item or ""] > items[line.item or ""]
         )
@@ -124,6 +128,14 @@ def _where_needed(derivation: Derivation) -> Derivation:
     last = len(items)
     lines.sort(key=lambda line: items.get(line.item or "", last))
     return numbered_anew(derivation, lines)
+
+
+def _is_of_the_axis(line: Line) -> bool:
+    """Whether a line says to what the line of centres is parallel."""
+    match line.relation:
+        case Relation(((Link(Quantity("line_of_centres"), "parallel to", _),),)):
+            return True
+    return False
 
 
 def _first_ends(derivation: Derivation) -> dict[int, str]:
