@@ -575,6 +575,14 @@ def test_a_letter_that_stands_elsewhere_is_not(line) -> None:
     assert parse(HEAD + line).notes == ()
 
 
+def test_a_stage_behind_a_letter_is_doubtful() -> None:
+    (note,) = parse(f"{HEAD}A hits W\nfind e(2)").notes
+    assert note.message == "e(2) was read as e times 2: a letter has no stage, so write e"
+    (fix,) = note.fixes
+    assert mended(f"{HEAD}A hits W\nfind e(2)", fix) == f"{HEAD}A hits W\nfind e"
+    assert parse(f"{HEAD}A hits W\nfind e*2").notes == ()
+
+
 @pytest.mark.parametrize("typed", ["16 percent", "16 per cent", "16percent"])
 def test_per_cent_is_read(typed) -> None:
     assert parse(f"{HEAD}given energy_lost = {typed} of energy(0)") == parse(

@@ -11,6 +11,7 @@ from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     GREEK,
     Apply,
+    Binary,
     Expression,
     Letter,
     Negate,
@@ -29,6 +30,7 @@ from restitution.expression.writing import write_expression
 from restitution.mending import Edit, Fix, Note
 from restitution.problem import (
     Compare,
+    Event,
     Find,
     Given,
     Impact,
@@ -54,6 +56,7 @@ def doubts(problem: Problem, text: str) -> Iterator[Note]:
     yield from _idle_facts(problem)
     yield from _idle_questions(problem)
     yield from _axes(problem)
+    yield from _letters_with_a_stage(problem, text)
 
 
 def _note(place: Place | None, message: str, *fixes: Fix) -> Note:
@@ -310,6 +313,33 @@ def _quantities_meant(problem: Problem, letter: Letter) -> tuple[Fix, ...]:
         Fix(f"Write {text}", (Edit(place.line, place.column, place.line, end, text),))
         for text in texts
     )
+
+
+# --- a stage behind a letter ----------------------------------------------------------------------
+
+
+def _letters_with_a_stage(problem: Problem, text: str) -> Iterator[Note]:
+    """``e(2)``, which is twice e, where the statement has no fewer events."""
+    events = sum(isinstance(step, Event) for _, step in problem.steps())
+    lines = text.split("\n")
+    for tree in trees(problem):
+        for node in walk(tree):
+            match node:
+                case Binary("*", Letter(name, place=place), Number(value)) if place is not None:
+                    written = f"{name}({value})"
+                    line = lines[place.line - 1 : place.line]
+                    if not 0 < value <= events or not line:
+                        continue
+                    if not line[0].startswith(written, place.column - 1):
+                        continue
+                    end = place.column + len(written)
+                    edit = Edit(place.line, place.column, place.line, end, name)
+                    yield _note(
+                        place,
+                        f"{written} was read as {name} times {value}: a letter has no stage, "
+                        f"so write {name}",
+                        Fix(f"Write {name}", (edit,)),
+                    )
 
 
 # --- axes ---------------------------------------------------------------------------------------
