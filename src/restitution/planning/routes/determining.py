@@ -62,7 +62,7 @@ def determine(scene: Scene, solver: Solver, asked: Expression) -> None:
         if _determine_components(scene, solver, asked):
             return
         solver.back(standing)
-        if not _determine_letters(scene, solver):
+        if not _determine_letters(scene, solver) and not _determine_start(scene, solver, asked):
             raise
         solver.determine(goals(scene, asked))
 
@@ -94,6 +94,20 @@ def _determine_letters(scene: Scene, solver: Solver) -> bool:
                         solver.determine([symbol])
                         progress = True
     return progress
+
+
+def _determine_start(scene: Scene, solver: Solver, asked: Expression) -> bool:
+    """Finds first the velocity at the start, where that is to be found and stands in what is asked.
+
+    Returns whether it does.
+    """
+    open_ = {symbol for goal in goals(scene, asked) for symbol in scene.unknown(goal)}
+    for body in scene.problem.spheres:
+        own = {s for component in scene.velocity(body.name, 0) for s in component.free_symbols}
+        if len(own & open_) > 1 and own & open_ <= scene.model.final.keys():
+            solver.determine(sorted(own & open_, key=str))
+            return True
+    return False
 
 
 def determine_velocities(scene: Scene, solver: Solver, asked: Expression) -> None:
