@@ -756,3 +756,19 @@ def test_a_share_of_a_quantity_is_their_product(share: str) -> None:
         for own in (share, share.replace("of", "*"))
     )
     assert read.parts == written.parts
+
+
+@pytest.mark.parametrize(
+    ("line", "plain"),
+    [
+        ("wall V: along 1 at 90° from 3i + 4j", "wall V: along -4i + 3j"),
+        ("wall V: along 1 at 90° from direction(W)", "wall V: along i + 2j"),
+        ("wall V: along 1 at 60° from direction(X)", "wall V: along 150°"),
+        ("wall V: along 1 at theta from direction(Y)", "wall V: along theta"),
+        ("wall V: along direction(W)", "wall V: along 2i - j"),
+    ],
+)
+def test_a_wall_that_is_turned_from_a_direction_is_told_by_what_that_is(line, plain) -> None:
+    head = "wall W: along 2i - j\nwall X: along j\nwall Y: along i\n"
+    one, other = (parse(head + each).walls[-1].along for each in (line, plain))
+    assert one == other

@@ -312,6 +312,8 @@ BROKEN = {
     "find the angle between velocity(B) and the normal to W": (
         "find angle(velocity(B), line_of_centres)"
     ),
+    "wall V: perpendicular to 3i - 4j": "wall V: along 4i + 3j",
+    "wall V: perpendicular to the vector -2i + j": "wall V: along i + 2j",
     "find a vector parallel to W": "find direction(W)",
     "find speed with which B hits W": "find speed(B, before)",
     "find range of e such that B hits W": "B hits W\nfind range of e",

@@ -699,6 +699,20 @@ show angle(velocity(P), W) <= alpha
         ),
         ["arctan 2 ≤ δ ≤ 2 arctan 2", "as arctan 2 + arctan(2e) increases with e"],
     ),
+    "the least angle by the square of its sine": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W\n"
+            "given energy_lost = 1/4 m u^2\nfind minimum of alpha over e"
+        ),
+        ["sin²α ≥ ½, as e² ≥ 0", "least value of α = 45°, when e = 0"],
+    ),
+    "a velocity before a slanting wall is worked out for the impulse": (
+        (
+            "wall W: along i - j\nsphere P: mass 2\nP hits W: e = 1/2\n"
+            "given velocity(P) = -i + 3j\nfind impulse(P)"
+        ),
+        ["a = −4", "b = 0", "(6𝐢 + 6𝐣) N s"],
+    ),
     # Only in the tangent of θ alone is it seen that e < ½.
     "the tangents of an angle and of twice it are one tangent before a bound": (
         (

@@ -35,6 +35,7 @@ from restitution.language.doubts import degrees_without_sign, doubts
 from restitution.language.grammar import STATEMENT
 from restitution.language.lines import LogicalLine, declared_names, decode, logical_lines
 from restitution.language.measuring import in_si
+from restitution.language.plain_walls import with_plain_walls
 from restitution.language.prose import in_words, is_in_words, is_of_the_language
 from restitution.language.slips import with_guess
 from restitution.mending import Note, mended
@@ -110,7 +111,8 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
         return None, _one_of_each(_distinct(text, wrong, prose, story, within))
     problem, mistakes = _checked(story)
     if not mistakes:
-        return replace(problem, notes=(*story.notes, *doubts(problem, text))), []
+        notes = (*story.notes, *doubts(problem, text))
+        return replace(with_plain_walls(problem), notes=notes), []
     for number, met in enumerate(mistakes):
         if number >= _CURED:
             met.fixes = ()  # each cure costs readings of the whole

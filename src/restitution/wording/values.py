@@ -10,6 +10,7 @@ from restitution.expression.dimensions import LENGTH, Dimension
 from restitution.expression.quantities import is_vector_quantity
 from restitution.expression.tree import (
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -157,6 +158,10 @@ def to_the_left(style: Style, tree: Expression) -> Words:
 
 def lies_along(style: Style, tree: Expression) -> Words:
     """How a wall or a line of centres runs: ``parallel to i``, ``at an angle of 60° …``."""
+    match tree:
+        case Polar(_, Degrees(value), origin) if origin is not None and is_vector(origin):
+            if abs(value) == 90:
+                return words("perpendicular to ", direction_of(style, origin))
     if is_vector(tree):
         return words("parallel to ", direction_of(style, tree))
     return turned(style, tree)

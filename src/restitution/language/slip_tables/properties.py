@@ -369,6 +369,23 @@ PROPERTIES: tuple[Slip, ...] = (
         meant("along"),
     ),
     ("wall", r"\balong\s[^,]*?(?P<x>\bto\s+(?:the\s+)?i)\s*(?:,|$)", CUT),
+    # Turned by a right angle, a i + b j is -b i + a j.
+    *(
+        (
+            "wall",
+            (
+                r"[:,]\s*(?P<x>perp\w*\s+to\s+(?:the\s+)?(?:vector\s+)?\(?\s*"
+                rf"{one}(?P<a>[\d./]*)\s*i\s*{other}\s*(?P<b>[\d./]*)\s*j\b\s*\)?)"
+            ),
+            meant(text),
+        )
+        for one, other, text in (
+            ("", r"\+", "along -{b}i + {a}j"),
+            ("", "[-−]", "along {b}i + {a}j"),
+            (r"[-−]\s*", r"\+", "along {b}i + {a}j"),
+            (r"[-−]\s*", "[-−]", "along -{b}i + {a}j"),
+        )
+    ),
     ("wall", r"[:,]\s*(?P<x>perp\w*\s+to\s+(?:the\s+)?i)\b", meant("along j")),
     ("wall", r"[:,]\s*(?P<x>perp\w*\s+to\s+(?:the\s+)?j)\b", meant("along i")),
     (
