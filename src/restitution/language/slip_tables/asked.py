@@ -396,7 +396,10 @@ ASKED: tuple[Slip, ...] = (
     ),
     (
         ASKING_LINES,
-        r"(?P<x>(?:the\s+)?(?:acute\s+)?angle\s+between\s+(?:the\s+)?(?P<a>[^,=<>]+?)\s+and\s+(?:the\s+)?(?P<b>[^,=<>]+))",
+        (
+            r"(?P<x>(?:the\s+)?(?:acute\s+)?angle\s+between\s+(?:the\s+)?"
+            r"(?P<a>(?:\([^()]*\)|[^,=<>()])+?)\s+and\s+(?:the\s+)?(?P<b>(?:\([^()]*\)|[^,=<>()])+))"
+        ),
         meant("angle({a}, {b})"),
     ),
     *(
