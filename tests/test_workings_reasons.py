@@ -713,6 +713,13 @@ show angle(velocity(P), W) <= alpha
         ),
         ["a = −4", "b = 0", "(6𝐢 + 6𝐣) N s"],
     ),
+    "a speed by an angle that a deflection tells": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity u at 40° to W\nP hits W\n"
+            "given deflection(P) = 65°\nfind e\nfind speed(P)/u"
+        ),
+        ["β = 65° − 40° = 25°", "V = (u cos 40°)/cos 25°", "V/u = (cos 40°)/cos 25°"],
+    ),
     # Only in the tangent of θ alone is it seen that e < ½.
     "the tangents of an angle and of twice it are one tangent before a bound": (
         (

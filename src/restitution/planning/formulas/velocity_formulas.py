@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import sympy as sp
@@ -34,9 +34,11 @@ from restitution.planning.formulas.assembling import put_together
 from restitution.planning.formulas.changed_velocities import by_change_along
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import blown, in_direction
+from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
     difference,
+    is_in_degrees,
     product,
     square,
     swept,
@@ -357,9 +359,10 @@ def squared_speed(scene: Scene, asked: Expression) -> Formula | None:
 def _by_its_angle(
     scene: Scene, body: str, stage: int
 ) -> tuple[Expression, sp.Expr, tuple[Ref, ...]] | None:
-    """A speed by one component and the angle of the velocity to a line, which is given in degrees.
+    """A speed by one component and the angle of the velocity to a line, which is in degrees.
 
-    Of the two components it is one that stands without anything put in. None without such an angle.
+    It is given, or worked out and such that its ratios are no roots. Of the two components it is
+    one that stands without anything put in. None without such an angle.
     """
     if stage not in scene.model.frames or scene.model.frames[stage].angle is not None:
         return None
@@ -377,9 +380,12 @@ def _by_its_angle(
         for pair in ((velocity, second), (second, velocity)):
             refs = together(*(source.whole for source in own if source is not None))
             lines[Quantity("angle", pair)] = (None, "cos", refs)
-    for equation in scene.given:
-        line = lines.get(equation.link.left) if equation.link.sign == "=" else None
-        if line is None or not isinstance(equation.link.right, Degrees):
+    given = [
+        (own.link.left, own.link.right, own.refs) for own in scene.given if own.link.sign == "="
+    ]
+    for angle, degrees, angle_refs in (*given, *_angles_worked_out(scene, lines)):
+        line = lines.get(angle)
+        if line is None or not isinstance(degrees, Degrees):
             continue
         across, along, more = line
         kinds = [(kind, own) for kind, own in (("across", across), ("along", along)) if own]
@@ -388,11 +394,31 @@ def _by_its_angle(
             known = in_direction(scene, kind, body, stage, frame)
             sign = scene.model.proved_sign(scene.model.in_data(known.value))
             if sign and not scene.unknown(known.value):
-                size, below = tidy(sign * known.value), Apply(ratio, equation.link.right)
-                refs = together(equation.refs, known.whole, more, frame.refs)
+                size, below = tidy(sign * known.value), Apply(ratio, degrees)
+                refs = together(angle_refs, known.whole, more, frame.refs)
                 value = tidy(size / scene.scalar(below))
                 return swept(Binary("/", tree_of(size), below)), value, refs
     return None
+
+
+def _angles_worked_out(
+    scene: Scene, angles: Iterable[Expression]
+) -> Iterator[tuple[Expression, Expression, tuple[Ref, ...]]]:
+    """The angles of which a line says how many degrees they are, such as have no exact ratios."""
+    for angle in angles:
+        known = letter_known(scene, angle) if isinstance(angle, Quantity) else None
+        for line in scene.desk.lines if known is not None else ():
+            own = line.relation
+            if not isinstance(own, Relation) or len(own.options) > 1:
+                continue
+            name, introduced = known
+            degrees = own.only[-1].right
+            if own.only[0].left != Letter(name) or own.only[-1].sign != "=":
+                continue
+            if is_in_degrees(tidy(scene.scalar(Apply("cos", degrees)))) and scene.desk.holds(
+                line.number
+            ):
+                yield angle, degrees, (introduced, line.number)
 
 
 def _stands(scene: Scene, component: Quantity) -> bool:
