@@ -136,7 +136,10 @@ DIRECTIONS: tuple[Slip, ...] = (
             r"(?:,|\band\b|\bwith\b|\bto\b)\s*"
             rf"(?P<x>(?:the\s+)?normal(?:\s+(?:to|of)\s+{BODY})?)(?=\s*(?:[),=<>]|$))"
         ),
-        Cure("the normal to a wall is 'line_of_centres'", "line_of_centres"),
+        Cure(
+            "an angle to a wall is 90° less that to its normal, which is 'line_of_centres'",
+            "line_of_centres",
+        ),
     ),
     (
         "",

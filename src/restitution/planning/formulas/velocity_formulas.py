@@ -407,11 +407,13 @@ def _angles_worked_out(
     """The angles of which a line says how many degrees they are, such as have no exact ratios."""
     for angle in angles:
         known = letter_known(scene, angle) if isinstance(angle, Quantity) else None
-        for line in scene.desk.lines if known is not None else ():
+        if known is None:
+            continue
+        name, introduced = known
+        for line in scene.desk.lines:
             own = line.relation
             if not isinstance(own, Relation) or len(own.options) > 1:
                 continue
-            name, introduced = known
             degrees = own.only[-1].right
             if own.only[0].left != Letter(name) or own.only[-1].sign != "=":
                 continue
