@@ -217,3 +217,25 @@ def test_the_range_of_a_letter_is_by_its_square_that_grows_with_another() -> Non
     )
     told = relations(derivation)
     assert told[-2:] == ["u^2 cos^2(alpha) <= v^2 <= u^2", "u cos(alpha) <= v <= u"]
+
+
+@pytest.mark.parametrize(
+    ("velocity", "given", "bound", "line"),
+    [
+        ("4i + j", "given e > 1/9", "60°", "cot δ < √3/3, as e > 1/9"),
+        ("4u i + u j", "", "45°", "cot δ < 1, as e ≥ 0"),
+    ],
+)
+def test_an_acute_bound_of_an_angle_that_may_be_obtuse_is_shown_by_its_cotangent(
+    velocity: str, given: str, bound: str, line: str
+) -> None:
+    text = f"""
+sphere A: mass m, velocity {velocity}
+sphere B: mass 9m, at rest
+A hits B: along i, e = e
+{given}
+show deflection(A) > {bound}
+"""
+    rows = " ".join(to_text(explain(solve(parse(text)), check=True)).split())
+    assert "= (13 − 72e)/(18(1 + e))" in rows
+    assert f"{line} DM1 δ > {bound} as the cotangent decreases" in rows

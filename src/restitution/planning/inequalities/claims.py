@@ -136,9 +136,10 @@ class Claims(Eliminated):
             self.ties.clear()
             self.conditions.clear()
         by_tangent = self._by_its_tangent(relation)
-        if by_tangent is None:
+        last = by_tangent or write_of_wide_angle(self, quantities, relation, also_acute=True)
+        if last is None:
             raise NotPlannedError("an inequality")
-        return by_tangent
+        return last
 
     def _by_its_tangent(self, relation: Relation) -> int | None:
         """The bounds of an acute angle that is a letter of the data, by those of its tangent."""

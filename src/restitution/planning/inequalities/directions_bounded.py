@@ -19,13 +19,15 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.cotangents import cotangent_of, write_ratio_of
-from restitution.planning.formulas.named_angles import letter_of
+from restitution.planning.formulas.named_angles import letter_of, ratio_line
 from restitution.planning.formulas.velocity_formulas import body_and_stage, in_the_plane
 from restitution.planning.inequalities.comparing import Comparing
-from restitution.planning.writing.desk import NotPlannedError, Source
+from restitution.planning.writing.desk import NotPlannedError, Source, together
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.inequalities import turned
+from restitution.planning.writing.scene import Scene
 
 
 def write_of_direction(
@@ -81,11 +83,16 @@ def write_of_direction(
 
 
 def write_of_wide_angle(
-    claims: Comparing, quantities: Sequence[Quantity], relation: Relation
+    claims: Comparing,
+    quantities: Sequence[Quantity],
+    relation: Relation,
+    *,
+    also_acute: bool = False,
 ) -> int | None:
     """The bounds of an angle that may be obtuse, by those of its cotangent, which falls.
 
-    None where a tangent does as well, and where none is defined by a quotient.
+    None where a tangent does as well, which it does for ``also_acute`` bounds where the angle is
+    acute, and where none is defined by a quotient.
     """
     # The statement may have a letter for the angle.
     opened = [
@@ -100,17 +107,22 @@ def write_of_wide_angle(
         case _:
             return None
     to_a_wall = angle.kind == "angle" and any(isinstance(e, Name) for e in angle.arguments)
-    if all(_is_acute(claims, link) for link in links) or to_a_wall:
+    if (all(_is_acute(claims, link) for link in links) and not also_acute) or to_a_wall:
         return None
     mark = claims.worths.mark()
     scene = claims.scene
     try:
         tangent = claims.worths.angle_by_letter(angle) or claims.worths.angle(angle)
+        letter, let = letter_of(scene, angle)
+        line = cotangent_of(scene, tangent, letter)
+        if line is None and also_acute:
+            claims.worths.back(mark)
+            claims.worths.determine_angle(angle)
+            letter, let = letter_of(scene, angle)
+            line = _cotangent(scene, angle, letter, let)
     except NotPlannedError:
         claims.worths.back(mark)
         return None
-    letter, let = letter_of(scene, angle)
-    line = cotangent_of(scene, tangent, letter)
     ratio = Apply("cot", Letter(letter))
     ends = [own for link in links if (own := _bound(claims, ratio, link)) is not None]
     if line is not None and len(ends) == len(links):
@@ -126,6 +138,18 @@ def write_of_wide_angle(
             if last is not None:
                 return last
     claims.worths.back(mark)
+    return None
+
+
+def _cotangent(scene: Scene, angle: Quantity, letter: str, let: Ref) -> int | None:
+    """The line of the cotangent of an angle of which the tangent is defined by a quotient."""
+    own = formula(scene, angle)
+    match own.right:
+        case Binary("/", above, below):
+            value = tidy(1 / sp.sympify(own.value, strict=True))
+            ratio, turned_over = Apply("cot", Letter(letter)), Binary("/", below, above)
+            refs = together(own.refs, (let,))
+            return ratio_line(scene, own.move, refs, ratio, turned_over, value)
     return None
 
 
