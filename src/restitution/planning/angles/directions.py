@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
 from restitution.explaining.definitions.turnings import direction_from_i
-from restitution.explaining.lines.derivation import Move, MoveId
+from restitution.explaining.lines.derivation import Move, MoveId, numbers_in
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
@@ -196,7 +196,7 @@ def _by_its_ratio(scene: Scene, angle: Letter) -> Source | None:
     symbol = scene.model.unknowns.letter(angle.name)
     for ratio in ("tan", "sin", "cos"):
         known = scene.desk.known(Apply(ratio, angle))
-        lines = () if known is None else [ref for ref in known.refs if isinstance(ref, int)]
+        lines = () if known is None else numbers_in(known.refs)
         if known is not None and len(lines) == 1 and not known.value.free_symbols:
             return inverse(scene, lines[0], symbol)
     return None

@@ -182,7 +182,7 @@ class Ties:
         left, right = (tidy(side.xreplace(numbers)) for side in sides)
         if not numbers or not left.free_symbols | right.free_symbols:
             return None
-        relation = Relation(((Link(tree_of(left), "=", tree_of(right)),),))
+        relation = equality(tree_of(left), tree_of(right))
         return self.judge.write((Move("put"),), [line, *refs], relation)
 
     def _numbers(
@@ -479,7 +479,7 @@ def _has_two_tangents(link: Link) -> bool:
         node.argument
         for side in (link.left, link.right)
         for node in walk(side)
-        if isinstance(node, Apply) and node.function == "tan"
+        if is_function(node, "tan")
     }
     return any(product(Number(Fraction(2)), angle) in tangents for angle in tangents)
 

@@ -37,6 +37,7 @@ from restitution.practice.judging.entries import (
     is_root_of,
     sources_of,
 )
+from restitution.practice.judging.explained import Explained
 from restitution.practice.judging.holding import OWN_ROUNDING
 from restitution.practice.judging.judged_link import (
     COARSE,
@@ -45,7 +46,6 @@ from restitution.practice.judging.judged_link import (
     JudgedLink,
     Question,
 )
-from restitution.practice.judging.naming import Explained
 from restitution.practice.judging.other_forms import (
     after_later_events,
     by_components,

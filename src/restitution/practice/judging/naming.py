@@ -7,12 +7,11 @@ mistake has no name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import permutations
-from typing import Protocol
 
 import numpy as np
 
@@ -43,7 +42,9 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
-from restitution.practice.judging.entries import Entry, is_numeric, same_relation
+from restitution.practice.judging.entries import Entry, is_numeric
+from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
+from restitution.practice.judging.mending import kind_of_slip, mending
 from restitution.practice.judging.other_forms import is_turn, kind_of
 from restitution.practice.judging.plain_laws import cannot_be
 from restitution.practice.judging.plain_mistakes import (
@@ -66,18 +67,16 @@ from restitution.practice.judging.plain_mistakes import (
     sign_of_a_component,
 )
 from restitution.practice.judging.sizes import numbers_in, varying_size
-from restitution.practice.judging.slips import Correction, corrections, in_datum
+from restitution.practice.judging.slips import Correction, in_datum
 from restitution.practice.judging.typed_energies import are_energies, is_halved
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
 from restitution.practice.reading.phrases import is_phrase, is_relative
-from restitution.practice.script import Claim
-from restitution.practice.worlds.agreement import difference, numbers_of
+from restitution.practice.worlds.agreement import numbers_of
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.student import altered_world
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Problem
-from restitution.records import dataclass
 
 # A sign that is turned undoes these, and so is no slip beside them.
 _OF_SIGNS = frozenset(
@@ -116,54 +115,7 @@ _BEFORE_OF_SPHERES: Mapping[str, set[str]] = {
 _BEFORE_ACROSS: Mapping[str, set[str]] = {"across-changed": {"sine-cosine"}}
 _TRIED = 6
 _TWO = Number(Fraction(2))
-_CLOSE, _TINY = 0.03, 1e-6
 NO_NAME = Mistake(None)
-Stated = frozenset[tuple[str, int | None, tuple[str, ...]]]
-
-
-@dataclass(frozen=True)
-class Explained:
-    """The altered laws that explain a false claim, and the slip that it may be instead.
-
-    ``at`` is the text that would have to be another, where no other would do, ``near`` the laws
-    of the claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a
-    misconception in a line that states no law. ``direct`` tells that nothing moves across the lines
-    of centres, ``of_impulse`` that the claim gives an impulse.
-    """
-
-    variants: tuple[VariantAt, ...] = ()
-    slip: str | None = None
-    at: str | None = None
-    near: tuple[Use, ...] = ()
-    mended: tuple[Claim, tuple[Use, ...]] | None = None
-    plain: str | None = None
-    direct: bool = False
-    of_impulse: bool = False
-
-
-class JudgedSoFar(Protocol):
-    """What is known of a script by the lines that are judged."""
-
-    entries: list[Entry]
-
-    @property
-    def base(self) -> World:
-        """The solution in which most lines are true."""
-
-    def students(self) -> Sequence[World]:
-        """The worlds in which the lines so far hold, as far as they can hold together."""
-
-    def altered(self, variant: VariantAt) -> World | None:
-        """The world of an altered law, all else being right."""
-
-    def suspected(self) -> frozenset[str]:
-        """The ids of the altered laws of which false lines above are instances."""
-
-    def stated(self) -> Stated:
-        """The laws that a line above states rightly, each with its event and its bodies."""
-
-    def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
-        """The laws that a line uses."""
 
 
 class Names:
@@ -179,7 +131,7 @@ class Names:
 
     def explained(self, entry: Entry, judge: JudgedSoFar) -> Explained:
         """What explains a claim that is false."""
-        mended = tuple(_mending(entry, judge))
+        mended = tuple(mending(entry, judge))
         parts = {text_of(correction.part) for correction in mended}
         at = parts.pop() if len(parts) == 1 else None  # else it is not certain where
         whole = is_whole_speed(entry, judge.base)
@@ -197,7 +149,7 @@ class Names:
                 variant for variant in variants if variant.mistake == "speed-for-component"
             )
         plainer = whole or law or (unresolved and not variants)
-        slip = _slip(entry, judge, mended)
+        slip = kind_of_slip(entry, judge, mended)
         uses = judge.uses_of_entry(entry)
         idle = all(use.principle == "arithmetic" for use in uses)
         nearest, near = _near(entry, judge, mended) if idle or slip else (None, ())
@@ -654,56 +606,3 @@ def _gives(entry: Entry, value: Expression, world: World) -> bool:
     """Whether the right side of a claim has the value of a tree."""
     claim = type(entry.claim)(value, "=", entry.claim.right)
     return holds_in(Entry(entry.number, claim, entry.meanings, entry.scope, entry.decimals), world)
-
-
-# --- slips ------------------------------------------------------------------------------------
-
-
-def _mending(entry: Entry, judge: JudgedSoFar) -> Iterator[Correction]:
-    """The corrections at one place with which a claim is true, or follows."""
-    if entry.claim.others:
-        return
-    worlds = (judge.base, *judge.students())
-    for correction in corrections(entry.claim):
-        if correction.claim.left == correction.claim.right:
-            continue  # w = w corrects nothing
-        mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
-        if any(_is_near(mended, world) and holds_in(mended, world) for world in worlds):
-            yield correction
-
-
-def _is_near(entry: Entry, world: World) -> bool:
-    """Whether the sides of a claim differ by so little that rounding may be all of it."""
-    try:
-        apart, size = difference(entry.claim, world, entry.meanings, entry.scope)
-    except RestitutionError:
-        return False
-    return entry.claim.sign != "=" or bool(np.all(np.abs(apart) <= _CLOSE * size + _TINY))
-
-
-def _slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
-    """The slip that a false claim is, where only one kind of slip explains it."""
-    changes = {correction.change for correction in mended} - {"square"}
-    claim = entry.claim
-    if claim.sign != "=":
-        return None
-    if "radians" in changes:
-        return "calculator"
-    if any(_stands_above(correction, judge.entries) for correction in mended):
-        return "copied"
-    if is_numeric(claim.left) and is_numeric(claim.right):
-        return "sign" if changes == {"sign"} else "arithmetic"
-    if "sign" in changes:
-        return "sign"
-    if changes & {"power", "turned"}:
-        return "algebra"
-    if changes and changes <= {"figure", "factor"}:
-        return "arithmetic" if entry.is_value else "algebra"
-    return None
-
-
-def _stands_above(correction: Correction, entries: Iterable[Entry]) -> bool:
-    """Whether the corrected claim is one of the lines above, or has a long side of one."""
-    if correction.change not in ("sign", "figure", "letter"):
-        return False
-    return any(same_relation(correction.claim, entry.claim) for entry in entries)

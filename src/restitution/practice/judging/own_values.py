@@ -28,12 +28,12 @@ from restitution.practice.judging.entries import (
     Meanings,
     is_numeric,
 )
+from restitution.practice.judging.explained import Explained, Stated
 from restitution.practice.judging.holding import Holding
 from restitution.practice.judging.judged_link import (
     JudgedLink,
     Question,
 )
-from restitution.practice.judging.naming import Explained, Stated
 from restitution.practice.judging.other_forms import (
     label_in,
 )

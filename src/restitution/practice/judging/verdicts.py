@@ -37,6 +37,7 @@ from restitution.practice.judging.entries import (
     is_monomial,
     is_numeric,
 )
+from restitution.practice.judging.explained import Explained
 from restitution.practice.judging.extremes import speaks_of_any_value
 from restitution.practice.judging.following import COEFFICIENT, NAMED
 from restitution.practice.judging.judged_link import (
@@ -47,7 +48,7 @@ from restitution.practice.judging.judged_link import (
     as_decided,
 )
 from restitution.practice.judging.listed import as_components
-from restitution.practice.judging.naming import Explained, is_sum_of_angles
+from restitution.practice.judging.naming import is_sum_of_angles
 from restitution.practice.judging.other_forms import (
     after_later_events,
     is_signed,

@@ -253,7 +253,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         first, last = line.relation.options[0][0], line.relation.options[0][-1]
         record = line.move.record
         if record == "difference" and event is None:
-            of_the_data = isinstance(first.left, Quantity) and first.left.kind == "direction"
+            of_the_data = is_quantity(first.left, "direction")
             return None if of_the_data else say("turned.by-directions")
         if record == "along-the-change" and event is not None and not event.wall:
             rested = [body for body in bodies if self._is_given_off(line, body)]

@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     is_function,
+    is_quantity,
     is_zero,
     letters,
     walk,
@@ -272,7 +273,7 @@ class Ends:
 
     def _perhaps_at_rest(self, link: Link) -> str | None:
         """The body whose velocity is a multiple that some coefficient of 0 or 1 makes zero."""
-        if not isinstance(link.left, Quantity) or link.left.kind != "velocity":
+        if not is_quantity(link.left, "velocity"):
             return None
         known = roles(self._problem)
         # A velocity stands for any vector that is not zero.

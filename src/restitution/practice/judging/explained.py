@@ -1,0 +1,62 @@
+"""What explains a false line, and what is known of its script when that is asked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from restitution.explaining.mistakes.misconceptions import (
+    VariantAt,
+)
+from restitution.practice.judgement import Use
+from restitution.practice.judging.entries import Entry
+from restitution.practice.script import Claim
+from restitution.practice.worlds.world import World
+from restitution.records import dataclass
+
+Stated = frozenset[tuple[str, int | None, tuple[str, ...]]]
+
+
+@dataclass(frozen=True)
+class Explained:
+    """The altered laws that explain a false claim, and the slip that it may be instead.
+
+    ``at`` is the text that would have to be another, where no other would do, ``near`` the laws
+    of the claim corrected, and ``mended`` the claim itself with what it uses. ``plain`` is a
+    misconception in a line that states no law. ``direct`` tells that nothing moves across the lines
+    of centres, ``of_impulse`` that the claim gives an impulse.
+    """
+
+    variants: tuple[VariantAt, ...] = ()
+    slip: str | None = None
+    at: str | None = None
+    near: tuple[Use, ...] = ()
+    mended: tuple[Claim, tuple[Use, ...]] | None = None
+    plain: str | None = None
+    direct: bool = False
+    of_impulse: bool = False
+
+
+class JudgedSoFar(Protocol):
+    """What is known of a script by the lines that are judged."""
+
+    entries: list[Entry]
+
+    @property
+    def base(self) -> World:
+        """The solution in which most lines are true."""
+
+    def students(self) -> Sequence[World]:
+        """The worlds in which the lines so far hold, as far as they can hold together."""
+
+    def altered(self, variant: VariantAt) -> World | None:
+        """The world of an altered law, all else being right."""
+
+    def suspected(self) -> frozenset[str]:
+        """The ids of the altered laws of which false lines above are instances."""
+
+    def stated(self) -> Stated:
+        """The laws that a line above states rightly, each with its event and its bodies."""
+
+    def uses_of_entry(self, entry: Entry) -> tuple[Use, ...]:
+        """The laws that a line uses."""

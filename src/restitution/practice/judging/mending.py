@@ -1,0 +1,67 @@
+"""Slips in a claim by itself: the corrections that mend it, and which one kind of slip it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+
+from restitution.errors import RestitutionError
+from restitution.practice.judging.claimed import holds_in
+from restitution.practice.judging.entries import Entry, is_numeric, same_relation
+from restitution.practice.judging.explained import JudgedSoFar
+from restitution.practice.judging.slips import Correction, corrections
+from restitution.practice.worlds.agreement import difference
+from restitution.practice.worlds.world import World
+
+_CLOSE, _TINY = 0.03, 1e-6
+
+
+def mending(entry: Entry, judge: JudgedSoFar) -> Iterator[Correction]:
+    """The corrections at one place with which a claim is true, or follows."""
+    if entry.claim.others:
+        return
+    worlds = (judge.base, *judge.students())
+    for correction in corrections(entry.claim):
+        if correction.claim.left == correction.claim.right:
+            continue  # w = w corrects nothing
+        mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
+        if any(_is_near(mended, world) and holds_in(mended, world) for world in worlds):
+            yield correction
+
+
+def _is_near(entry: Entry, world: World) -> bool:
+    """Whether the sides of a claim differ by so little that rounding may be all of it."""
+    try:
+        apart, size = difference(entry.claim, world, entry.meanings, entry.scope)
+    except RestitutionError:
+        return False
+    return entry.claim.sign != "=" or bool(np.all(np.abs(apart) <= _CLOSE * size + _TINY))
+
+
+def kind_of_slip(entry: Entry, judge: JudgedSoFar, mended: Sequence[Correction]) -> str | None:
+    """The slip that a false claim is, where only one kind of slip explains it."""
+    changes = {correction.change for correction in mended} - {"square"}
+    claim = entry.claim
+    if claim.sign != "=":
+        return None
+    if "radians" in changes:
+        return "calculator"
+    if any(_stands_above(correction, judge.entries) for correction in mended):
+        return "copied"
+    if is_numeric(claim.left) and is_numeric(claim.right):
+        return "sign" if changes == {"sign"} else "arithmetic"
+    if "sign" in changes:
+        return "sign"
+    if changes & {"power", "turned"}:
+        return "algebra"
+    if changes and changes <= {"figure", "factor"}:
+        return "arithmetic" if entry.is_value else "algebra"
+    return None
+
+
+def _stands_above(correction: Correction, entries: Iterable[Entry]) -> bool:
+    """Whether the corrected claim is one of the lines above, or has a long side of one."""
+    if correction.change not in ("sign", "figure", "letter"):
+        return False
+    return any(same_relation(correction.claim, entry.claim) for entry in entries)
