@@ -102,6 +102,15 @@ def test_what_all_lose_is_no_other_quantity() -> None:
     assert read_expression("energy_lost(2)") == Quantity("energy_lost", (), 2)
 
 
+def test_what_one_event_of_several_takes_from_a_body_is_its_decrease_there() -> None:
+    events = "wall W: along j\nA hits B: along i, e = 1/2\nB hits W: e = 1/3"
+    story = STORY.replace("A hits B: along i, e = 1/2", events)
+    asked = str(restitution.question(restitution.parse(story.format("energy_lost(A)"))))
+    assert " ".join(asked.split()).endswith(
+        "Find the decrease in the kinetic energy of A in the collision between A and B."
+    )
+
+
 def test_a_tree_that_nobody_read_is_worth_its_definition() -> None:
     (part,) = solution("energy_lost").parts.values()
     (branch,) = part.branches

@@ -29,7 +29,7 @@ from restitution.expression.tree import (
     is_quantity,
     rational,
 )
-from restitution.problem import Arrival, Impact, Kick, bodies_of
+from restitution.problem import Arrival, Event, Impact, Kick, bodies_of
 from restitution.render import layout as lay
 from restitution.shapes import Line, Segment
 from restitution.wording import values
@@ -221,23 +221,27 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
         None if isinstance(quantity.stage, AtTime) else scene.stage(quantity.stage, body)
         for quantity in (left, right)
     )
-    if later is None or earlier is None or abs(later - earlier) != 1:
+    if later is None or earlier is None:
         return None
-    number = max(later, earlier)
-    event = scene.events[number - 1]
-    if isinstance(event, Arrival) or (body is not None and body not in bodies_of(event)):
+    between = range(min(later, earlier) + 1, max(later, earlier) + 1)
+    own = [n for n in between if _is_changed(scene.events[n - 1], body)]
+    if len(own) != 1:
         return None
+    (number,) = own
     vector = left.kind in ("velocity", "momentum")
     if vector and later < earlier:
         return None
     change = "change" if vector else "increase" if later > earlier else "decrease"
     if body is not None:
         head = of_bodies(left.kind, (body,))
-    elif left.kind == "momentum":
-        head = words("the total momentum")
     else:
-        head = _energy_of_all(scene, "")
+        head = _of_several("momentum", "", ()) if vector else _energy_of_all(scene, "")
     return Noun(words(f"the {change} in ", head), during(scene, number))
+
+
+def _is_changed(event: Event, body: str | None) -> bool:
+    """Whether an event changes how a body moves, or any of all."""
+    return not isinstance(event, Arrival) and (body is None or body in bodies_of(event))
 
 
 def _ratio(scene: Scene, left: Expression, right: Expression) -> Noun:
@@ -314,7 +318,7 @@ def displacement(scene: Scene, tree: Expression) -> Noun | None:
 def somewhere(scene: Scene, tree: Expression) -> Words:
     """A place to be or to go to: ``O``, ``the point (3, 7)``, ``the initial position of S``."""
     if isinstance(tree, Quantity):
-        return _placed(scene, tree, "position").words()
+        return _position(scene, tree).words()
     if isinstance(tree, Pair):
         for point in scene.problem.points:
             if point.position == tree:
@@ -588,15 +592,11 @@ def sensed_line(scene: Scene, tree: Quantity) -> Noun:
 
 
 def _position(scene: Scene, tree: Quantity) -> Noun:
-    return _placed(scene, tree, "position")
-
-
-def _placed(scene: Scene, tree: Quantity, kind: str) -> Noun:
     """``the position of S when it hits W``, ``the initial position of S``."""
     at = place(scene, tree)
     if at.when == INITIALLY:
-        return Noun(words(f"the {INITIAL}{kind} of ", at.head))
-    return Noun(words(f"the {kind} of ", at.head), at.when)
+        return Noun(words(f"the {INITIAL}position of ", at.head))
+    return Noun(words("the position of ", at.head), at.when)
 
 
 def place(scene: Scene, tree: Quantity) -> Noun:
@@ -639,7 +639,7 @@ def _somewhere(scene: Scene, tree: Expression) -> Noun:
         case Name(name):
             return Noun((Emphasis(name),))
         case Quantity("position", (Name(),)):
-            return _placed(scene, tree, "position")
+            return _position(scene, tree)
     return Noun(values.point(tree)) if not has_quantity(tree) else noun(scene, tree)
 
 
