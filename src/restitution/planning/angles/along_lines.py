@@ -100,7 +100,7 @@ def given_along_the_centres(scene: Scene, each: GivenEquation) -> int | None:
     except NotPlannedError:
         line = None
     angle = ZERO if line is None else scene.desk.last_link(line).right
-    kinds = Letter if asked.kind == "direction" else Letter | Binary | Negate
+    kinds = Letter | Binary | Negate
     if line is not None and letters(angle) and isinstance(angle, kinds):
         relation = chain(exchanged(subject, {asked: angle}), (right, None))
         for refs in ((line, *each.refs), (*each.refs, line)):
