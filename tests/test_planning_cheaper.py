@@ -505,3 +505,25 @@ def test_the_angle_between_two_spheres_takes_all_values_that_its_tangent_takes()
         "tan(beta) > 0",
         "0° < angle(velocity(A, 1), velocity(B, 1)) < 90°",
     ]
+
+
+def test_a_path_to_a_wall_at_right_angles_makes_what_is_left_of_90_degrees() -> None:
+    text = (
+        "wall W: along i\nwall X: along j\nsphere P: velocity u at 30° to W\n"
+        "P hits W: e = 1/2\nP hits X: e = 1/3\nfind deflection(P, 1) + deflection(P, 2)\n"
+    )
+    problem = parse(text)
+    derivation = plan(solve(problem))
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    assert "angle(velocity(P, 1), X) = 90° - beta" in said(derivation)
+    assert said(derivation)[-2].endswith("= 120° + arctan(2sqrt(3)/3)")
+
+
+def test_who_moves_at_right_angles_to_a_line_of_centres_tells_its_angle() -> None:
+    text = (
+        "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
+        "A hits B: offset 1, e = 1\ngiven direction(A) = -60°\nfind r"
+    )
+    _, derivation = planned(text)
+    assert "phi - 90° = -60°" in said(derivation)
+    assert not any("tan" in each for each in said(derivation))

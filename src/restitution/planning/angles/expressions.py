@@ -50,6 +50,7 @@ from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
 
 _DATA = ("mass", "restitution")
+_ARCS = ("arctan", "arccos", "arcsin")
 
 
 def _has_degrees(tree: Expression) -> bool:
@@ -213,8 +214,21 @@ def _angle_sum(scene: Scene, asked: Binary) -> tuple[int, Any]:
     if refs is None:
         raise NotPlannedError("a sum of angles of the motion")
     line = scene.desk.write(Move("put"), refs, relation)
+    short = _without_opposites(scene, right)
+    if short is not None:
+        shorter = chain(asked, (short, None))
+        line = scene.judge.write((Move("rearrange"),), (line,), shorter) or line
     line, answer = write_decimal(scene, line)
     return line, answer.only[0].right
+
+
+def _without_opposites(scene: Scene, tree: Expression) -> Expression | None:
+    """A sum of angles without the inverse ratios of which it has the opposite too, if any."""
+    value = sp.sympify(scene.scalar(tree), strict=True)
+    arcs = [node for node in walk(tree) if isinstance(node, Apply) and node.function in _ARCS]
+    if len(value.atoms(sp.atan, sp.acos, sp.asin)) >= len(set(arcs)):
+        return None
+    return tree_of(sp.expand(value), angle=True, as_it_is=True)
 
 
 def size_of(scene: Scene, asked: Apply, inside: Vector) -> tuple[tuple[Ref, ...], list[sp.Expr]]:

@@ -42,7 +42,7 @@ def angle_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Source | 
     if frame is None or frame.wall is None or circle_of(scene, stage) is not None:
         return None
     asked = Quantity("angle", (Quantity("velocity", (Name(body),), stage), Name(wall)))
-    known = _standing(scene, asked)
+    known = standing_angle(scene, asked)
     if known is not None:
         return known if _is_plain(scene, known) else None
     if wall == frame.wall:
@@ -50,7 +50,7 @@ def angle_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Source | 
     return _by_the_last(scene, asked, body, stage)
 
 
-def _standing(scene: Scene, angle: Quantity) -> Source | None:
+def standing_angle(scene: Scene, angle: Quantity) -> Source | None:
     """What an angle is by a line of it or of its letter, with the line that names it."""
     known = scene.desk.known(angle)
     named = letter_known(scene, angle)
@@ -99,7 +99,7 @@ def _by_the_last(scene: Scene, asked: Quantity, body: str, stage: int) -> Source
     velocity, wall = asked.arguments
     assert isinstance(wall, Name)
     assert frame.wall is not None
-    here, there = (_turn_of(scene, name) for name in (frame.wall, wall.name))
+    here, there = (turn_of_wall(scene, name) for name in (frame.wall, wall.name))
     if here is None or there is None:
         return None
     mark = scene.desk.mark()
@@ -135,7 +135,7 @@ def _ranges(scene: Scene, names: Iterable[str]) -> list[Ref]:
     return [ref for name in sorted(names) for ref in scene.judge.ranges_given(name)]
 
 
-def _turn_of(scene: Scene, wall: str) -> Expression | None:
+def turn_of_wall(scene: Scene, wall: str) -> Expression | None:
     """The angle from **i** at which a wall is given, in degrees or as a letter."""
     fact = scene.facts.get(f"wall {wall}")
     right = None if fact is None else fact.relation.only[0].right
@@ -214,4 +214,4 @@ def _speed(scene: Scene, body: str, stage: int) -> Source | None:
     return scene.desk.know(speed, before.value, (scene.desk.write(move, refs, relation),))
 
 
-__all__ = ["angle_to_a_wall", "component_by_angle"]
+__all__ = ["angle_to_a_wall", "component_by_angle", "standing_angle", "turn_of_wall"]
