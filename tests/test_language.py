@@ -560,7 +560,10 @@ SLIPS = {
     "given e between 0 and 1": (7, "did you mean '0 < e < 1'?"),
     # directions that are told otherwise, and what happens afterwards
     "sphere P: velocity 6 at 30° to the normal of W": (25, "did you mean '90° - 30° to W'?"),
-    "find angle(velocity(A), normal to W)": (25, "the normal to a wall is 'line_of_centres'"),
+    "find angle(velocity(A), normal to W)": (
+        25,
+        "90° less that to its normal, which is 'line_of_centres'",
+    ),
     "sphere P: velocity 4 at bearing 060°": (25, "a bearing of 060° is the direction at 30°"),
     "A hits B: along due north": (17, "with i to the east and j to the north"),
     "wall V: through F and G": (18, "'from F to G'"),
