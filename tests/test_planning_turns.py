@@ -26,6 +26,26 @@ from restitution.workings.derived import explanation_of
 
 # A statement, and what its working says: lines, or parts of them.
 CASES = {
+    "at a wall, a multiple of the angle after": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = e
+given deflection(P) = 3 angle(velocity(P), W)
+find e in terms of alpha
+""",
+        ("α + β = 3β", "β = α/2", "tan(α/2) = e tan α", "e = tan(α/2)/tan α"),
+    ),
+    "at a wall, a multiple of the angle after, of which the tangent is a root": (
+        """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/4
+given deflection(P) = 3 angle(velocity(P), W)
+find alpha
+""",
+        ("β = α/2", "1 − t² = ½", "t = √2/2", "α = arctan(2√2)"),
+    ),
     "at a wall, double an angle": (
         """
 wall V: along j

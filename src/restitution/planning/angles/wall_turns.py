@@ -154,7 +154,8 @@ def related_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
     if not isinstance(angle, Letter):
         return None
     more = _excess(scene, equation.link.right, angle, after)
-    if more is None:
+    times = _multiple(scene, equation.link.right, angle, after) if more is None else None
+    if more is None and times is None:
         return None
     mark = scene.desk.mark()
     own = formula(scene, after)
@@ -169,7 +170,10 @@ def related_at_a_wall(scene: Scene, equation: GivenEquation) -> int | None:
     number = None
     if premises is not None:
         number = scene.desk.write(move, premises, total)
-        number = _by_one_of_them(scene, number, (angle, letter), more, line)
+        if more is not None:
+            number = _by_one_of_them(scene, number, (angle, letter), more, line)
+        elif times is not None:
+            number = _by_its_multiple(scene, number, (angle, letter), times, line)
     if number is None:
         scene.desk.back(mark)
     return number
@@ -181,13 +185,58 @@ def _excess(scene: Scene, right: Expression, angle: Letter, after: Quantity) -> 
     None where that is no number.
     """
     before, later = sp.Symbol("before"), sp.Symbol("later")
+    rest = _rest(scene, right, angle, after, before, later)
+    if rest is None:
+        return None
+    either = (sp.expand(sign * rest + later - before) for sign in (1, -1))
+    return next((more for more in either if more.is_number), None)
+
+
+def _multiple(
+    scene: Scene, right: Expression, angle: Letter, after: Quantity
+) -> sp.Rational | None:
+    """Which multiple of an angle before that after is, where both add up to an expression."""
+    before, later = sp.Symbol("before"), sp.Symbol("later")
+    rest = _rest(scene, right, angle, after, before, later)
+    if rest is None or rest.subs({before: 0, later: 0}) != 0 or not rest.coeff(later):
+        return None
+    times = -rest.coeff(before) / rest.coeff(later)
+    is_multiple = (
+        times.is_Rational and times > 0 and sp.expand(rest.subs(later, times * before)) == 0
+    )
+    return times if is_multiple else None
+
+
+def _rest(
+    scene: Scene,
+    right: Expression,
+    angle: Letter,
+    after: Quantity,
+    before: sp.Symbol,
+    later: sp.Symbol,
+) -> sp.Expr | None:
+    """An expression of two angles less both of them; None with anything else in it."""
     tree = exchanged(right, {after: Letter(later.name), angle: Letter(before.name)})
     if has_quantity(tree) or letters(tree) - {before.name, later.name}:
         return None
     value = scene.worth(tree, {before.name: before, later.name: later})
-    rest = sp.expand(value - before - later)
-    either = (sp.expand(sign * rest + later - before) for sign in (1, -1))
-    return next((more for more in either if more.is_number), None)
+    return sp.expand(value - before - later)
+
+
+def _by_its_multiple(
+    scene: Scene, number: int, angles: tuple[Letter, Letter], times: sp.Rational, line: int
+) -> int | None:
+    """The tangent of an angle after a wall, as one of a multiple of that before."""
+    (before, after), value = angles, scene.desk.last_link(line).right
+    multiple = tree_of(times * scene.scalar(before))
+    relation = chain(after, (multiple, None))
+    if not scene.judge.follows(Move("rearrange"), (number,), relation):
+        return None
+    number = scene.desk.write(Move("rearrange"), (number,), relation)
+    tangents = chain(Apply("tan", multiple), (value, None))
+    if scene.judge.follows(Move("put"), (line, number), tangents):
+        return scene.desk.write(Move("put"), (line, number), tangents)
+    return None
 
 
 def _by_one_of_them(

@@ -541,7 +541,7 @@ def _by_double(
     cancelled = chain(below, (tree_of(2 * k), None))
     known = range_of(scene, symbol.name)
     second = scene.desk.write(Move("cancel"), (first, *meaning, known), cancelled)
-    value = tidy(sp.tan(small * scene.final(symbol)))
+    value = tidy(sp.sqrt(1 - 2 * k))  # the tangent of an acute angle
     others = [Link(subject, "=", tree_of(each)) for each in (value, -value)]
     alternatives = Relation(tuple((other,) for other in others))
     third = scene.desk.write(Move("roots"), (second,), alternatives)
