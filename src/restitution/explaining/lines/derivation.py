@@ -8,7 +8,7 @@ language. They are never evaluated when they are built: ``3((-4i - j) - (2i + 7j
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
@@ -82,7 +82,7 @@ class Relation:
 
     options: tuple[tuple[Link, ...], ...]
 
-    @property
+    @cached_property
     def only(self) -> tuple[Link, ...]:
         """The links of a relation without alternatives. Raises ValueError where it has some."""
         (links,) = self.options
@@ -284,13 +284,15 @@ class Derivation:
     others: tuple[Route, ...] = ()
     notes: tuple[Note, ...] = ()
 
-    def fact(self, ref: Ref | None) -> Fact | None:
+    @cached_property
+    def fact(self) -> Callable[[Ref | None], Fact | None]:
         """The fact with an id; None where there is none, or where a line is cited."""
-        return self._facts.get(ref)
+        return self._facts.get  # asked for so often that a call is saved
 
-    def line(self, ref: Ref | None) -> Line | None:
+    @cached_property
+    def line(self) -> Callable[[Ref | None], Line | None]:
         """The line with a number; None where there is none, or where no line is cited."""
-        return self._numbered.get(ref)
+        return self._numbered.get
 
     def cited(self, ref: Ref) -> Fact | Line | None:
         """The fact or the line that is cited; None where it is what is known of a letter."""

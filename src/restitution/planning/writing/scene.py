@@ -214,7 +214,8 @@ class Scene:
 
     def scalar(self, tree: Expression) -> sp.Expr:
         """What a tree is worth, as a number; angles in radians."""
-        return sp.sympify(self._worth_as("scalar", tree), strict=True)
+        worth = self._worth_as("scalar", tree)
+        return worth if isinstance(worth, sp.Expr) else sp.sympify(worth, strict=True)
 
     def _worth_as(self, kind: Literal["value", "vector", "scalar"], tree: Expression) -> Any:
         """What a tree is worth as one kind of value; it is kept while letters are the same."""
@@ -285,7 +286,7 @@ class Scene:
         """The unknowns in a value that have no value on the desk yet."""
         if isinstance(value, Vector):
             return self.unknown(value.x) | self.unknown(value.y)
-        own = sp.sympify(value, strict=True)
+        own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
         if not symbols_in(own):
             return frozenset()
         state = self._state()
@@ -333,7 +334,7 @@ class Scene:
         if isinstance(value, Vector):
             x, y = (self.put(other) for other in value)
             return Vector(x[0], y[0]), together(x[1], y[1])
-        own = sp.sympify(value, strict=True)
+        own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
         changed, refs = self.with_values(own)
         return (own, ()) if changed is own else (neat(changed), refs)
 
@@ -342,7 +343,7 @@ class Scene:
 
         It is the same object where nothing is put in.
         """
-        own = sp.sympify(value, strict=True)
+        own = value if isinstance(value, sp.Expr) else sp.sympify(value, strict=True)
         if not symbols_in(own):
             return own, ()
         state = self._state()
