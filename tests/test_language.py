@@ -767,6 +767,7 @@ def test_a_share_of_a_quantity_is_their_product(share: str) -> None:
         ("wall V: along 1 at 90° from 3i + 4j", "wall V: along -4i + 3j"),
         ("wall V: along 1 at 90° from direction(W)", "wall V: along i + 2j"),
         ("wall V: along 1 at 60° from direction(X)", "wall V: along 150°"),
+        ("wall V: along 1 at 90° from direction(X)", "wall V: along i"),
         ("wall V: along 1 at theta from direction(Y)", "wall V: along theta"),
         ("wall V: along direction(W)", "wall V: along 2i - j"),
     ],

@@ -57,8 +57,8 @@ def _plain(tree: Expression, walls: Mapping[str, Wall], above: tuple[str, ...]) 
     if base is None:
         return tree
     if isinstance(base, Degrees) and isinstance(angle, Degrees):
-        turned = base.value + angle.value
-        return Degrees(turned - _HALF_TURN if turned > _HALF_TURN else turned, place=tree.place)
+        turned = (base.value + angle.value) % _HALF_TURN
+        return Unit("j") if turned == 90 else Degrees(turned) if turned else Unit("i")
     if isinstance(base, Degrees) and isinstance(angle, Letter):
         return angle if base.value == 0 else Binary("+", base, angle, place=tree.place)
     if not isinstance(angle, Degrees) or abs(angle.value) != 90:
