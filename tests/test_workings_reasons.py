@@ -720,6 +720,13 @@ show angle(velocity(P), W) <= alpha
         ),
         ["β = 65° − 40° = 25°", "V = (u cos 40°)/cos 25°", "V/u = (cos 40°)/cos 25°"],
     ),
+    "a letter for a component is no name of a wall": (
+        (
+            "wall W: along i\nwall V: along 60°\nsphere P: velocity u at 30° to W\n"
+            "P hits W: e = 1\nP hits V: e = e\ngiven velocity(P) perpendicular to W\nfind e"
+        ),
+        ["𝐯₂ = s𝐣", "s = u"],
+    ),
     # Only in the tangent of θ alone is it seen that e < ½.
     "the tangents of an angle and of twice it are one tangent before a bound": (
         (

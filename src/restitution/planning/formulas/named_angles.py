@@ -69,7 +69,10 @@ def letters_taken(scene: Scene) -> set[str]:
     """The letters that a new one must not be."""
     own = {line.relation.letter for line in scene.desk.lines if isinstance(line.relation, Meaning)}
     symbols = {component.symbol.name for component in scene.model.components.values()}
-    return own | symbols | set(scene.model.unknowns.roles)
+    problem = scene.problem
+    bodies = {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
+    bodies |= {point.name for point in problem.points}
+    return own | symbols | bodies | set(scene.model.unknowns.roles)
 
 
 def ratio_line(

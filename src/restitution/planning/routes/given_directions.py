@@ -23,7 +23,7 @@ from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.vector import Vector
 
-_LETTERS = ("V", "s", "k", "b", "c", "q", "r")
+_LETTERS = ("V", "v", "s", "k", "b", "c", "q", "r")
 
 
 def wall_of(scene: Scene, given: GivenEquation) -> int | None:
