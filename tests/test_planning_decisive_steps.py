@@ -408,3 +408,22 @@ def test_the_line_of_an_impulse_stands_where_it_is_needed() -> None:
     )
     (axis,) = [n for n, row in enumerate(own) if row.endswith("parallel to −8𝐢 − 4𝐣")]
     assert own.index("𝐯_B = 𝐢 m s⁻¹") < axis
+
+
+@pytest.mark.parametrize(
+    ("speed", "asked", "row"),
+    [
+        ("at rest", "deflection(A)", "δ = 90° − 45° = 45°"),
+        ("velocity u at 90°", "velocity(B)", "𝐯_B = (√2 u/4)𝐢 + u𝐣 ≈ 0.354u𝐢 + u𝐣"),
+        ("velocity u at 90°", "angle(velocity(A), velocity(B))", "≈ 19.5°"),
+    ],
+)
+def test_a_component_that_comes_to_nothing_has_its_line(speed: str, asked: str, row: str) -> None:
+    own = rows(
+        TWO.format(a="m", u="u at alpha", b="k m", v=speed, e="")
+        + "part a\nfind along(velocity(A), i)\npart b\n"
+        f"given k = 2, e = 1/2, tan(alpha) = 1\nfind {asked}"
+    )
+    (number,) = [n for n, each in enumerate(own) if each.endswith(row)]
+    assert own.index("v = 0") < number
+    assert not [each for each in own if each.startswith("A comes at right angles")]

@@ -32,7 +32,16 @@ from restitution.planning.formulas.turns import NONE, Direction, Form, Turn
 from restitution.planning.writing.angle_ratios import given_ratio, range_of, write_other_ratio
 from restitution.planning.writing.angles import RIGHT, STRAIGHT
 from restitution.planning.writing.desk import chain, together
-from restitution.planning.writing.forms import ONE, TWO, difference, product, swept, total, tree_of
+from restitution.planning.writing.forms import (
+    ONE,
+    TWO,
+    ZERO,
+    difference,
+    product,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.one_fraction import multiplied_through
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
@@ -328,7 +337,8 @@ def premises_of(
 ) -> tuple[Ref, ...] | None:
     """What the line of an angle made of two others rests on; None where it does not follow.
 
-    A component with values put in, which nothing else needs, is cited as it stood before.
+    A component with values put in, which nothing else needs, is cited as it stood before, unless it
+    comes to 0.
     """
     sure = tuple(sure)
     premises = scene.judge.needed(turn.move, pool, relation, sure)
@@ -337,6 +347,7 @@ def premises_of(
         ref
         for ref in premises or ()
         if isinstance(ref, int) and scene.desk.line(ref).move.id == "put" and ref not in cited
+        if scene.desk.last_link(ref).right != ZERO
     }
     if premises is None or not idle:
         return premises

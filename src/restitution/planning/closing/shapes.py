@@ -321,7 +321,9 @@ def _settled_letter(scene: Scene, letter: Letter, known: Source, final: Source) 
     relation = chain(letter, (tree_of(final.value), None))
     if len(lines) != 1 or scene.desk.last_link(lines[0]).left != letter:
         return Source(final.value, whole)
-    line = scene.judge.write((Move("put"),), whole, relation)
+    # Where it comes to 0, nothing tells which line is put into but that it stands first.
+    pools = (whole, (*lines, *(ref for ref in whole if ref not in lines)))
+    line = next(filter(None, (scene.judge.write((Move("put"),), e, relation) for e in pools)), None)
     if line is None:
         return Source(final.value, whole)
     scene.desk.know(letter, final.value, (line,))
