@@ -291,6 +291,25 @@ find mass(A)/mass(B), e
     assert verdicts(found) == ["true", "true", "true"]
 
 
+@pytest.mark.parametrize("asked", ["energy_lost(A)", "energy(A, 0) - energy(A)"])
+def test_an_energy_lost_is_that_of_the_body_asked_for(asked: str) -> None:
+    statement = f"""
+sphere A: mass 2, velocity 3i + j
+sphere B: mass 1, at rest
+A hits B: along i, e = 1/2
+find {asked}
+"""
+    working = """6 = 2v + w
+w - v = 1.5
+v = 1.5, w = 3
+kinetic energy lost = 1/2*2*(9 - 2.25) = 6.75"""
+    found = restitution.mark(solved(statement), working).json()
+    assert verdicts(found) == ["true"] * 4
+    assert found["marks"]["lost"] == 0
+    total = restitution.mark(solved(statement), working.replace("6.75", "2.25")).json()
+    assert verdicts(total)[-1] == "false"
+
+
 def test_left_for_lost_is_a_misread() -> None:
     statement = """
 wall W: along i

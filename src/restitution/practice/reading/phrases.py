@@ -13,6 +13,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from itertools import chain, combinations
+from math import inf
 from typing import Literal
 
 from restitution.errors import StatementError
@@ -184,6 +185,13 @@ def _is_of_velocities(angle: Expression) -> bool:
     return isinstance(angle, Quantity) and all(
         is_quantity(argument, "velocity") for argument in angle.arguments
     )
+
+
+def _latest(quantity: Quantity) -> float:
+    """The event after which a quantity is meant; after all of them if it has none."""
+    if isinstance(quantity.stage, int):
+        return quantity.stage
+    return -1 if quantity.stage == "before" else inf
 
 
 def _names_in(tree: Expression) -> frozenset[str]:
@@ -510,6 +518,7 @@ class _Reader(Moments):
                 yield Negate(lost) if gain else lost
                 yield lost if gain else Negate(lost)
             else:
+                yield from self.changes_of_energy_asked(gain)
                 last = Quantity("energy_lost", (), after)
                 whole = Quantity("total_energy_lost", (), after)
                 for value in (last, whole) if len(self.events) > 1 else (last,):
@@ -525,6 +534,17 @@ class _Reader(Moments):
             yield Quantity("energy", (Name(body),), stage)
         else:
             yield Quantity("energy", (), stage)
+
+    def changes_of_energy_asked(self, gain: bool) -> Iterator[Expression]:
+        """What one body loses of its kinetic energy, or gains, where the question asks for it."""
+        for tree in self.values_asked():
+            match tree:
+                case Binary(
+                    "-", Quantity("energy", (Name(), *_)) as first, Quantity("energy") as last
+                ):
+                    if first.arguments == last.arguments:
+                        is_gain = _latest(first) > _latest(last)
+                        yield tree if is_gain == gain else Binary("-", last, first)
 
     def energy_of_components(self, event: int, body: str | None) -> Expression:
         """The part of a kinetic energy that components along a direction have."""
