@@ -487,3 +487,18 @@ find energy_lost
     sums = "(((1 + e)u cos α + (e − k)v cos β)/(1 + k) + v cos β)"
     assert f"½(1 − e)km{sums}(u cos α + v cos β)" in working
     assert "½(1 − e)km((1 + e)(u cos α + v cos β)/(1 + k))(u cos α + v cos β)" in working
+
+
+def test_why_a_place_is_on_an_axis_is_said_where_no_line_has_the_other_coordinate() -> None:
+    text = """
+sphere A: mass 1 kg, at (-4, -3), velocity 4i + 3j
+sphere B: mass 3 kg, at (0, 0), at rest
+wall W: along j, through (6, 0)
+A hits B: along i, e = 2/3
+find velocity(B), velocity(A)
+B reaches W
+find time(2) - time(1), distance(A, B), position(B)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "B moves parallel to the x-axis:" in working
+    assert "position of B when B reaches W = 6𝐢 m" in working

@@ -221,9 +221,22 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 return say("derived-assembled.still", body=body, event=self._naming.called(now))
             case Quantity("velocity") if one := self._one_component(line):
                 return None if self._in_one_line(event) else one
-            case Quantity("position", _, _):
+            case Quantity("position", (Name(body),), _):
+                if (axis := self._stays_on(line)) is not None:
+                    return say("flight.level", body=body, axis=axis)
                 return None if self._is_below_its_coordinate(line) else "derived-place.title"
         return record.title(event)
+
+    def _stays_on(self, line: Line) -> str | None:
+        """The axis, x or y, on which a body stays until it is in a place: no line says so."""
+        for own in map(self._cited, line.premises):
+            if own is None or own.marks or own.move.record != "straight-line":
+                continue
+            match own.relation:
+                case Relation(((Link(Quantity("along", (_, Unit(axis))), "=", right),),)):
+                    if is_zero(right):
+                        return "y" if axis == "i" else "x"
+        return None
 
     def _of_energy(self, record: Record, line: Line, event: Event | None) -> SentenceId | None:
         """What is lost, and whether it is lost along the line of centres alone."""
