@@ -49,7 +49,7 @@ from restitution.planning.axes.opposite_impulses import is_by_vectors
 from restitution.planning.closing.losses_by_products import write_loss_by_products
 from restitution.planning.closing.ratios import inverse
 from restitution.planning.closing.squared_ratios import keeping, kept_for, write_by_squares
-from restitution.planning.formulas.definitions import write_formula
+from restitution.planning.formulas.definitions import Formula, write_formula
 from restitution.planning.formulas.energy_formulas import speed_by_given_energy, speed_by_its_energy
 from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.related_velocities import write_related
@@ -76,28 +76,12 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
     """
     if is_quantity(asked, "velocity") and write_by_momentum(scene, asked):
         solver.take_velocity(asked)
-    if is_quantity(asked, "speed"):
-        by_energy = speed_by_given_energy(scene, asked)
-        if by_energy is not None:
-            scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
-            return
-    shared = write_given_share(scene, asked) if isinstance(asked, Quantity) else None
-    if shared is not None:
-        scene.desk.end(name, shared, chain(asked, (_right(scene, shared), None)))
+    at_once = _at_once(scene, asked)
+    if at_once is not None:
+        _end(scene, asked, name, at_once)
         return
     placed = place_trees.serves(asked) or place_trees.is_duration(asked)
-    if isinstance(asked, Quantity) and write_total_kept(scene, asked):
-        pass  # an impact of two spheres does not change it
-    elif isinstance(asked, Quantity) and is_by_vectors(scene, asked):
-        pass  # a change of momentum tells it
-    elif isinstance(asked, Quantity) and write_by_its_way(scene, asked):
-        pass  # its size and direction tell it
-    elif placed:
-        solver.determine(journeys.goals(scene, asked))
-    elif not _by_a_line_above(scene, solver, asked):
-        _determine_by_squares(scene, solver, asked)
-        determine_velocities(scene, solver, asked)
-        _determine_what_stands(scene, solver, asked)
+    _determine(scene, solver, asked, placed=placed)
     write_related(scene, asked)
     named = scene.facts.get(f"let {asked.name}") if isinstance(asked, Letter) else None
     asked = in_a_frame(scene, asked, write=True)
@@ -110,19 +94,74 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             scene.desk.end(name, *summed)
         case Letter() if named is not None:
             _named(scene, solver, asked, named, name)
-        case Letter() if (defining := _defining(scene, asked)) is not None:
-            _named_expression(scene, asked, defining, defining.relation.only[0].right, name)
-        case Letter(letter):
-            known = scene.desk.known(asked) or _by_its_given_ratio(scene, letter)
-            if known is None:
-                raise NotPlannedError(f"{letter} is open")
-            line = _closed(scene, asked, _line_of(scene, asked, known), known.value)
-            scene.desk.end(name, line, _as_solved(scene, asked, line))
+        case Letter():
+            _letter_asked(scene, asked, name)
         case _ if placed:
             line, value = journeys.write(scene, asked)
             link = scene.desk.last_link(line)
             right = link.right if link.left == asked else tree_of(value)
             scene.desk.end(name, line, chain(asked, (right, None)))
+        case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
+            _ratio(scene, asked, kind, letter, name)
+        case Quantity():
+            _quantity(scene, solver, asked, name)
+        case Apply("tan") if (two := write_tangent_of_two(scene, asked)) is not None:
+            _end(scene, asked, name, two)
+        case _ if not has_quantity(asked):
+            _of_letters(scene, solver, asked, name)
+        case _:
+            _expression(scene, asked, name)
+
+
+def _at_once(scene: Scene, asked: Expression) -> int | None:
+    """The line of a speed by a given energy, or of a given share, before anything is determined."""
+    by_energy = speed_by_given_energy(scene, asked) if is_quantity(asked, "speed") else None
+    if by_energy is not None or not isinstance(asked, Quantity):
+        return by_energy
+    return write_given_share(scene, asked)
+
+
+def _determine(scene: Scene, solver: Solver, asked: Expression, *, placed: bool) -> None:
+    """What has to be known for an item, by what tells it at once, or by the laws.
+
+    An impact of two spheres does not change a total, a change of momentum tells a velocity, and so
+    do its size and direction.
+    """
+    if isinstance(asked, Quantity) and (
+        write_total_kept(scene, asked)
+        or is_by_vectors(scene, asked)
+        or write_by_its_way(scene, asked)
+    ):
+        return
+    if placed:
+        solver.determine(journeys.goals(scene, asked))
+    elif not _by_a_line_above(scene, solver, asked):
+        _determine_by_squares(scene, solver, asked)
+        determine_velocities(scene, solver, asked)
+        _determine_what_stands(scene, solver, asked)
+
+
+def _end(scene: Scene, asked: Expression, name: str, line: int) -> None:
+    """Ends an item with what a line has on its right."""
+    scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
+
+
+def _letter_asked(scene: Scene, asked: Letter, name: str) -> None:
+    """A letter: by the expression that it is, by its line, or by a ratio that is given of it."""
+    defining = _defining(scene, asked)
+    if defining is not None:
+        _named_expression(scene, asked, defining, defining.relation.only[0].right, name)
+        return
+    known = scene.desk.known(asked) or _by_its_given_ratio(scene, asked.name)
+    if known is None:
+        raise NotPlannedError(f"{asked.name} is open")
+    line = _closed(scene, asked, _line_of(scene, asked, known), known.value)
+    scene.desk.end(name, line, _as_solved(scene, asked, line))
+
+
+def _quantity(scene: Scene, solver: Solver, asked: Quantity, name: str) -> None:
+    """A quantity: by the line that has it, by what is known of it, or by its formula."""
+    match asked:
         case Quantity("line_of_centres", (), int(number)):
             _axis(scene, number, name)
         case Quantity("direction", (Name(wall),), None):
@@ -132,37 +171,42 @@ def write_item(scene: Scene, solver: Solver, asked: Expression, name: str) -> No
             _letter(scene, asked, sp.sympify(scene.scalar(asked), strict=True), name)
         case Quantity("mass" | "restitution"):
             _expression(scene, asked, name)
-        case Apply("sin" | "cos" | "tan" as kind, Letter(letter)):
-            _ratio(scene, asked, kind, letter, name)
         case Quantity("along" | "across") if is_named(scene, asked):
             known = scene.desk.known(asked)
             assert known is not None
             _letter(scene, asked, next(iter(known.value.free_symbols)), name)
-        case Quantity("speed") if (line_ := _by_its_letter(scene, asked)) is not None:
-            subject = scene.desk.last_link(line_).left
-            scene.desk.end(name, line_, chain(subject, (_right(scene, line_), None)))
-        case Quantity() if (written := _written(scene, asked)) is not None:
-            scene.desk.end(name, written, chain(asked, (_right(scene, written), None)))
-        case Quantity("speed") if (by_energy := speed_by_its_energy(scene, asked)) is not None:
-            scene.desk.end(name, by_energy, chain(asked, (_right(scene, by_energy), None)))
-        case Quantity() if (squared := write_by_squares(scene, asked, formula)) is not None:
-            scene.desk.end(name, squared, chain(asked, (_right(scene, squared), None)))
-        case Quantity("energy_lost") if (lost := write_loss_by_products(scene, asked)) is not None:
-            scene.desk.end(name, lost, chain(asked, (_right(scene, lost), None)))
-        case Quantity():
-            own = formula(scene, asked)
-            if scene.unknown(own.value):
-                # Of an impulse any of the bodies tells the size.
-                solver.determine(sorted(scene.unknown(own.value), key=str))
-                own = formula(scene, asked)
-            line = write_formula(scene, own)
-            scene.desk.end(name, line, chain(asked, (_right(scene, line), None)))
-        case Apply("tan") if (two := write_tangent_of_two(scene, asked)) is not None:
-            scene.desk.end(name, two, chain(asked, (_right(scene, two), None)))
-        case _ if not has_quantity(asked):
-            _of_letters(scene, solver, asked, name)
+        case Quantity("speed") if (line := _by_its_letter(scene, asked)) is not None:
+            _end(scene, scene.desk.last_link(line).left, name, line)
         case _:
-            _expression(scene, asked, name)
+            line = _line_of_a_quantity(scene, asked)
+            if line is None:
+                line = write_formula(scene, _determined(scene, solver, asked))
+            _end(scene, asked, name, line)
+
+
+def _line_of_a_quantity(scene: Scene, asked: Quantity) -> int | None:
+    """The line of a quantity by what is known of it; None where only its formula gives it."""
+    line = _written(scene, asked)
+    if line is None and asked.kind == "speed":
+        line = speed_by_its_energy(scene, asked)
+    if line is None:
+        line = write_by_squares(scene, asked, formula)
+    if line is None and asked.kind == "energy_lost":
+        line = write_loss_by_products(scene, asked)
+    return line
+
+
+def _determined(scene: Scene, solver: Solver, asked: Quantity) -> Formula:
+    """The formula of a quantity, once everything in it is known.
+
+    Of an impulse any of the bodies tells the size; where something is greatest or least, no
+    gradient has told of its letters.
+    """
+    own = formula(scene, asked)
+    if not scene.unknown(own.value):
+        return own
+    solver.determine(sorted(scene.unknown(own.value), key=str))
+    return formula(scene, asked)
 
 
 def _determine_by_squares(scene: Scene, solver: Solver, asked: Expression) -> None:
@@ -340,11 +384,7 @@ def _named(scene: Scene, solver: Solver, asked: Letter, fact: Fact, name: str) -
         relation = chain(asked, (tree_of(value), None))
         scene.desk.end(name, scene.desk.write(Move("put"), (line, fact.id), relation), relation)
         return
-    own = formula(scene, quantity)
-    if scene.unknown(own.value):
-        # Where it is greatest or least no gradient has told of its letters.
-        solver.determine(sorted(scene.unknown(own.value), key=str))
-        own = formula(scene, quantity)
+    own = _determined(scene, solver, quantity)
     if asked.name in letters(tree_of(own.value)):
         raise NotPlannedError(f"{asked.name} by itself")
     own = replace(own, quantity=asked, refs=together((fact.id,), own.refs))
