@@ -332,7 +332,7 @@ class _Run:
         return chunk
 
     def _finish(self, future: Future[Any]) -> None:
-        """Take what came of a chunk."""
+        """Takes what came of a chunk."""
         sent = self._under_way.pop(future)
         error = CancelledError() if future.cancelled() else future.exception()
         if isinstance(error, BrokenExecutor):

@@ -137,7 +137,7 @@ def load_pairs(context: Any, address: Any) -> Any:
 
 @intrinsic
 def stream_pairs(context: Any, address: Any, firsts: Any, seconds: Any) -> Any:
-    """Write eight pairs past the caches, to an address that 16 divides.
+    """Writes eight pairs past the caches, to an address that 16 divides.
 
     What is written at length and not read again soon is better not in the caches: to write there,
     a line is first read from memory. ``finish_streams`` follows before others read.

@@ -67,7 +67,7 @@ def main() -> None:
 
 
 def _open_what_is_closed() -> None:
-    """Put something in the place of standard streams that are closed.
+    """Puts something in the place of standard streams that are closed.
 
     Else the next file that is opened would take their place, and be written to. From a closed
     input nothing can be read, and to a closed output nothing written; messages that nobody can

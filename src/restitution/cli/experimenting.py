@@ -96,7 +96,7 @@ def require_no_plan(e: float | None, trials: int | None, seed: int | None) -> No
 
 
 def experiment(asked: Experimenting) -> int:
-    """Do what was asked, and give the exit status. Raises RefusedError."""
+    """Does what was asked, and gives the exit status. Raises RefusedError."""
     form = _form_of(asked.output)
     try:
         result = _result(asked)

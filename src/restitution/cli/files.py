@@ -158,7 +158,7 @@ def one_line(error: BaseException) -> str:
 
 
 def say(message: str) -> None:
-    """Write a line to standard error."""
+    """Writes a line to standard error."""
     sys.stderr.write(f"{message}\n")
     sys.stderr.flush()
 

@@ -97,7 +97,7 @@ class Target:
         return self.path is None and sys.stdout.isatty()
 
     def write(self, file: str, text: str, *, several: bool) -> None:
-        """Add what is said of one file. Exits with a message where that cannot be written."""
+        """Adds what is said of one file. Exits with a message where that cannot be written."""
         if not text:
             return
         if several and not self.folder and self.format in (Format.text, Format.markdown):

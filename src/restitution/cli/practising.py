@@ -35,7 +35,7 @@ class Practising:
 
 
 def list_topics() -> None:
-    """Write down the topics by group, with their ids."""
+    """Writes down the topics by group, with their ids."""
     from restitution.practice.questions.topics import TOPICS
 
     group = ""
@@ -48,7 +48,7 @@ def list_topics() -> None:
 
 
 def practise(asked: Practising) -> int:
-    """Do what was asked, and give the exit status."""
+    """Does what was asked, and gives the exit status."""
     try:
         if asked.like is not None:
             return _like(asked, asked.like)
@@ -111,7 +111,7 @@ class _State:
                 raise StatementError(f"{file}: {error.message}") from None
 
     def keep(self) -> None:
-        """Write it down, all or nothing."""
+        """Writes it down, all or nothing."""
         if self.path is None:
             return
         beside = self.path.with_name(self.path.name + ".new")

@@ -182,7 +182,7 @@ def solve(asked: Solving, early: Worker | None) -> int:
 
 
 def run_plainly(arguments: Sequence[str], worker: Worker | None) -> bool:
-    """Do what the arguments of the command ask for, and exit; False where it is not done here."""
+    """Does what the arguments of a command ask for, and exits; False where it is not done here."""
     # Windows has patterns of names filled in by whoever reads all forms; so are completions made.
     elsewhere = sys.platform == "win32" or "_RESTITUTION_COMPLETE" in os.environ
     asked = None if elsewhere or arguments[:1] != ["solve"] else plainly(arguments[1:])

@@ -402,7 +402,7 @@ def _settle(index: int, offers: dict[int, list[_Offer]], chosen: dict[int, _Offe
 
 
 def _improve(index: int, offers: dict[int, list[_Offer]], chosen: dict[int, _Offer]) -> bool:
-    """Give a label a better place, if that makes the sum of the costs less."""
+    """Gives a label a better place, if that makes the sum of the costs less."""
     now = chosen[index].cost
     return any(
         _move(index, offer, offers, chosen, now - offer.cost)

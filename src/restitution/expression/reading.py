@@ -168,7 +168,7 @@ def parse_tokens(parser: Lark, reading: Reading, builders: Mapping[str, Builder]
 
 
 def _fold(reading: Reading, tree: Any, builders: Mapping[str, Builder]) -> Span:
-    """Build the value of each node from those below it; a loop, for trees may be deep."""
+    """Builds the value of each node from those below it; a loop, for trees may be deep."""
     done: list[Span] = []
     pending: list[tuple[Any, bool]] = [(tree, False)]
     while pending:

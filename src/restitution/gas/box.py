@@ -563,7 +563,7 @@ class Gas:
     # --- saved states ----------------------------------------------------------------------------
 
     def save(self, path: str | Path) -> None:
-        """Write all that is needed to go on, to the last bit, into an ``.npz`` file."""
+        """Writes all that is needed to go on, to the last bit, into an ``.npz`` file."""
         if Path(path).suffix != ".npz":
             raise StatementError(f"the file {Path(path).name} has to end in .npz")
         box, rules, counts = self.box, self.rules, self.counts

@@ -89,7 +89,7 @@ def _within(places: np.ndarray, box: Box) -> np.ndarray:
 
 
 def write(table: np.ndarray, path: str | Path) -> None:
-    """Write a structured array to a file: ``.npz`` (in it as ``table``) or ``.parquet``.
+    """Writes a structured array to a file: ``.npz`` (in it as ``table``) or ``.parquet``.
 
     Raises:
         StatementError: another ending.

@@ -218,7 +218,7 @@ class Engine:
         return [0] * length if self.plain else aligned((length,), dtype)
 
     def load(self) -> None:
-        """Take the state from the discs' arrays."""
+        """Takes the state from the discs' arrays."""
         discs, box = self.discs, self.box
         flat = [array.reshape(-1) for array in (discs.row, discs.small, discs.tally)]
         if self.plain:
@@ -235,7 +235,7 @@ class Engine:
         self._fastest = float(np.hypot(discs.row[:, k.VX], discs.row[:, k.VY]).max())
 
     def store(self) -> None:
-        """Give the state back to the discs' arrays."""
+        """Gives the state back to the discs' arrays."""
         discs = self.discs
         for array, values in zip((discs.row, discs.small, discs.tally), self._now):
             array.reshape(-1)[:] = values
@@ -345,7 +345,7 @@ class Engine:
                 self._calm = 0
 
     def _book(self, done: Sequence[Done]) -> int:
-        """Add up what was done; how many changes of velocity it was."""
+        """Adds up what was done; how many changes of velocity it was."""
         counts, changed = self.counts, 0
         for each in done:
             twice_pairs, walls, _, predictions, events, crossings = each.totals[:6]

@@ -291,7 +291,7 @@ class _Story:
 
 
 def _tell(story: _Story, line: LogicalLine) -> None:
-    """Add one line to the story."""
+    """Adds one line to the story."""
     place = line.source.place(line.start)
     if line.word == "title":
         _tell_title(story, line, place)
@@ -303,7 +303,7 @@ def _tell(story: _Story, line: LogicalLine) -> None:
 
 
 def _add(story: _Story, line: LogicalLine, reading: Reading, value: Any) -> None:
-    """Add what a line says to the story."""
+    """Adds what a line says to the story."""
     place = line.source.place(line.start)
     story.notes.extend((*reading.scan.warnings, *reading.warnings))
     story.doubts.extend(reading.warnings)
@@ -369,7 +369,7 @@ def _tell_part(story: _Story, line: LogicalLine, place: Place) -> None:
 
 
 def _declare(story: _Story, declaration: Declaration, token: Token) -> None:
-    """Add what a line says of one body to what is known of it."""
+    """Adds what a line says of one body to what is known of it."""
     name, place = str(token), place_of(token)
     known = story.names.get(name)
     if known != declaration.kind:

@@ -257,7 +257,7 @@ class _Span:
         self._basis: list[tuple[int, tuple[int, ...]]] = []
 
     def add(self, row: tuple[int, ...]) -> bool:
-        """Take up a row; False where the span had it already."""
+        """Takes up a row; False where the span had it already."""
         if row in self._seen:
             return False
         self._seen.add(row)

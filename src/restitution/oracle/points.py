@@ -122,7 +122,7 @@ class Program:
         return signs
 
     def search(self, point: Point, signs: list[int | None], wanted: Iterable[int]) -> None:
-        """Put `near_signs` in place of None among signs, for the expressions with some numbers."""
+        """Puts `near_signs` in place of None among signs, for the expressions with some numbers."""
         left = [n for n in wanted if signs[n] is None]
         if left:
             for n, interval in zip(left, self.enclosures(point, _SEARCHED, left), strict=True):

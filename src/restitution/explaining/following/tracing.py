@@ -123,7 +123,7 @@ class Tracer:
             self._speak_of(premise.relation)
 
     def _speak_of(self, relation: Relation | Meaning) -> None:
-        """Take note of the angles that a line names: laws of others are left aside."""
+        """Takes note of the angles that a line names: laws of others are left aside."""
         new = {
             self.setting.quantity(node)
             for tree in trees_of(relation)
@@ -135,7 +135,7 @@ class Tracer:
             self._numbers = None
 
     def add(self, number: int, relation: Relation | Meaning) -> None:
-        """Take up a line: those that come can rest on it."""
+        """Takes up a line: those that come can rest on it."""
         self._speak_of(relation)
         if isinstance(relation, Meaning):
             quantity = self.setting.quantity(relation.quantity)

@@ -210,7 +210,7 @@ class Angles(Roots):
         return cosine, sine if times > 0 else -sine
 
     def divide_angles(self, trees: Iterable[Expression]) -> None:
-        """Take note of the parts of angles in some trees, before identities relate them."""
+        """Takes note of the parts of angles in some trees, before identities relate them."""
         for tree in trees:
             for argument in _arguments(tree):
                 for atom, count in self.turn(argument).terms:

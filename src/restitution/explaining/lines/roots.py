@@ -58,7 +58,7 @@ class Roots(Generators):
         return total
 
     def put_in_order(self, less: Value, greater: Value) -> None:
-        """Take up that one number is not less than another."""
+        """Takes up that one number is not less than another."""
         if isinstance(less, Plane) or isinstance(greater, Plane):
             return
         gap = greater - less

@@ -33,7 +33,7 @@ class Rules:
     """Letters of components: the difference of two of them, as it is cited, tells one of them."""
 
     def add(self, left: Expression, right: Expression, sense: int = 1) -> None:
-        """Take up ``left = right`` (times the sense) where the left side is a subject."""
+        """Takes up ``left = right`` (times the sense) where the left side is a subject."""
         try:
             own, value = self.world.value(left), self.world.value(right)
         except NotComparableError:
@@ -54,7 +54,7 @@ class Rules:
         along: tuple[Expression, int],
         across: tuple[Expression, int],
     ) -> None:
-        """Take up a vector by its components, each with its sense, in directions in letters."""
+        """Takes up a vector by its components, each with its sense, in directions in letters."""
         try:
             own, unit = self.world.value(vector), self.world.unit(axis)
             parts = [self.world.scalar(tree) * CONSTANT(sense) for tree, sense in (along, across)]

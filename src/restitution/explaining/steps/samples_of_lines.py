@@ -132,7 +132,7 @@ class Numbers:
         return None if own == (None, None) else own
 
     def add(self, cited: Cited, levels: Sequence[int] = (0, 1)) -> None:
-        """Take up a line above, or a fact that is used as one."""
+        """Takes up a line above, or a fact that is used as one."""
         if not isinstance(cited.relation, Relation) or len(cited.relation.options) != 1:
             return
         for level in levels:

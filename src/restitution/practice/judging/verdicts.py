@@ -197,7 +197,7 @@ class Judge(Unlabelled):
         )
 
     def _take_acute(self, script: Script) -> None:
-        """Take another angle for a letter that means one to a line, if more is true so.
+        """Takes another angle for a letter that means one to a line, if more is true so.
 
         A line has two directions, and students measure from either, and in either sense.
         """

@@ -209,7 +209,7 @@ def _add(
     name: str,
     keys: Collection[tuple[str | None, int]],
 ) -> Iterator[tuple[str | None, int]]:
-    """Add what a world makes of some items, and tell of which it makes something else."""
+    """Adds what a world makes of some items, and tells of which it makes something else."""
     for part, place in sorted(keys, key=str):
         item = solution.parts[part].items[place]
         changed = next((other for other in world.items if other.true is item), None)

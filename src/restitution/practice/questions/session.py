@@ -268,7 +268,7 @@ class Conversation:
                 handed_in = True
 
     def _working(self, draft: list[str]) -> Word | None:
-        """Add lines to a draft up to an empty one; the word that ended them instead, if one did."""
+        """Adds lines to a draft up to an empty one; the word that ended them instead, or None."""
         while True:
             line = self.read("> ")
             if line is None:
