@@ -333,3 +333,99 @@ def test_a_component_that_stays_is_seen_in_a_remark() -> None:
         for one in (seen, unseen)
     ]
     assert states == ["earned", "lost"]
+
+
+TURNED_BACK = """
+sphere A: mass m, velocity 4u i
+sphere B: mass 3m, velocity u i
+A hits B: along i
+given along(velocity(A), i) < 0
+find range of e
+"""
+NAMELESS_WALL = """
+sphere P: mass 2, velocity 4i - 3j
+P hits W
+wall W
+given velocity(P) = i + 3j
+find impulse(P), e, energy_lost
+"""
+AT_ANGLES = """
+sphere A: mass 3, velocity 5 at alpha
+given tan(alpha) = 3/4
+sphere B: mass 2, velocity 2 at 120°
+A hits B: along i, e = 2/5
+find speed(B), energy_lost
+"""
+BALL = """
+wall W: along i
+sphere P: mass 0.5, velocity 13 at alpha to W
+given tan(alpha) = 5/12
+P hits W: e = 2/5
+find speed(P)
+"""
+WAY_BACK = """
+wall AB: along i
+wall BC: along j
+sphere P: mass m, velocity u at theta to AB
+given e > 0
+P hits AB
+P hits BC: e = e
+show velocity(P) opposite to velocity(P, 0)
+"""
+
+
+def kinds(found: dict[str, Any]) -> list[tuple[str, str]]:
+    return [(each["kind"], each["state"]) for each in found["marks"]["points"]]
+
+
+def test_a_range_has_both_its_ends() -> None:
+    lines = "7u = v + 3w\nw - v = 3eu\nv = (7 - 9e)u/4\n7 - 9e < 0\n"
+    one, both, apart = (
+        kinds(marked(TURNED_BACK, lines + end))[-1]
+        for end in ("e > 7/9", "7/9 < e <= 1", "e > 7/9\ne ≤ 1")
+    )
+    assert one == ("A1ft", "lost") or one == ("A1", "lost")
+    assert both[1] == apart[1] == "earned"
+
+
+def test_an_inequality_the_wrong_way_is_no_method() -> None:
+    lines = "7u = v + 3w\nw - v = 3eu\nv = (7 - 9e)u/4\n"
+    ends = ("7 - 9e > 0\n7/9 > e", "v < 0", "7 - 9e < 0")
+    states = [kinds(marked(TURNED_BACK, lines + end))[-2][1] for end in ends]
+    assert states == ["lost", "lost", "earned"]
+
+
+def test_an_energy_by_whole_speeds_shows_no_components() -> None:
+    found = marked(NAMELESS_WALL, "I = -6i + 12j\ne = √10/5\nKE lost = 25 - 10 = 15", {"v": "e"})
+    earned = [each["for"] for each in found["marks"]["points"] if each["state"] == "earned"]
+    assert "components" not in earned
+    assert "kinetic energy" in earned
+
+
+def test_an_energy_of_components_shows_no_speed() -> None:
+    lines = """12 - 2 = 3v + 2w
+w - v = 2
+v = 6/5, w = 16/5
+speed of B = 3.2
+KE lost = 1.5(16 - 1.44) + (1 - 10.24) = 12.6"""
+    found = marked(AT_ANGLES, lines)
+    speed = [x["state"] for x in found["marks"]["points"] if x["for"].startswith("speed")]
+    assert speed == ["lost"]
+    assert points(found) and found["marks"]["points"][-1]["state"] == "earned"
+
+
+def test_a_component_that_is_changed_below_is_not_seen() -> None:
+    before = "before: 12 along the wall, 5 perp\n"
+    lines = before + "along the wall after = 0.4 x 12 = 4.8\nperp after = 5"
+    assert kinds(marked(BALL, lines, {"v": "speed(P)"}))[0] == ("B1", "lost")
+    lines = before + "along the wall after = 12\nperp after = 2"
+    assert kinds(marked(BALL, lines, {"v": "speed(P)"}))[0] == ("B1", "earned")
+
+
+def test_a_direction_back_is_concluded_in_words() -> None:
+    lines = """after AB: ucosθ along AB, eusinθ perp
+after BC: eucosθ perp to BC, eusinθ along BC
+v = -eucosθ i + eusinθ j
+original u = ucosθ i - usinθ j
+v = -e u so opposite direction"""
+    assert kinds(marked(WAY_BACK, lines, {"v": "velocity(P)"}))[-1] == ("A1*", "earned")

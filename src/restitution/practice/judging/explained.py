@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from collections.abc import Sequence
 from typing import Protocol
 
@@ -35,6 +36,12 @@ class Explained:
     plain: str | None = None
     direct: bool = False
     of_impulse: bool = False
+
+    def shared_with(self, other: Explained) -> Explained:
+        """What explains this claim and another of its line, if anything explains both."""
+        ids = {variant.id for variant in other.variants}
+        both = tuple(variant for variant in self.variants if variant.id in ids)
+        return replace(self, variants=both or self.variants)
 
 
 class JudgedSoFar(Protocol):

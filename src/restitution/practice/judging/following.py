@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import chain
+from itertools import chain, combinations, takewhile
 
 import numpy as np
 
@@ -50,6 +50,7 @@ from restitution.practice.judging.other_forms import (
     after_later_events,
     by_components,
     by_energies,
+    is_signed,
     same_left,
 )
 from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
@@ -77,6 +78,13 @@ IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
 IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
 _HUNDRED = 100
 COEFFICIENT = re.compile(r"e(_\w+)?'*")
+
+# The sense of a component in words, behind its size.
+_BACK = re.compile(
+    r"\b(to the left|leftwards?|backwards?|downwards?|(in the )?(opposite|other|reverse) direction"
+    r"|the other way|reversed)\b",
+    re.IGNORECASE,
+)
 
 
 class Following(OwnValues):
@@ -531,6 +539,77 @@ class Following(OwnValues):
             for world in self.worlds:
                 if self._loosely(claim, world, line, link) is not None:
                     return JudgedLink("true", claim, "coarse", remark=COARSE)
+        return None
+
+    def _in_other_sense(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A component by its size, with its sense in words: ``v = 2u/15 to the left``."""
+        if not _BACK.search(line.text):
+            return None
+        for claim in link.readings:
+            left = claim.left
+            meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else None
+            inside = meant.operand if isinstance(meant, Negate) else meant
+            if claim.sign != "=" or claim.others or inside is None or not is_signed(inside):
+                continue
+            turned = replace(claim, right=Negate(claim.right))
+            for world in self.worlds:
+                grade = self.accuracy(turned, world, line, link)
+                if grade is not None:
+                    return JudgedLink("true", turned, grade)
+        return None
+
+    def _by_rounded_equation(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A value worked from a true equation with rounded numbers: ``cos φ = 12/12.17``, φ = 9.6.
+
+        A small angle may be far off by a cosine that is nearly 1.
+        """
+        before = takewhile(lambda other: other is not link, line.links)
+        equations = [
+            (self._entry_of(line, other, claim), other.decimals)
+            for other in before
+            for claim in other.readings[:1]
+        ]
+        last = self.entries[-1:]
+        equations += [(entry, entry.decimals) for entry in last if entry.right and not self.wrong]
+        for claim in link.readings if link.decimals else ():
+            match claim:
+                case Claim(Letter() as letter, "=", value, ()) if is_numeric(value):
+                    pass
+                case _:
+                    continue
+            for entry, decimals in equations:
+                columns = {each.column for each in decimals}
+                if letter not in walk(entry.claim.left) or not decimals:
+                    continue
+                if entry.number != line.number and columns & {x.column for x in link.decimals}:
+                    continue
+                own = exchanged(entry.claim.left, {letter: value})
+                put = replace(entry.claim, left=own)
+                if letter in walk(put.right) or not self._valid(entry.claim, entry):
+                    continue
+                if self._valid(put, replace(entry, decimals=(*decimals, *link.decimals))):
+                    return JudgedLink("true", claim, "coarse", remark=COARSE)
+        return None
+
+    def _at_another_time(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A time by the letter that another time has further up: ``t = 0.5``, then ``t = 2.5``."""
+        meanings = self.meanings(line.number)
+        events = range(len(self._base.events), 0, -1)
+        times: list[Expression] = [Quantity("time", (), number) for number in events]
+        times += [Binary("-", one, other) for one, other in combinations(times, 2)]
+        for claim in link.readings:
+            match claim:
+                case Claim(Letter(name), "=", value, ()) if is_numeric(value):
+                    meant = meanings.get(name)
+                case _:
+                    continue
+            if meant not in times:
+                continue
+            for time in times:
+                other = replace(claim, left=time)
+                grade = self._best_accuracy(other, self.worlds, line, link)
+                if grade is not None:
+                    return JudgedLink("true", other, grade)
         return None
 
     def _by_rounded_lines(self, line: ScriptLine, link: Link) -> JudgedLink | None:

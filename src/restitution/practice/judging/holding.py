@@ -59,6 +59,7 @@ from restitution.practice.reading.phrases import (
     is_vague,
     names_axis,
     read_phrase,
+    speaks_of_the_end,
     tells_after,
 )
 from restitution.practice.script import Claim, Link, ScriptLine
@@ -401,6 +402,8 @@ class Holding:
             world = self._base
             first = 1 if is_relative(phrase) or tells_after(phrase, world.problem) else 0
             event = event or event_of(phrase, world.problem)
+            if event is None and speaks_of_the_end(phrase):
+                event = len(world.events)
             trees = read_phrase(phrase, world.problem, event, world.now())
             if event is not None and trees and _is_of_an_event(trees[0]):
                 first = 1  # no deflection of the second impact is that of the first

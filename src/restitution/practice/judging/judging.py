@@ -23,7 +23,10 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
+    Negate,
     Number,
+    Quantity,
     children,
     is_binary,
     letters,
@@ -44,6 +47,7 @@ from restitution.practice.judging.misreading import (
     reread_once,
 )
 from restitution.practice.judging.other_forms import kind_of
+from restitution.practice.judging.scaling import sizes_taken
 from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.interpretation import Interpretation
@@ -80,7 +84,8 @@ def judge(
     """
     bench = bench_of(question, part)
     own = script.of(part)
-    bench = bench.taking(all_fixed(own, letters_of(bench.problem, bench.solved.part)))
+    fixed = all_fixed(own, letters_of(bench.problem, bench.solved.part))
+    bench = bench.taking({**sizes_taken(own, bench), **fixed})
     if not bench.worlds:
         return Judgement(tuple(JudgedLine(line, "remark") for line in own.lines), ())
     judgement = _judged(bench, own, part, letters)
@@ -153,7 +158,7 @@ class _Sitting(Doubts):
     def first_lines(self) -> tuple[Judge, tuple[JudgedLine, ...]]:
         """The lines under the likeliest meanings of the letters."""
         judge_, lines = self._judged(self.script, self.meanings.best)
-        return self._with_letters_kept(judge_, lines)
+        return self._with_letters_kept(*self._with_fewest_false(judge_, lines))
 
     def judgement(self, judge_: Judge, lines: tuple[JudgedLine, ...]) -> Judgement:
         """The lines with all that is looked into once they stand."""
@@ -191,6 +196,25 @@ class _Sitting(Doubts):
         judge_ = self._judge(interpretation, names=names)
         return judge_, judge_.judged(script)
 
+    def _with_fewest_false(
+        self, judge_: Judge, lines: tuple[JudgedLine, ...]
+    ) -> tuple[Judge, tuple[JudgedLine, ...]]:
+        """The lines where two letters may be those of the other bodies, if less is false so.
+
+        One mistake from which all else follows is likelier than several. Of one each way the
+        letters keep the order of the bodies.
+        """
+        false = sum(line.verdict == "false" for line in lines)
+        odd = not _is_in_order(self.meanings.best, self.bench.problem)
+        for other in _exchanged(self.meanings.best) if false else ():
+            with suppress(ExhaustedError):
+                judge_too, again = self._judged(self.script, other)
+                less = sum(line.verdict == "false" for line in again)
+                if 0 < less < false or (odd and less == false):
+                    self.meanings = replace(self.meanings, best=other)
+                    return judge_too, again
+        return judge_, lines
+
     # --- letters that keep their meanings -------------------------------------------------------
 
     def _with_letters_kept(
@@ -226,7 +250,7 @@ class _Sitting(Doubts):
         """
         best = self.meanings.best
         unknown = {name for name in judge_.unknown if not is_phrase(name)}
-        unknown |= set(self._angles_below(lines))
+        unknown |= set(self._doubtful_below(lines))
         false = sum(line.verdict == "false" for line in lines)
         if not unknown or not false or best.fixed_letters or any(m.since for m in best.meanings):
             return judge_, lines
@@ -255,11 +279,17 @@ class _Sitting(Doubts):
                 return other, again
         return judge_, lines
 
-    def _angles_below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
-        """The letters taken for an angle by their look alone, that stand in no line which holds."""
+    def _doubtful_below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
+        """The letters of which nobody said what they are, that stand in no line which holds.
+
+        None of the line in which the mistake begins.
+        """
+        false = (names_in(line.line) for line in lines if line.verdict == "false")
+        first = next(false, frozenset())
         for meaning in self.meanings.best.meanings:
             own = [line.verdict for line in lines if meaning.letter in names_in(line.line)]
             by_look = meaning.by == "default" and kind_of(meaning.quantity) in ANGLES
+            by_look = by_look or (meaning.by == "inferred" and meaning.letter not in first)
             if by_look and not is_phrase(meaning.letter) and "false" in own and "true" not in own:
                 yield meaning.letter
 
@@ -342,6 +372,59 @@ class _Sitting(Doubts):
             if worlds and self._judge(self.meanings.best, worlds).is_true(self.script):
                 return True
         return False
+
+
+def _of_one_line(best: Interpretation) -> tuple[Meaning, ...]:
+    """The two letters that are components of two bodies along one line, where nobody told so."""
+    own = tuple(
+        meaning
+        for meaning in best.meanings
+        if meaning.by == "inferred" and not is_phrase(meaning.letter)
+    )
+    axes = {_parts_of(meaning.quantity)[1:] for meaning in own}
+    bodies = {_parts_of(meaning.quantity)[0] for meaning in own}
+    return own if len(own) == len(bodies) == 2 and len(axes) == 1 and None not in bodies else ()
+
+
+def _parts_of(tree: Expression) -> tuple[str | None, Expression | None, object]:
+    """The body, the axis and the moment of a component along a line; None of anything else."""
+    match tree.operand if isinstance(tree, Negate) else tree:
+        case Quantity("along", (Quantity("velocity", (Name(body),), stage), axis)):
+            return body, axis, stage
+    return None, None, None
+
+
+def _is_in_order(best: Interpretation, problem: Problem) -> bool:
+    """Whether two such letters are in the order of the bodies: v of A, w of B."""
+    names = [sphere.name for sphere in problem.spheres]
+    pair = sorted(_of_one_line(best), key=lambda meaning: meaning.letter)
+    bodies = [_parts_of(meaning.quantity)[0] for meaning in pair]
+    places = [names.index(body) for body in bodies if body in names]
+    return places == sorted(places)
+
+
+def _turned(tree: Expression) -> Expression:
+    return tree.operand if isinstance(tree, Negate) else Negate(tree)
+
+
+def _exchanged(best: Interpretation) -> Iterator[Interpretation]:
+    """The meanings with two such letters for the other bodies, in either sense."""
+    pair = _of_one_line(best)
+    if not pair:
+        return
+    one, other = pair
+    for turned in (False, True):
+        put = {
+            a.letter: _turned(b.quantity) if turned else b.quantity
+            for a, b in ((one, other), (other, one))
+        }
+        yield replace(
+            best,
+            meanings=tuple(
+                replace(meaning, quantity=put.get(meaning.letter, meaning.quantity))
+                for meaning in best.meanings
+            ),
+        )
 
 
 def _kept(meanings: Sequence[Meaning]) -> Iterator[Meaning]:

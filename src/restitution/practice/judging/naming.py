@@ -417,9 +417,9 @@ class Names:
         return any(is_worth(term, entry, judge.base, worth) for term in terms)
 
     def _sizes(self, world: World) -> tuple[Array, ...]:
-        """The sizes of the components and speeds of the story that differ between samples."""
+        """The sizes of components, speeds and energies of the story that differ between samples."""
         if world.solution not in self._varying:
-            kinds = ("along", "across", "speed")
+            kinds = ("along", "across", "speed", "energy")
             trees = (candidate.quantity for candidate in candidates(self.problem, world.part))
             spreads = [varying_size(x, world) for x in trees if getattr(x, "kind", "") in kinds]
             self._varying[world.solution] = tuple(x for x in spreads if x is not None)

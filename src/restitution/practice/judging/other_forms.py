@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     is_binary,
     is_function,
     is_quantity,
+    letters,
     unsigned,
     walk,
 )
@@ -96,15 +97,19 @@ def of_natures(claim: Claim, meanings: Meanings) -> Iterator[Claim]:
 
 
 def of_known_speeds(claim: Claim, world: World) -> Iterator[Claim]:
-    """A claim about a speed of the question as one about the velocity: ``u = 2√3i - 2j``."""
-    match claim:
-        case Claim(Letter(name), "=", vector, ()) if name in world.letters:
-            for body in world.start:
-                speed, velocity = (Quantity(x, (Name(body),), 0) for x in ("speed", "velocity"))
-                if np.allclose(world.scalar(speed), world.spread(world.letters[name])):
-                    yield Claim(velocity, "=", vector)
-        case _:
-            return
+    """A claim with a speed of the question for the velocity: ``u = 2√3i - 2j``, ``v = -e u``."""
+    if claim.sign != "=" or claim.others:
+        return
+    names = letters(claim.left) | letters(claim.right)
+    for name in sorted(names & world.letters.keys()):
+        for body in world.start:
+            speed, velocity = (Quantity(x, (Name(body),), 0) for x in ("speed", "velocity"))
+            if not np.allclose(world.scalar(speed), world.spread(world.letters[name])):
+                continue
+            sides = claim.left, claim.right
+            left, right = (exchanged(side, {Letter(name): velocity}) for side in sides)
+            forms = ((left, claim.right), (claim.left, right), (left, right))
+            yield from (Claim(one, "=", other) for one, other in dict.fromkeys(forms))
 
 
 def as_vectors(claim: Claim, meanings: Meanings) -> Claim:

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     is_binary,
     is_quantity,
     letters,
+    walk,
 )
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.deduction import is_identity
@@ -49,7 +50,7 @@ from restitution.practice.worlds.principles import uses_of
 from restitution.practice.worlds.student import facts_of, student_world
 from restitution.practice.worlds.turning import with_line_at
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact, Problem
+from restitution.problem import Compare, Given, Impact, Problem
 
 ALTERED = 3
 """So many of the altered laws that explain a mistake are looked into."""
@@ -149,6 +150,9 @@ class OwnValues(Holding):
         return self._own[1]
 
     def _worlds_of_student(self, entries: Sequence[Entry]) -> Iterator[World]:
+        # Who puts two angles together wrongly has no other motion by that.
+        moving = [x for x in entries if not (x.wrong and self._is_deflection(x))]
+        entries = moving or list(entries)
         broken = self._broken(entries)
         facts = any(fact.law for fact in facts_of(self._base))
         for latest, laws_first in ((True, False), (False, False), (True, True)):
@@ -180,6 +184,22 @@ class OwnValues(Holding):
             world = student_world(self._base, own, self.question.unknown, laws_first=facts)
             if world is not None:
                 yield world
+
+    def _is_deflection(self, entry: Entry) -> bool:
+        """Whether a claim gives an angle of deflection, of which the question tells nothing."""
+        left = entry.claim.left
+        meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+        turned = isinstance(meant, Quantity) and meant.kind == "deflection"
+        given = any(
+            isinstance(node, Quantity) and node.kind == "deflection"
+            for _, step in self._base.problem.steps()
+            if isinstance(step, Given)
+            for relation in step.relations
+            if isinstance(relation, Compare)
+            for side in relation.operands
+            for node in walk(side)
+        )
+        return turned and not given
 
     def _with_own_line(self, entries: Sequence[Entry]) -> World | None:
         """The true world with the line of centres at the student's own angle, if that is wrong.

@@ -91,7 +91,7 @@ class Support:
         """Whether a true claim is what is printed or asked, and no line above supports it."""
         wrong = any(entry.wrong for entry in entries)
         if not self.is_printed(entry) and not (
-            self.is_asked(entry) and any(_differs(entry, other) for other in entries)
+            bool(self.answered_by(entry)) and any(_differs(entry, other) for other in entries)
         ):
             return False
         right = [entry for entry in entries if entry.right]
@@ -123,13 +123,12 @@ class Support:
         """Whether a claim is a relation that the part prints."""
         return any(self._same(entry, claim, now) for claim, now in self.wanted.printed)
 
-    def is_asked(self, entry: Entry) -> bool:
-        """Whether a claim gives a quantity that the part asks for its value."""
+    def answered_by(self, entry: Entry) -> tuple[tuple[Expression, int], ...]:
+        """The quantities that the part asks for to which a claim gives a value."""
         if entry.claim.sign != "=" or not is_numeric(entry.claim.right):
-            return False
-        return any(
-            self._equal(entry, entry.claim.left, tree, now) for tree, now in self.wanted.asked
-        )
+            return ()
+        asked = self.wanted.asked
+        return tuple(item for item in asked if self._equal(entry, entry.claim.left, *item))
 
     def _same(self, entry: Entry, claim: Claim, now: int) -> bool:
         own = entry.claim

@@ -11,10 +11,22 @@ from itertools import product
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Binary, Expression, Name, Negate, Number, Quantity, walk
+from restitution.expression.tree import (
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Quantity,
+    letters,
+    walk,
+)
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.judging.entries import is_numeric
 from restitution.practice.judging.following import Following
+from restitution.practice.judging.judged_link import JudgedLink
+from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 
@@ -32,15 +44,16 @@ class Unlabelled(Following):
         None where another line answers, where a line is not true, and where the number is that of
         anything in the story. That it has a mistake with a name is still to be seen.
         """
-        asked = self.question.wanted.asked
         sound = all(line.verdict in ("true", "remark") for line in lines)
-        if len(asked) != 1 or not lines or not sound or self.question.extreme:
+        if not lines or not sound or self.question.extreme:
             return None
-        if any(self._support.is_asked(entry) for entry in self.entries):
+        answered = {item for entry in self.entries for item in self._support.answered_by(entry)}
+        left = [item for item in self.question.wanted.asked if item not in answered]
+        if len(left) != 1:
             return None
         last = lines[-1].line
         value = _value_of(last)
-        tree, now = asked[0]
+        tree, now = left[0]
         if value is None or now != self._base.now(last.scope):
             return None
         decimals = last.links[-1].decimals if last.links else ()
@@ -51,6 +64,22 @@ class Unlabelled(Following):
             return None
         first = next(line.line for line in lines if self._works_out(line.line, value))
         return first, link, last.number
+
+    def _without_title(self, line: ScriptLine, links: Sequence[JudgedLink]) -> ScriptLine | None:
+        """A line without the words before an equation, if these only announce it.
+
+        In ``perpendicular: 1 - 4e = 0`` it is not a component that is zero.
+        """
+        if len(links) < 2 or links[0].verdict != "false" or ":" not in line.text:
+            return None
+        title, equation = (link.readings[0] for link in line.links[:2])
+        label = title.left
+        if not isinstance(label, Letter) or not is_phrase(label.name):
+            return None
+        unknown = (letters(equation.left) | letters(equation.right)) & self.question.unknown
+        if title.right != equation.left or links[1].verdict != "true" or not unknown:
+            return None
+        return replace(line, links=line.links[1:])
 
     def _known_of_kind(self, tree: Expression) -> Iterator[Expression]:
         """What numbers on the way to an answer may be: of an energy, energies and parts of them."""

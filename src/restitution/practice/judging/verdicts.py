@@ -6,7 +6,6 @@ judged in the student's own world as well. The truth of a line never depends on 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
@@ -51,7 +50,6 @@ from restitution.practice.judging.listed import as_components
 from restitution.practice.judging.naming import is_sum_of_angles
 from restitution.practice.judging.other_forms import (
     after_later_events,
-    is_signed,
     is_to_a_line,
     kind_of,
     label_in,
@@ -87,12 +85,6 @@ _WORST: tuple[Verdict, ...] = ("false", "unread", "asks", "unsupported", "follow
 # A cosine below this, turned, is that of an obtuse angle whatever the rounding.
 _OBTUSE = 1e-6
 _SAME_RATIO = 1e-9
-# The sense of a component in words, behind its size.
-_BACK = re.compile(
-    r"\b(to the left|leftwards?|backwards?|downwards?|(in the )?(opposite|other|reverse) direction"
-    r"|the other way|reversed)\b",
-    re.IGNORECASE,
-)
 
 
 class Judge(Unlabelled):
@@ -256,6 +248,8 @@ class Judge(Unlabelled):
             return JudgedLine(line, "remark", uses=tuple(dict.fromkeys(stating)))
         line = self._with_sizes(self._with_axes(line))
         links = self._links(line)
+        if (equation := self._without_title(line, links)) is not None:
+            line, links = equation, links[1:]
         verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)
         worst = links[place]
@@ -268,6 +262,10 @@ class Judge(Unlabelled):
             return JudgedLine(line, "remark")
         if verdict == "false" and self._names and len(self._explained) < NAMED:
             explained = self._explained_in(line, links, place)
+            others = (k for k, link in enumerate(links) if link.verdict == "false" and k != place)
+            for other in others if len(explained.variants) > 1 else ():
+                entry = self._entry(line, line.links[other], links[other])
+                explained = explained.shared_with(self.naming.explained(entry, self))
             variants = as_labelled(explained.variants, line.text)
             self._explain(line.number, replace(explained, variants=variants))
         for name in worst.letters:
@@ -598,27 +596,12 @@ class Judge(Unlabelled):
             or self._at_an_extreme(line, link)
             or self._adopted_at_an_extreme(line, link)
             or self._becoming(line, link)
+            or self._by_rounded_equation(line, link)
             or self._by_rounded_lines(line, link)
+            or self._at_another_time(line, link)
             or self._following(line, link)
             or self._refused(line, link)
         )
-
-    def _in_other_sense(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        """A component by its size, with its sense in words: ``v = 2u/15 to the left``."""
-        if not _BACK.search(line.text):
-            return None
-        for claim in link.readings:
-            left = claim.left
-            meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else None
-            inside = unsigned(meant)
-            if claim.sign != "=" or claim.others or inside is None or not is_signed(inside):
-                continue
-            turned = replace(claim, right=Negate(claim.right))
-            for world in self.worlds:
-                grade = self.accuracy(turned, world, line, link)
-                if grade is not None:
-                    return JudgedLink("true", turned, grade)
-        return None
 
     def _refused(self, line: ScriptLine, link: Link) -> JudgedLink:
         """A link that neither holds nor follows: false, or not to be decided."""

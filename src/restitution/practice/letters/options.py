@@ -171,6 +171,9 @@ def _by_suffix(letter: str, candidate: Candidate, problem: Problem) -> float | N
             if candidate.kind == "relative" and below not in spheres:
                 return None  # v_B is no velocity of A relative to B
             break
+    named = len(letter) == 1 and letter.islower() and letter.upper() in spheres
+    if named and candidate.body not in (None, letter.upper()):
+        cost += _RARE  # b is of B
     if below[:1] in ("x", "y", "i", "j"):
         extra = _axis_cost(below[0], candidate, problem)
         return None if extra is None else cost + extra

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from restitution.explaining.lines.derivation import FLIPPED
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.marking.grounds import LAWS, Grounds
@@ -65,6 +66,11 @@ def _is_of_plain_mistake(line: JudgedLine, use: Use) -> bool:
     """Whether a line with a mistake about a deflection only happens to fit an altered law."""
     named = line.mistake is not None and line.mistake.id in _OF_DEFLECTION
     return named and use.altered is not None and use.principle in LAWS
+
+
+def _is_inequality(point: MarkPoint) -> bool:
+    """Whether a point is for an inequality, which no value of a letter is."""
+    return point.link is not None and point.link.sign in FLIPPED
 
 
 class EachPoint(Grounds):
@@ -129,7 +135,7 @@ class EachPoint(Grounds):
             if divided is not None:
                 return self._earned(point, divided, "")
         solving = point.principle in ("solve", "method") or (
-            point.principle == "condition" and bool(point.depends)
+            point.principle == "condition" and bool(point.depends) and not _is_inequality(point)
         )
         if lost is None and solving:
             line_of_value = self._elimination(point) or self._worked_out(point)
@@ -216,6 +222,8 @@ class EachPoint(Grounds):
         for line in self.lines:
             end = line.link or 0 if line.verdict == "false" else len(line.line.links)
             signs = {link.readings[0].sign for link in line.line.links[:end]}
+            if self._is_turned(line) or self.values.restates_a_fact(line):
+                continue
             if line.verdict in (*SOUND, "false") and signs - {"=", "!="}:
                 return line
         return None
@@ -283,12 +291,17 @@ class EachPoint(Grounds):
                 continue
             if sound and self._is_denied(point) and not self.values.has_velocities(line):
                 continue  # 13 cos α = 12 tells nothing of what stays
+            if sound and point.principle == "component" and line.verdict == "follows":
+                continue  # a component that is read off is right, or has no mark
             if sound and (lost is None or line.verdict == "true"):
                 return self._earned(point, line, "")
             lost = lost or PointMark(point, "lost", line.line.number, self._reason(line))
+        condition = self._condition(point) if lost is None and not point.shown else None
+        if condition is not None:
+            return self._earned(point, condition, "")
         value = self._value(point)
         seen = next((line for line in self.lines if self.values.is_seen(point, line)), None)
-        if value.state != "earned" and seen is not None:
+        if value.state != "earned" and seen is not None and not self._is_withdrawn(lost, seen):
             return self._earned(point, seen, "seen here")
         if value.state == "earned" or lost is not None:
             return value if value.state == "earned" else lost or value
@@ -296,7 +309,8 @@ class EachPoint(Grounds):
             (
                 line
                 for line in self.lines
-                if self.values.carries(point, line) and not self._is_unresolved(line)
+                if self.values.carries(point, line)
+                and not (self._is_unresolved(line) or self._is_exchanged(point, line))
             ),
             None,
         )
@@ -374,6 +388,8 @@ class EachPoint(Grounds):
                 why = "does not follow from the lines above"
                 if last is None or last.state != "earned":
                     last = PointMark(point, "lost", line.line.number, why)
+        if last is not None and last.state == "earned" and self._lacks_an_end(point, last):
+            last = replace(last, state="lost", why="the other end of the range is missing")
         if last is not None and last.state == "earned" and self._is_one_of_several(point, last):
             sound = [line for line in self.lines if line.verdict in SOUND]
             alike = [other for other in self.scheme.points if other.item == point.item]
@@ -411,6 +427,13 @@ class EachPoint(Grounds):
         """Whether a right answer may be one of several; of what follows nobody counts them."""
         line = self._line(mark.line)
         return point.item is not None and line is not None and line.verdict != "follows"
+
+    def _lacks_an_end(self, point: MarkPoint, mark: PointMark) -> bool:
+        """Whether a range is answered by one of its two ends alone, in all lines."""
+        line = self._line(mark.line)
+        if point.item is None or line is None or line.verdict != "true":
+            return False
+        return self.values.lacks_an_end(point, [x for x in self.lines if x.verdict in SOUND])
 
     def _is_begun(self, point: MarkPoint, mark: PointMark) -> bool:
         """Whether a value is earned by a multiple of it alone: ``3v/2 = √13/6``."""
@@ -586,6 +609,9 @@ class EachPoint(Grounds):
                 continue  # a change needs the energy after as well
             if self._is_of_another(point, line):
                 continue
+            by_energy = (point.principle, use.principle) == ("speed", "energy")
+            if by_energy and self._is_answered_wrongly(point):
+                continue  # an energy from the components that change needs no speed
             own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
             if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):
                 continue

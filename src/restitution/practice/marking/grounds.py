@@ -119,3 +119,34 @@ class Grounds:
 
     def _line(self, number: int | None) -> JudgedLine | None:
         return next((line for line in self.lines if line.line.number == number), None)
+
+    def _is_withdrawn(self, lost: PointMark | None, seen: JudgedLine) -> bool:
+        """Whether a component that is only seen is changed by a mistake in a line below."""
+        line = None if lost is None else self._line(lost.line)
+        if line is None or line.verdict != "false" or line.mistake is None:
+            return False
+        named = line.mistake.kind == "misconception"
+        return named and line.line.number > seen.line.number
+
+    def _is_exchanged(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a value only follows from a mistake by which no component stays as it is."""
+        if point.principle != "unchanged" or line.verdict != "follows":
+            return False
+        named = [MISCONCEPTIONS.get(x.mistake.id or "") for x in self._roots(line) if x.mistake]
+        return any(x is not None and (x.mark_of("unchanged") or "")[:2] == "B0" for x in named)
+
+    def _is_turned(self, line: JudgedLine) -> bool:
+        """Whether an inequality only follows from one that is false, and has no sign of its own."""
+        return line.verdict == "follows" and any(
+            {link.readings[0].sign for link in root.line.links} - {"=", "!="}
+            for root in self._roots(line)
+        )
+
+    def _is_answered_wrongly(self, point: MarkPoint) -> bool:
+        """Whether a false line gives the answer for which a method is."""
+        answers = [other for other in self.scheme.points if point.id in other.depends]
+        return any(
+            line.verdict == "false" and self.values.matches(answer, line) is not None
+            for answer in answers
+            for line in self.lines
+        )

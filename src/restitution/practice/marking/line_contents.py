@@ -102,6 +102,18 @@ class LineContents(Sides):
             rounded and self._has_figures_of(value, link.left, line)
         )
 
+    def has_whole_energy(self, line: JudgedLine) -> bool:
+        """Whether a line has the kinetic energy of all before an impact: ``25 - 10 = 15``."""
+        stages = [Quantity("energy", (), number) for number in range(len(self._base.events))]
+        terms = {
+            node
+            for chain in chains(line)
+            for claim in chain
+            for node in walk(claim.right)
+            if not isinstance(node, Letter)
+        }
+        return any(self._is_worth(term, energy, line) for term in terms for energy in stages)
+
     def relates(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a true line has the approach, or the separation, of which a component is part."""
         link = point.link

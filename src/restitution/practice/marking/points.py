@@ -19,6 +19,7 @@ from restitution.practice.marking.lines import (
     as_true,
     continues,
     ends_fine,
+    is_plain,
     without_slip,
     wrong_numbers,
 )
@@ -34,7 +35,9 @@ _OF_FACTS = ("angle", "deflection", "component", "speed", "fact")
 _IN_EQUATIONS = ("component", "unchanged", "angle", "condition", "direction", "fact")
 
 # Methods with values that laws have given.
-_OF_STEPS = ("solve", "velocity", "speed", "angle", "direction", "component", "condition")
+_OF_STEPS = ("solve", "velocity", "speed", "angle", "direction", "component", "condition") + (
+    "deflection",
+)
 
 # What a component is found by.
 _RESOLVING = ("component", "angle", "direction")
@@ -140,6 +143,7 @@ class _Examiner(EachPoint):
             stated = stated and not self._is_given(point, line)
             if stated and point.principle not in ("solve", "fact"):
                 continue
+            whole = point.principle == "energy" and self.values.has_whole_energy(line)
             for name in point.above:
                 state = self.states[name]
                 other = state.point.principle not in _OF_FACTS
@@ -157,6 +161,8 @@ class _Examiner(EachPoint):
                     continue  # an equation needs the components in it, and nothing found before
                 if state.line is not None and self._is_wrong(state.line):
                     continue
+                if whole and state.point.principle in (*_RESOLVING, "impulse", "speed"):
+                    continue  # an energy by whole speeds needs none of these
                 why = f"line {own.line} cannot be had without it"
                 self.states[name] = replace(
                     state, state="earned", line=own.line, why=why, implied=True
@@ -216,10 +222,15 @@ class _Examiner(EachPoint):
             line = self._line(own.line)
             if line is None or line.verdict != "follows" or point.shown:
                 continue
+            if self._is_turned(line):
+                continue
             for name in point.above:
                 state = self.states[name]
                 is_step = state.point.letter == "M" and state.point.principle in _OF_STEPS
                 is_step = is_step or self._is_of_other_law(state.point, line)
+                worked = state.point.principle == "energy" and name in point.depends
+                worked = worked and point.principle == "energy" and not is_plain(line)
+                is_step = is_step or (state.point.letter == "M" and worked)
                 is_step = is_step and not self._is_at_old_angle(state.point, line)
                 if is_step and state.state == "lost" and state.line is None:
                     why = f"line {own.line} cannot be had without it"

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -20,6 +21,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
+    Negate,
     Number,
     Quantity,
     Unit,
@@ -43,7 +45,7 @@ from restitution.practice.reading.quoted import has_data
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import UnvaluedError, is_bare
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact
+from restitution.problem import Aligned, Compare, Given, Impact, Show
 from restitution.records import dataclass
 from restitution.vector import Vector
 
@@ -51,6 +53,7 @@ Match = Literal["true", "own"]
 
 _STAYING = re.compile(r"\b(perp\w*|across|parallel|unchanged|stays?|same)\b", re.IGNORECASE)
 _CONCLUSIONS: Mapping[str, re.Pattern[str]] = {
+    "opposite to": re.compile(r"\b(opposite|anti-?parallel|reversed?|back)\b", re.IGNORECASE),
     "perpendicular to": re.compile(r"\b(perp\w*|right angles?)\b", re.IGNORECASE),
     "parallel to": re.compile(r"\b(parallel|direction|along|line of centres|loc)\b", re.IGNORECASE),
 }
@@ -152,6 +155,42 @@ class Values(LineContents):
         return line.verdict == "true" and any(
             sign in true and not any(self._is_end(end, true[sign], line) for end in ends)
             for sign, ends in own.items()
+        )
+
+    def lacks_an_end(self, point: MarkPoint, lines: Sequence[JudgedLine]) -> bool:
+        """Whether a range has two ends, and lines speak of one of them alone.
+
+        That what is positive is greater than zero need not be said.
+        """
+        ends = {sign[0]: end for sign, _, end in _bounds_of(point)}
+        needed = {sign for sign, end in ends.items() if end != Number(Fraction(0))}
+        own = {sign[0] for line in lines for sign, _ in self._bounds_in(point, line)}
+        return len(ends) > 1 and bool(own) and not needed <= own
+
+    def restates_a_fact(self, line: JudgedLine) -> bool:
+        """Whether an inequality is one that the question gives, before anything is put in."""
+        facts = [
+            pair
+            for _, step in self.worlds[0].problem.steps()
+            if isinstance(step, Given)
+            for fact in step.relations
+            if isinstance(fact, Compare) and "=" not in fact.operators
+            for pair in pairwise(fact.operands)
+            if any(map(any, map(quantities_in, pair)))
+        ]
+        meanings = self._meanings(line)
+        own = [claim for chain in chains(line) for claim in chain if claim.sign in FLIPPED]
+        return (
+            line.verdict == "true"
+            and bool(own)
+            and all(
+                any(
+                    self._names(one, left, meanings, line) and other == right
+                    for one, other in ((claim.left, claim.right), (claim.right, claim.left))
+                    for left, right in facts
+                )
+                for claim in own
+            )
         )
 
     def _is_end(self, own: Expression, true: Expression, line: JudgedLine) -> bool:
@@ -447,7 +486,16 @@ class Values(LineContents):
         """The words in which a student concludes what is printed of a direction."""
         if point.link is None or not point.shown:
             return None
-        if point.link.sign == "=" and isinstance(point.link.right, Binary):
+        right = point.link.right
+        aligned = (
+            isinstance(step, Show) and isinstance(step.relation, Aligned)
+            for _, step in self.worlds[0].problem.steps()
+        )
+        ahead = point.link.sign == "=" and any(x.kind == "velocity" for x in quantities_in(right))
+        if ahead and any(aligned):
+            turned = any(isinstance(node, Negate) for node in walk(right))
+            return _CONCLUSIONS["opposite to" if turned else "parallel to"]
+        if point.link.sign == "=" and isinstance(right, Binary):
             unit = any(isinstance(node, Unit) for node in walk(point.link.right))
             vector = is_quantity(point.link.left, "impulse")
             return _CONCLUSIONS["parallel to"] if unit and vector else None

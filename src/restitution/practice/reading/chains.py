@@ -240,8 +240,12 @@ class Chains:
         return read_sides(tokens, self.usage, self.number, column)
 
     def _is_moving(self, tree: Expression) -> bool:
-        """Whether a vector may be a velocity: it is no letter alone."""
-        return is_vector(tree, self.usage.vectors) and not isinstance(tree, Letter | Unit)
+        """Whether a vector may be a velocity: it is no letter alone.
+
+        A u of the question is a number there, whatever the script calls by it elsewhere.
+        """
+        vectors = self.usage.vectors - self.usage.letters
+        return is_vector(tree, vectors) and not isinstance(tree, Letter | Unit)
 
     def label_tree(
         self, label: Token, sides: tuple[Side, ...], tokens: Sequence[Token] = ()

@@ -191,7 +191,21 @@ def _as_body(tokens: Sequence[Token], place: int, problem: Problem) -> Token:
     behind = tokens[place + 1].word if place + 1 < len(tokens) else ""
     if "angle" in {HEADS.get(word) for word in before} and behind in ("makes", "with", "to"):
         return replace(token, kind="name", name=body, text=body)
+    if _is_end_of_angle(tokens, place):
+        return replace(token, kind="name", name=body, text=body)
     return token
+
+
+def _is_end_of_angle(tokens: Sequence[Token], place: int) -> bool:
+    """Whether an angle is measured to or from a token: ``angle between v_A and i``."""
+    words = [token.word for token in tokens[:place]]
+    if "between" not in words:
+        return False
+    start = len(words) - 1 - words[::-1].index("between")
+    behind = tokens[place + 1].word if place + 1 < len(tokens) else ""
+    first = start + 1 == place and behind == "and"
+    last = words[-1] == "and" and "and" not in words[start + 1 : -1]
+    return (first or last) and "angle" in {HEADS.get(word) for word in words[:start]}
 
 
 def _is_copula(tokens: Sequence[Token], place: int) -> bool:

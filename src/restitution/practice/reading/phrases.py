@@ -51,6 +51,7 @@ __all__ = [
     "names_quantity",
     "names_time",
     "read_phrase",
+    "speaks_of_the_end",
     "tells_after",
     "words_of",
 ]
@@ -100,6 +101,11 @@ def is_relative(name: str) -> bool:
 def tells_after(name: str, problem: Problem) -> bool:
     """Whether a phrase says that its quantity is one after an event."""
     return features_of(words_of(name), problem).stage == "after"
+
+
+def speaks_of_the_end(name: str) -> bool:
+    """Whether a phrase names what is after all events: *final speed*."""
+    return not {"final", "finally", "eventual"}.isdisjoint(name.casefold().split())
 
 
 def event_of(name: str, problem: Problem) -> int | None:
@@ -601,7 +607,8 @@ class _Reader(Moments):
         if len(spheres) > 1 and features.direction is None and features.axis is None:
             first, second = (self.of("velocity", sphere, event) for sphere in spheres[:2])
             yield Quantity("angle", (first, second))
-        if features.between and not spheres and len(self.bodies_met(event)) == 2:
+        directed = features.axis is not None or features.direction is not None
+        if features.between and not (spheres or directed) and len(self.bodies_met(event)) == 2:
             yield self.angle_between(event)
             return
         if features.between and not (spheres or features.wall or features.direction):

@@ -15,6 +15,7 @@ from restitution.practice.reading.vocabulary import (
 from restitution.records import dataclass
 
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "phrase", "function", "("))
+_OF_NUMBERS = frozenset(("number", "+", "-", "*", "times", "dot", "/", "(", ")"))
 _CLOSING = frozenset(("number", "letter", "name", "unit", "pi", ")", "phrase", "percent"))
 
 
@@ -322,11 +323,13 @@ def _parting(tokens: Sequence[Token], first: int, place: int, second: int) -> Pa
 def _begins_another(tokens: Sequence[Token], first: int, place: int, second: int) -> bool:
     """Whether a relation for something new begins at a place.
 
-    None does in ``speed = √7/4 u = 7u/16``, nor in ``h = u/4 cos(t) - u/2 sin(t) = u (cos(t) -
-    2sin(t))/4``, whose angle goes on in the next side.
+    It does in ``a = 3 × 2 = 6 b = 2``. None does in ``speed = √7/4 u = 7u/16``, nor in
+    ``h = u/4 cos(t) - u/2 sin(t) = u (cos(t) - 2sin(t))/4``, whose angle goes on in the next side.
     """
     start = max((n for n in range(first) if tokens[n].kind == "relation"), default=-1) + 1
     right = tokens[place:second]
+    if start and _are_numbers(tokens[start:first]) and _are_numbers(tokens[first + 1 : place]):
+        start, first = 0, next(n for n in range(first) if tokens[n].kind == "relation")
     if not (_is_simple(right) and _is_simple(tokens[start:first])):
         return False
     own = {token.name for token in right if token.kind == "letter"}
@@ -374,6 +377,11 @@ def _may_part(tokens: Sequence[Token], place: int) -> bool:
     return before.kind in (*_CLOSING, "measure", "degrees") and (
         token.kind in _OPERANDS or token.kind == "|" or (token.kind == "-" and token.gap >= 2)
     )
+
+
+def _are_numbers(tokens: Sequence[Token]) -> bool:
+    """Whether a side is worked out from numbers alone."""
+    return all(token.kind in _OF_NUMBERS for token in tokens)
 
 
 def _is_simple(tokens: Sequence[Token]) -> bool:
