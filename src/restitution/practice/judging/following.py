@@ -24,6 +24,7 @@ from restitution.expression.tree import (
     has_quantity,
     is_function,
     letters,
+    unsigned,
     walk,
 )
 from restitution.practice.judgement import Accuracy, Use, Verdict
@@ -548,7 +549,7 @@ class Following(OwnValues):
         for claim in link.readings:
             left = claim.left
             meant = self.meanings(line.number).get(left.name) if isinstance(left, Letter) else None
-            inside = meant.operand if isinstance(meant, Negate) else meant
+            inside = unsigned(meant)
             if claim.sign != "=" or claim.others or inside is None or not is_signed(inside):
                 continue
             turned = replace(claim, right=Negate(claim.right))

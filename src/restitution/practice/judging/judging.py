@@ -24,12 +24,13 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Negate,
     Number,
     Quantity,
     children,
     is_binary,
     letters,
+    negated,
+    unsigned,
     walk,
 )
 from restitution.practice.judgement import JudgedLine, Judgement, Meaning, Mistake
@@ -388,7 +389,7 @@ def _of_one_line(best: Interpretation) -> tuple[Meaning, ...]:
 
 def _parts_of(tree: Expression) -> tuple[str | None, Expression | None, object]:
     """The body, the axis and the moment of a component along a line; None of anything else."""
-    match tree.operand if isinstance(tree, Negate) else tree:
+    match unsigned(tree):
         case Quantity("along", (Quantity("velocity", (Name(body),), stage), axis)):
             return body, axis, stage
     return None, None, None
@@ -403,10 +404,6 @@ def _is_in_order(best: Interpretation, problem: Problem) -> bool:
     return places == sorted(places)
 
 
-def _turned(tree: Expression) -> Expression:
-    return tree.operand if isinstance(tree, Negate) else Negate(tree)
-
-
 def _exchanged(best: Interpretation) -> Iterator[Interpretation]:
     """The meanings with two such letters for the other bodies, in either sense."""
     pair = _of_one_line(best)
@@ -415,7 +412,7 @@ def _exchanged(best: Interpretation) -> Iterator[Interpretation]:
     one, other = pair
     for turned in (False, True):
         put = {
-            a.letter: _turned(b.quantity) if turned else b.quantity
+            a.letter: negated(b.quantity) if turned else b.quantity
             for a, b in ((one, other), (other, one))
         }
         yield replace(

@@ -16,6 +16,7 @@ from restitution.errors import RestitutionError
 from restitution.expression.tree import Expression, Letter, Name, Quantity, letters
 from restitution.practice.judging.bench import Bench
 from restitution.practice.letters.surroundings import rational_value
+from restitution.practice.reading.grammar import is_vector
 from restitution.practice.reading.phrases import is_phrase, read_phrase
 from restitution.practice.script import Script
 from restitution.practice.worlds.world import World
@@ -58,8 +59,8 @@ def _numbers_typed(
             if claim.sign != "=" or not isinstance(claim.left, Letter) or letters(claim.right):
                 continue
             name = claim.left.name
-            if name in open_letters:
-                yield name, claim.right
+            if name in open_letters and is_vector(claim.right, frozenset()):
+                yield name, claim.right  # a number alone may be what is worked out
             elif is_phrase(name):
                 meant = next(iter(read_phrase(name, bench.problem, line.scope.event)), None)
                 for body in spheres:

@@ -26,7 +26,6 @@ from restitution.expression.tree import (
     Quantity,
     is_binary,
     letters,
-    unsigned,
 )
 from restitution.practice.judgement import JudgedLine, Mistake, Use, Verdict
 from restitution.practice.judging.angles import unnamed_in
