@@ -202,11 +202,10 @@ class _Sitting(Doubts):
     ) -> tuple[Judge, tuple[JudgedLine, ...]]:
         """The lines where two letters may be those of the other bodies, if less is false so.
 
-        One mistake from which all else follows is likelier than several. Of one each way the
-        letters keep the order of the bodies.
+        One mistake from which all else follows is likelier than several. Of one each way b is of B.
         """
         false = sum(line.verdict == "false" for line in lines)
-        odd = not _is_in_order(self.meanings.best, self.bench.problem)
+        odd = _is_named_otherwise(self.meanings.best)
         for other in _exchanged(self.meanings.best) if false else ():
             with suppress(ExhaustedError):
                 judge_too, again = self._judged(self.script, other)
@@ -395,13 +394,12 @@ def _parts_of(tree: Expression) -> tuple[str | None, Expression | None, object]:
     return None, None, None
 
 
-def _is_in_order(best: Interpretation, problem: Problem) -> bool:
-    """Whether two such letters are in the order of the bodies: v of A, w of B."""
-    names = [sphere.name for sphere in problem.spheres]
-    pair = sorted(_of_one_line(best), key=lambda meaning: meaning.letter)
-    bodies = [_parts_of(meaning.quantity)[0] for meaning in pair]
-    places = [names.index(body) for body in bodies if body in names]
-    return places == sorted(places)
+def _is_named_otherwise(best: Interpretation) -> bool:
+    """Whether such a letter has the name of another body: the b of A and B for A."""
+    pair = _of_one_line(best)
+    bodies = {meaning.letter: _parts_of(meaning.quantity)[0] for meaning in pair}
+    named = {letter for letter in bodies if letter.upper() in bodies.values() and letter.islower()}
+    return any(bodies[letter] != letter.upper() for letter in named)
 
 
 def _exchanged(best: Interpretation) -> Iterator[Interpretation]:
