@@ -114,8 +114,9 @@ def test_numbers_at_the_end_are_what_is_left_to_answer() -> None:
 
 
 def test_one_mistake_is_likelier_than_letters_that_change_places() -> None:
-    lines = ("6u = v + 3w", "w - v = u", "4w = 7u", "w = 7u/4", "v = 3u/4")
-    assert verdicts(LINE, *lines) == ["false", "true", "follows", "follows", "follows"]
-    marking = restitution.mark(solution_of(LINE), "\n".join(lines)).json()
+    lines = ("6u = v + 3w", "w - v = u", "4w = 7u", "w = 7u/4, v = 3u/4")
+    answers = ("velocity of A = 3u/4 i", "velocity of B = 7u/4 i")
+    assert verdicts(LINE, *lines, *answers) == ["false", "true", *["follows"] * 4]
+    marking = restitution.mark(solution_of(LINE), "\n".join((*lines, *answers))).json()
     meant = {x["letter"]: x["meaning"] for x in marking["letters"]}
     assert "velocity(A, 1)" in meant["v"]
