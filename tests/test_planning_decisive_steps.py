@@ -427,3 +427,20 @@ def test_a_component_that_comes_to_nothing_has_its_line(speed: str, asked: str, 
     (number,) = [n for n, each in enumerate(own) if each.endswith(row)]
     assert own.index("v = 0") < number
     assert not [each for each in own if each.startswith("A comes at right angles")]
+
+
+def test_vectors_in_the_directions_of_velocities_are_named_with_values_put_in() -> None:
+    own = rows(
+        TWO.format(a="m", u="3u i + 2u j", b="2m", v="velocity -2u i + u j", e="")
+        + "part a\nfind velocity(A), velocity(B)\npart b\ngiven e = 1/2\n"
+        "find energy_lost\nfind angle(velocity(A), velocity(B))"
+    )
+    assert "by the scalar product of −𝐢 + 𝐣 and 𝐢 + 2𝐣, which are" in " ".join(own)
+
+
+def test_a_line_of_centres_at_an_inverse_tangent_has_a_direction_from_i() -> None:
+    own = rows(
+        "sphere A: mass 2m, velocity 5u i\nsphere B: mass m, at rest\n"
+        "A hits B: along arctan(4/3), e = 1/2\nfind speed(B)"
+    )
+    assert "in the direction at arctan(4/3) anticlockwise from 𝐢" in " ".join(own)

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    is_function,
     unsigned,
     walk,
 )
@@ -183,7 +184,8 @@ class Introductions:
         by_places = any(isinstance(node, Quantity) for node in walk(axis))
         if isinstance(axis, Polar) or by_places:
             return None
-        if isinstance(unsigned(axis), Degrees | Letter):
+        own = unsigned(axis)
+        if isinstance(own, Degrees | Letter) or is_function(own, "arcsin", "arccos", "arctan"):
             unit = self._naming.layout(Negate(Unit("i")) if turned else Unit("i"))
             names, angle = (_CLOCKWISE, axis.operand) if isinstance(axis, Negate) else (_AT, axis)
             return names, {"axis": self._naming.layout(angle), "unit": unit}

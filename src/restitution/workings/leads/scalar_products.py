@@ -17,7 +17,16 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, Unit
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    Unit,
+    letters,
+)
 from restitution.planning.angles.lines_between import cosine_of
 from restitution.planning.writing.forms import swept, tree_of
 from restitution.planning.writing.unit_vectors import short_direction
@@ -120,7 +129,10 @@ def _directions(
 
 
 def _value(derivation: Derivation, line: Line, velocity: Expression) -> Vector | None:
-    """The last vector that a velocity is said to be above a line, or in the data."""
+    """The last vector that a velocity is said to be above a line, or in the data.
+
+    What the line cites of letters that are given is put in.
+    """
     relations = [fact.relation for fact in derivation.facts]
     relations += [
         other.relation
@@ -133,7 +145,21 @@ def _value(derivation: Derivation, line: Line, velocity: Expression) -> Vector |
         value = in_letters(trees[-1]) if trees else None
     except RestitutionError:
         return None
-    return Vector(*map(tidy, value)) if isinstance(value, Vector) else None
+    if not isinstance(value, Vector):
+        return None
+    given = _given_letters(derivation, line)
+    return Vector(*(tidy(component.subs(given)) for component in map(sp.sympify, value)))
+
+
+def _given_letters(derivation: Derivation, line: Line) -> dict[sp.Expr, sp.Expr]:
+    """The letters that facts which a line cites give as numbers."""
+    values: dict[sp.Expr, sp.Expr] = {}
+    for fact in derivation.facts:
+        match fact.relation.options:
+            case ((Link(Letter() as letter, "=", right),),) if fact.id in line.premises:
+                if fact.kind == "given" and not letters(right):
+                    values[in_letters(letter)] = in_letters(right)
+    return values
 
 
 def _sign(value: sp.Expr) -> int:
