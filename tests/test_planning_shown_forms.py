@@ -58,6 +58,17 @@ show energy_lost < 3/8 m u^2
         ("kinetic energy lost < ⅜mu², as k > 0 (as required)",),
         (),
     ),
+    "a bound that differs by a square": (
+        """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+given tan(alpha) = 4/3
+A hits B: along i
+show energy_lost/energy(0) <= 27/100
+""",
+        ("fraction lost ≤ 27/100, as e² ≥ 0 (as required)",),
+        ("decreases",),
+    ),
     "a speed that is positive as the spheres do not pass by": (
         """
 sphere A: mass m, velocity u i, radius r

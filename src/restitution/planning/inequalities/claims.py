@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Quantity,
+    has_quantity,
     is_quantity,
     letters,
 )
@@ -41,6 +42,7 @@ from restitution.planning.inequalities.wide_angles import write_by_a_product, wr
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ONE, tree_of
 from restitution.planning.writing.inequalities import subject_of
+from restitution.planning.writing.polynomials import expanded
 from restitution.solving.story.letters import roles
 
 _PROOFS = (
@@ -93,7 +95,8 @@ class Claims(Eliminated):
                 return line
         if base:
             for number in lines:
-                line = self._by_difference_of_squares(number, relation)
+                line = self._by_an_even_power(number, relation)
+                line = line or self._by_difference_of_squares(number, relation)
                 line = self.monotone(number, relation) if line is None else line
                 if line is not None:
                     return line
@@ -159,6 +162,23 @@ class Claims(Eliminated):
             self.worths.back(mark)
             return None
         return last
+
+    def _by_an_even_power(self, line: int, relation: Relation) -> int | None:
+        """A bound from which a value differs by a letter to an even power: 1 − e² is at most 1."""
+        match relation.options:
+            case ((Link(left, "<=" | ">=", right),),):
+                own = self.scene.desk.last_link(line)
+            case _:
+                return None
+        if own.left != left or own.sign != "=" or has_quantity(right):
+            return None
+        gap = expanded(self.worths.value(own.right) - self.worths.value(right))
+        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(sp.factor(gap))]
+        if not all(base.is_positive or base.is_Number or power.is_even for base, power in factors):
+            return None
+        if not any(base.is_Symbol and not base.is_positive for base, _ in factors):
+            return None
+        return self.judge.write((Move("sign"),), (line,), relation)
 
     def _by_difference_of_squares(self, line: int, relation: Relation) -> int | None:
         """A strict bound of a root, where the difference of squares is a product of plain signs.
