@@ -153,6 +153,8 @@ class Measured:
     explaining: float | None
     raw: float | None
     stories: int | None
+    calls: int
+    raw_calls: int | None
 
     @property
     def both(self) -> float | None:
@@ -178,6 +180,9 @@ def warm(repeat: int) -> None:
         "|---|---:|---:|---:|---:|---:|---:|"
     )
     ratios, firsts, totals, stories = {}, {}, {}, {}
+    by_calls = {
+        name: one.calls / one.raw_calls for name, one in found.items() if one.raw_calls is not None
+    }
     for name, one in found.items():
         if one.both is not None:
             totals[name] = 1000 * one.both
@@ -199,6 +204,7 @@ def warm(repeat: int) -> None:
         print(f"| {name} | {' | '.join(cells)} |")
     print("\n| warm | examples | median | 95 % | most | of |\n|---|---:|---:|---:|---:|---|")
     _distribution("solving and explaining, as a multiple of `sympy.solve`", ratios, 2)
+    _distribution("the same by calls of Python functions", by_calls, 2)
     _distribution("solving and explaining, ms", totals, 0)
     _distribution("the first time in a process, as a multiple of another", firsts, 1)
     _distribution("stories of one solve", stories, 0)
@@ -217,11 +223,29 @@ def measured(name: str, repeat: int) -> Measured:
     solving = _shortest(lambda: solve(problem), repeat)
     explaining = _shortest(lambda: str(explain(solution)), repeat)
     stories = _stories(lambda: solve(problem))
-    raw = None
+    calls = _calls(lambda: solve(problem)) + _calls(lambda: str(explain(solution)))
+    raw = raw_calls = None
     if name in SYSTEMS:
         equations, unknowns = SYSTEMS[name]()
         raw = _shortest(lambda: sympy.solve(equations, unknowns, dict=True), repeat)
-    return Measured(first, solving, explaining, raw, stories)
+        raw_calls = _calls(lambda: sympy.solve(equations, unknowns, dict=True))
+    return Measured(first, solving, explaining, raw, stories, calls, raw_calls)
+
+
+def _calls(work: Callable[[], object]) -> int:
+    """How many functions written in Python are called: the same on a busy machine as on a free."""
+    count = 0
+
+    def counted(frame: object, event: str, argument: object) -> None:
+        nonlocal count
+        count += event == "call"
+
+    sys.setprofile(counted)
+    try:
+        work()
+    finally:
+        sys.setprofile(None)
+    return count
 
 
 def _stories(work: Callable[[], object]) -> int | None:

@@ -696,8 +696,9 @@ def test_what_solves_is_loaded_before_the_statement_is_there():
     """Else the process is ready at once, finds no statement, and rehearses in the way of it."""
     code = (
         "import sys\n"
-        "from restitution.export.job import Job, prepare, serve\n"
+        "from restitution.export.job import Job, load_what_few_need, prepare, serve\n"
         "prepare()\n"
+        "load_what_few_need()\n"
         "loaded = set(sys.modules)\n"
         "from restitution import examples, parse\n"
         "problem = parse(examples.text('corner'))\n"

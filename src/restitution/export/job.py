@@ -176,6 +176,19 @@ def prepare() -> None:
     collect_seldom()
 
 
+_SELDOM = (
+    *("explaining.following.agreeing", "planning.inequalities.extrema", "planning.shows.forward"),
+    *("render.document.html", "solving.equations.clash", "solving.story.alteration"),
+    "workings.refuted",
+)
+
+
+def load_what_few_need() -> None:
+    """Load what only some questions need, where there is time."""
+    for module in _SELDOM:
+        import_module(f"restitution.{module}")
+
+
 def rehearse() -> None:
     """Solve and explain a tiny question: the algebra's first steps are slow ones.
 
@@ -194,6 +207,7 @@ def rehearse() -> None:
             ),
         )
     )
+    load_what_few_need()
     compile_what_is_used()
 
 

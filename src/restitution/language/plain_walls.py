@@ -6,10 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-import sympy as sp
-
 from restitution.errors import RestitutionError
-from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Binary,
     Degrees,
@@ -107,6 +104,10 @@ def _numbers(tree: Expression) -> tuple[Fraction, Fraction] | None:
     """The components of a vector in numbers; None of another one."""
     if letters(tree) or has_quantity(tree):
         return None
+    import sympy as sp  # who only reads a statement needs no algebra
+
+    from restitution.expression.evaluate import in_letters
+
     try:
         value = in_letters(tree)
     except RestitutionError:
