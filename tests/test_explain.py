@@ -327,6 +327,8 @@ def test_one_part_of_several() -> None:
     solution = solve(parse(SPHERES + "part b\nfind deflection(A)"))
     assert [p.label for p in explain(solution).parts] == [None, "b"]
     assert [p.label for p in explain(solution, "b").parts] == ["b"]
+    assert solution.chosen(None) == [solution.parts[None], solution.parts["b"]]
+    assert solution.chosen("b") == [solution.parts["b"]]
     with pytest.raises(KeyError, match="parts"):
         explain(solution, "c")
 

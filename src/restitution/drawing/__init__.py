@@ -142,10 +142,7 @@ def _says_more(solution: Solution, part: PartSolution) -> bool:
 
 def _parts(solution: Solution, part: str | None) -> list[PartSolution]:
     """The parts to be drawn: those that have values."""
-    if part is not None and part not in solution.parts:
-        known = ", ".join(str(label) for label in solution.parts)
-        raise KeyError(f"there is no part {part!r}; parts: {known}")
-    parts = [each for label, each in solution.parts.items() if part in (None, label)]
+    parts = solution.chosen(part)
     solved = [part for part in parts if part.branches]
     errors = [part.error for part in parts if part.error is not None]
     if errors and not solved:

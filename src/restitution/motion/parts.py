@@ -85,10 +85,7 @@ def motions(
     possible. Raises KeyError for a part that is not there; what kept the
     problem from being solved; and UnsupportedError, with the reason, where no motion can be shown.
     """
-    if part is not None and part not in solution.parts:
-        known = ", ".join(str(label) for label in solution.parts)
-        raise KeyError(f"there is no part {part!r}; parts: {known}")
-    chosen = [each for label, each in solution.parts.items() if part in (None, label)]
+    chosen = solution.chosen(part)
     part_motions: list[PartMotion] = []
     reasons: list[RestitutionError] = []
     for each in chosen:

@@ -52,9 +52,7 @@ def explain(
         raise ValueError(f"there is no style of marks {marks!r}; styles: {', '.join(STYLES)}")
     if route < 1:
         raise ValueError(f"routes are counted from 1, not {route}")
-    if part is not None and part not in solution.parts:
-        known = ", ".join(str(label) for label in solution.parts)
-        raise KeyError(f"there is no part {part!r}; parts: {known}")
+    solution.chosen(part)  # before anything is worked out, where there is no such part
     with limited(time_limit, error=None if time_limit is None else _too_late(time_limit)):
         derivation = awarded(plan(solution, route, partial=True), marks)
         explanation = _printed(solution, derivation, part, check)

@@ -25,7 +25,6 @@ from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.world import World
-from restitution.problem import Impact
 
 _NEAR = 0.006
 """What a student's own rounding may move a speed by."""
@@ -85,7 +84,7 @@ def is_fraction_of_line(entry: Entry, world: World) -> bool:
             pass
         case _:
             return False
-    for number, _ in _walls_of(world):
+    for number, _ in world.wall_impacts():
         e = Quantity("restitution", (), number)
         share = Binary("-", Number(Fraction(1)), Binary("^", e, _TWO))
         if has_value(share, entry.claim.right, entry, world):
@@ -100,7 +99,7 @@ def is_tangent_inverted(entry: Entry, world: World) -> bool:
         return False
     if not any(isinstance(node, Apply) for node in walk(entry.claim.right)):
         return False
-    for number, body in _walls_of(world):
+    for number, body in world.wall_impacts():
         line = Quantity("line_of_centres", (), number)
         velocities = (Quantity("velocity", (Name(body),), n) for n in (number - 1, number))
         before, after = (
@@ -119,7 +118,7 @@ def is_of_exchanged_squares(entry: Entry, world: World) -> bool:
     for side in (entry.claim.left, entry.claim.right):
         if "e" not in letters(side) & world.letters.keys() or not isinstance(side, Binary):
             continue
-        for number, body in _walls_of(world):
+        for number, body in world.wall_impacts():
             before = Quantity("velocity", (Name(body),), number - 1)
             line = Quantity("line_of_centres", (), number)
             into, along = (
@@ -153,10 +152,3 @@ def _ratios_for(tree: Expression, other: Expression, entry: Entry, world: World)
 
 def _are_constant(ratios: Array | None) -> bool:
     return ratios is not None and bool(np.allclose(ratios[0], ratios[1], rtol=1e-6, atol=0))
-
-
-def _walls_of(world: World) -> Iterator[tuple[int, str]]:
-    """The impacts with walls, each with its sphere."""
-    for number, step in enumerate(world.events, 1):
-        if isinstance(step, Impact) and step.second in world.walls:
-            yield number, step.first

@@ -53,7 +53,7 @@ def is_coefficient_inverted(entry: Entry, world: World) -> bool:
 
 def is_coefficient_of_speeds(entry: Entry, world: World) -> bool:
     """Whether whole speeds at a wall are in the ratio e: ``5 = e√153``, ``e = 5/√153``."""
-    for number, body in _walls(world):
+    for number, body in world.wall_impacts():
         before, after = (Quantity("speed", (Name(body),), stage) for stage in (number - 1, number))
         into = Quantity("along", (_velocity(body, number - 1), _line(number)))
         if has_value(before, Apply("abs", into), entry, world):
@@ -155,7 +155,7 @@ def is_restitution_parallel(entry: Entry, world: World) -> bool:
         return False
     velocity, body = of_one
     typed = entry.claim.right
-    for number, own in _walls(world):
+    for number, own in world.wall_impacts():
         if own != body or velocity.stage not in (None, number):
             continue
         line, before = _line(number), _velocity(body, number - 1)
@@ -282,13 +282,6 @@ def _pairs(world: World) -> Iterator[tuple[int, tuple[str, str]]]:
     for number, step in enumerate(world.events, 1):
         if isinstance(step, Impact) and number in world.lines and step.second in world.start:
             yield number, (step.first, step.second)
-
-
-def _walls(world: World) -> Iterator[tuple[int, str]]:
-    """The impacts with walls, each with its sphere."""
-    for number, step in enumerate(world.events, 1):
-        if isinstance(step, Impact) and step.second in world.walls:
-            yield number, step.first
 
 
 SHOWN: tuple[tuple[Callable[[Entry, World], bool], str], ...] = (

@@ -8,7 +8,7 @@ breaks.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -30,7 +30,7 @@ from restitution.practice.worlds.telling import (
     Telling,
 )
 from restitution.practice.worlds.turning import turned, unit
-from restitution.problem import Part
+from restitution.problem import Impact, Part
 from restitution.records import dataclass
 from restitution.shapes import Circle
 from restitution.solving.story.forward import Story
@@ -64,6 +64,12 @@ class World(SampledMotion):
         """The number of events before the last question of the part."""
         asked = [now for _, now in self.problem.asked(self.part)]
         return max(asked, default=len(self.events))
+
+    def wall_impacts(self) -> Iterator[tuple[int, str]]:
+        """The impacts with walls, each with its sphere."""
+        for number, step in enumerate(self.events, 1):
+            if isinstance(step, Impact) and step.second in self.walls:
+                yield number, step.first
 
     def now(self, scope: Scope = ANYWHERE) -> int:
         """After how many events a line of this scope stands."""

@@ -218,6 +218,13 @@ class Solution:
     error: RestitutionError | None = field(default=None)
     mistake: str | None = None
 
+    def chosen(self, label: str | None) -> list[PartSolution]:
+        """The part with a label, or all where it is None. Raises KeyError where there is none."""
+        if label is not None and label not in self.parts:
+            known = ", ".join(map(str, self.parts))
+            raise KeyError(f"there is no part {label!r}; parts: {known}")
+        return [part for own, part in self.parts.items() if label in (None, own)]
+
     def items(self) -> Iterator[tuple[PartSolution, ItemResult]]:
         """Every item with its part, in the order asked."""
         for part in self.parts.values():
