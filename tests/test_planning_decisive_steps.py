@@ -444,3 +444,13 @@ def test_a_line_of_centres_at_an_inverse_tangent_has_a_direction_from_i() -> Non
         "A hits B: along arctan(4/3), e = 1/2\nfind speed(B)"
     )
     assert "in the direction at arctan(4/3) anticlockwise from 𝐢" in " ".join(own)
+
+
+def test_a_difference_of_a_letter_for_an_angle_is_made_greatest_in_a_later_part() -> None:
+    own = rows(
+        TWO.format(a="4m", u="u at theta", b="m", v="at rest", e="")
+        + f"{DIFFERENCE}part a\ngiven e = 2/3\n"
+        "show tan(delta) = tan(theta)/(2 + 3 tan^2(theta))\n"
+        "part b\nfind maximum of delta over theta"
+    )
+    assert "δ ≤ arctan(√5(1 + e)/(10√(4 − e))), as −90° < δ < 180°" in own

@@ -152,7 +152,8 @@ def tangent_as_asked(scene: Scene, worths: Worths, asked: Expression) -> int | N
         match line.relation:
             case Relation(((Link(left, "="), *_),)) if left == asked:
                 own = scene.desk.last_link(line.number)
-                known = letters(own.right) <= set(roles(scene.problem))
+                named = {name for name in letters(own.right) if f"let {name}" in scene.facts}
+                known = letters(own.right) <= set(roles(scene.problem)) - named
                 if known and own.sign == "=" and scene.desk.holds(line.number):
                     return line.number
     for node in walk(worths.opened(asked)):
