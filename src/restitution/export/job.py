@@ -167,7 +167,10 @@ def prepare() -> None:
     # Loading makes many objects and no garbage.
     gc.disable()
     load_algebra()
-    for module in ("export.answers", "export.contract", "solving.showing", "workings"):
+    for module in (
+        *("export.answers", "export.contract", "render.document.text", "solving.showing"),
+        "workings",
+    ):
         import_module(f"restitution.{module}")
 
     # What was loaded stays: no need to look through it again for garbage.
