@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy_angle
-from restitution.explaining.lines.derivation import Move
+from restitution.explaining.lines.derivation import Move, numbers_in
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     Binary,
@@ -56,7 +56,7 @@ def complement_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Sour
         return None
     first_line = scene.desk.write(move, refs, relation, shown="inline")
     right = Binary("-", RIGHT_ANGLE, tree_of(known.value, angle=True, as_it_is=True))
-    lines = [ref for ref in known.refs if isinstance(ref, int)]
+    lines = numbers_in(known.refs)
     put = scene.judge.needed(Move("put"), (first_line, *lines), chain(asked, (right, None)))
     if put is None:
         scene.desk.back(mark)

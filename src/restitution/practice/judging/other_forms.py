@@ -320,7 +320,7 @@ def is_to_a_line(tree: Expression) -> bool:
         return False
     other = tree.arguments[1]
     other = unsigned(other)
-    return isinstance(other, Unit | Name) or (is_quantity(other, "line_of_centres"))
+    return isinstance(other, Unit | Name) or is_quantity(other, "line_of_centres")
 
 
 def is_oblique(axis: Expression, world: World) -> bool:

@@ -189,9 +189,9 @@ class OwnValues(Holding):
         """Whether a claim gives an angle of deflection, of which the question tells nothing."""
         left = entry.claim.left
         meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
-        turned = isinstance(meant, Quantity) and meant.kind == "deflection"
+        turned = is_quantity(meant, "deflection")
         given = any(
-            isinstance(node, Quantity) and node.kind == "deflection"
+            is_quantity(node, "deflection")
             for _, step in self._base.problem.steps()
             if isinstance(step, Given)
             for relation in step.relations

@@ -328,7 +328,7 @@ def _from_the_origin(derivation: Derivation, line: Line) -> bool:
     """Whether a place is a velocity times a time, and nothing more."""
     assert isinstance(line.relation, Relation)
     right = line.relation.options[0][0].right
-    return _speaks_of_a_time(derivation, line) and not (is_binary(right, "+", "-"))
+    return _speaks_of_a_time(derivation, line) and not is_binary(right, "+", "-")
 
 
 def _names_a_time(derivation: Derivation, letter: Letter) -> bool:
