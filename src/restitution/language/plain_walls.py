@@ -23,7 +23,6 @@ from restitution.expression.tree import (
     rational,
 )
 from restitution.problem import Problem, Wall
-from restitution.vector import Vector
 
 _HALF_TURN = 180
 
@@ -107,6 +106,7 @@ def _numbers(tree: Expression) -> tuple[Fraction, Fraction] | None:
     import sympy as sp  # who only reads a statement needs no algebra
 
     from restitution.expression.evaluate import in_letters
+    from restitution.vector import Vector
 
     try:
         value = in_letters(tree)
