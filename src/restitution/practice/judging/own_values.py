@@ -151,7 +151,12 @@ class OwnValues(Holding):
 
     def _worlds_of_student(self, entries: Sequence[Entry]) -> Iterator[World]:
         # Who puts two angles together wrongly has no other motion by that.
-        moving = [x for x in entries if not (x.wrong and self._is_deflection(x))]
+        first = next((n for n, x in enumerate(entries) if x.right), len(entries))
+        moving = [
+            x
+            for n, x in enumerate(entries)
+            if n < first or not (x.wrong and self._is_deflection(x))
+        ]
         entries = moving or list(entries)
         broken = self._broken(entries)
         facts = any(fact.law for fact in facts_of(self._base))

@@ -132,6 +132,8 @@ class Grounds:
         """Whether a value only follows from a mistake by which no component stays as it is."""
         if point.principle != "unchanged" or line.verdict != "follows":
             return False
+        if self.values.has_component(point, line):
+            return False
         named = [MISCONCEPTIONS.get(x.mistake.id or "") for x in self._roots(line) if x.mistake]
         return any(x is not None and (x.mark_of("unchanged") or "")[:2] == "B0" for x in named)
 

@@ -102,6 +102,15 @@ class LineContents(Sides):
             rounded and self._has_figures_of(value, link.left, line)
         )
 
+    def has_component(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the component that a point is for stands in a line, by its value."""
+        link = point.link
+        sides = (side for chain in chains(line) for claim in chain for side in walk(claim.right))
+        terms = {*sides, *line.line.values}
+        return link is not None and any(
+            self._is_worth(term, link.right, line) for term in terms if letters(term)
+        )
+
     def has_whole_energy(self, line: JudgedLine) -> bool:
         """Whether a line has the kinetic energy of all before an impact: ``25 - 10 = 15``."""
         stages = [Quantity("energy", (), number) for number in range(len(self._base.events))]
