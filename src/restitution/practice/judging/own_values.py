@@ -52,6 +52,7 @@ from restitution.practice.worlds.turning import with_line_at
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given, Impact, Problem
 
+_TURNS = ("deflection-difference", "deflection-is-after")
 ALTERED = 3
 """So many of the altered laws that explain a mistake are looked into."""
 
@@ -193,6 +194,9 @@ class OwnValues(Holding):
     def _is_deflection(self, entry: Entry) -> bool:
         """Whether a claim gives an angle of deflection, of which the question tells nothing."""
         left = entry.claim.left
+        explained = self._explained.get(entry.number)
+        if explained is None or not any(x.mistake in _TURNS for x in explained.variants):
+            return False
         meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
         turned = is_quantity(meant, "deflection")
         given = any(
