@@ -198,7 +198,7 @@ def test_the_greater_angle_comes_first(deflection: str, refused: bool) -> None:
             v="v = 1/4 u cos(alpha)",
         )
         + "7 a | let | | let beta = angle(velocity(A, 1), line_of_centres(1))\n"
-        + "8 a | define difference 1 A | velocity A, axis 1, 1, 6, 7"
+        + "8 a | define difference 1 A | velocity A, axis 1, 1, 3, 6, 7"
         + f" | deflection(A, 1) = {deflection} | M\n"
     )
     assert ("line 8: does not follow" in complaints(statement, working)) == refused
