@@ -987,7 +987,7 @@ wall X: along j
 sphere P: velocity u at 30° to W
 P hits W: e = 1/2
 P hits X: e = 1/3
-find deflection(P, 1) + deflection(P, 2)
+find deflection(P, 2) + deflection(P, 1)
 """
     marks = printed_marks(text)
     assert marks == [*["B1"] * 4, "M1", "A1", "M1", "A1", "M1", "A1"]
