@@ -8,6 +8,7 @@ import pytest
 from laws_of_explanations import marks_of
 
 from restitution.language import parse
+from restitution.render.latex import words
 from restitution.solving import solve
 from restitution.workings import Explanation, explain, to_html, to_latex, to_markdown, to_text
 
@@ -371,8 +372,9 @@ def test_formulas_among_words_are_mathematics_in_latex() -> None:
         "given angle(velocity(P), W) = 45°\nfind e"
     )
     source = to_latex(explanation)
-    assert r"e = $\surd$3" in source
+    assert r"$e = \sqrt{3}$ is impossible" in source
     assert "√" not in source
+    assert words("√3 or ½ m\u00a0s⁻¹, α_1") == r"$\surd$3 or $\tfrac{1}{2}$ m~s$^{-1}$, $\alpha$\_1"
 
 
 def test_opposite_roots_are_mathematics_in_latex() -> None:

@@ -10,7 +10,6 @@ from pathlib import Path
 PACKAGE = Path(str(files("restitution")))
 STATIC = PACKAGE / "web/static"
 PLAYER = PACKAGE / "export/player"
-EXPLAIN = PACKAGE / "workings"
 
 
 def texts(folder: Path, pattern: str, under: str = "") -> dict[str, str]:
@@ -61,7 +60,12 @@ def test_whatever_is_exported_is_imported():
 def test_every_style_is_of_something():
     """A class or an id that a sheet names is written by a module, a template or a renderer."""
     pages = texts(PACKAGE / "web/templates", "*.html")
-    written = "\n".join([*MODULES.values(), *pages.values(), *texts(EXPLAIN, "*.py").values()])
+    writers = [
+        text
+        for folder in ("render/document", "export")
+        for text in texts(PACKAGE / folder, "*.py").values()
+    ]
+    written = "\n".join([*MODULES.values(), *pages.values(), *writers])
     words = set(re.findall(r"[A-Za-z][\w-]*", written))
     for sheet, text in SHEETS.items():
         selectors = re.findall(r"([^{};]+)\{", re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL))

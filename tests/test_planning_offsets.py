@@ -148,7 +148,7 @@ def test_where_a_sphere_is_sent_across_the_line_of_centres_that_comes_of_the_law
     problem, derivation = planned(WITH_A_RADIUS)
     working = " ".join(printed(problem, derivation).split())
     assert working.index("v = 0") < working.index("It is given that the angle from")
-    assert "tan φ = √3/3" in working
+    assert "φ − 90° = −60° DM1 φ = 30°" in working
 
 
 def test_an_angle_that_the_offset_gives_is_not_worked_out_again() -> None:

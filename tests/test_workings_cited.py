@@ -135,7 +135,7 @@ def test_a_source_stands_in_each_form_behind_the_name_of_the_law() -> None:
     assert f"{named}, with v₁ from part (a):" in " ".join(to_text(working).split())
     assert f"*{named}*, with $v_{{1}}$ from part (a):" in to_markdown(working)
     assert rf"\emph{{{named}}}, with $v_{{1}}$ from part (a):" in to_latex(working)
-    assert f'<span class="principle">{named},</span> with' in to_html(working)
+    assert f"<i>{named}</i>, with" in to_html(working)
     steps = [each for part in working.parts for each in part.steps if each.source is not None]
     assert [(each.principle, each.sign) for each in steps] == [
         ("Newton's experimental law", ","),

@@ -109,7 +109,7 @@ P hits W: e = 1/2
 P hits X: e = 1/3
 find deflection(P, 1) + deflection(P, 2)
 """,
-            "δ₂ = θ + φ = arctan(2√3) + arctan(2√3/3)",
+            "δ₂ = 90° − arctan(√3/6) + arctan(2√3/3)",
         ),
     ],
 )

@@ -364,8 +364,9 @@ find beta
 """,
         [
             "v = 0",
-            "−60°, and A moves perpendicular to\nthe line of centres:",
-            "tan(−60°) = −1/tan β",
+            "A moves perpendicular to the line of centres, where its component is −u sin β:",
+            "angle from 𝐢 to 𝐯_A = β − 90°",
+            "β − 90° = −60°",
         ],
     ),
     "a side that the question leaves open is taken as one of two": (

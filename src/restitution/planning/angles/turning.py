@@ -403,7 +403,7 @@ def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, 
     """Whether one of two spheres that have met moves along the line of centres, and one does not.
 
     Their scalar product is none that a line has, nor are they vectors beside a slanting line of
-    centres, to which the components of the other one would be new.
+    centres of which no line has the components.
     """
     (first, late), (second, other) = pair
     if late != other or late not in scene.model.frames or has_its_product(scene, asked):
@@ -411,7 +411,9 @@ def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, 
     if {first, second} != set(scene.bodies(late)):
         return False
     frame = scene.frame(late)
-    if frame.is_slanted and stand_as_vectors(scene, pair):
+    components = [frame.component(k, b, s) for k in ("along", "across") for b, s in pair]
+    are_new = any(scene.desk.known(component) is None for component in components)
+    if frame.is_slanted and are_new and stand_as_vectors(scene, pair):
         return False
     own = [[in_direction(scene, k, b, late, frame) for k in ("along", "across")] for b, _ in pair]
     across = [parts[1].value == 0 for parts in own]
