@@ -80,3 +80,28 @@ def test_the_length_of_a_vector_along_the_line_cancels(
 @pytest.mark.parametrize("statement", [USED_AGAIN, WITHOUT_A_ROOT])
 def test_a_component_that_is_needed_or_plain_stays(statement: str) -> None:
     assert "Scalar products" not in printed(statement)
+
+
+@pytest.mark.parametrize(
+    ("statement", "line"),
+    [
+        (
+            (
+                "sphere A: mass 2, velocity 3i + 4j\nsphere B: mass 3, velocity -i + j\n"
+                "A hits B: along i + j, e = 0\nfind distance(A, B, at 3)"
+            ),
+            "𝐮_B · 𝐭 = (1 + 1)/√2 = √2 m s⁻¹",
+        ),
+        (
+            (
+                "wall W: along i + j\nsphere P: mass 2, velocity 4i - 4j\n"
+                "P hits W: e = 1/2\nfind velocity(P)"
+            ),
+            "𝐮_P · 𝐧 = (4 + 4)/√2 = 4√2 m s⁻¹",
+        ),
+    ],
+)
+def test_who_moves_along_the_line_itself_has_a_scalar_product_too(
+    statement: str, line: str
+) -> None:
+    assert line in printed(statement)

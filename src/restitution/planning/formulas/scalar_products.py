@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     letters,
     unsigned,
 )
+from restitution.planning.writing.circles import circle_of
 from restitution.planning.writing.desk import Source, chain, together
 from restitution.planning.writing.forms import (
     neat,
@@ -59,7 +60,8 @@ def by_scalar_product(
     value, refs = tidy(value), together(source.refs, more, frame.refs)
     move = Move("define", "component", frame.number, (body,))
     last = tree_of(value)
-    if form is None and not more:
+    if form is None and not more and circle_of(scene, frame.number) is not None:
+        # Elsewhere the line stands among scalar products with a unit vector, and is one of them.
         form = _whole_size(source.value, direction)
     if form is None and frame.number in scene.desk.paths:
         form = _with_a_ratio(exact)  # by the angle with the path
