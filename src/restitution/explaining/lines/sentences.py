@@ -269,11 +269,11 @@ SENTENCES: Mapping[SentenceId, str] = {
         "A chord subtends 180° less twice its angle with the radii at the centre, and the three "
         "subtend 360°, so their three angles make 90°"
     ),
-    "round.title-same": (
+    "round.same": (
         "As each impact is perfectly elastic, it leaves the angle with the radius as it was. So "
-        "all three chords make the same angle with the radii at their ends. Each subtends 180° "
-        "less twice that angle at the centre, and the three subtend 360°, so the three angles make "
-        "90°"
+        "all three chords make the same angle with the radii at their ends: {angle}, that of the "
+        "first chord with the radius at the start. Each subtends {span} at the centre, and the "
+        "three subtend 360°:"
     ),
     "round.why": (
         "A chord and the radii to its ends form an isosceles triangle, so at the centre the chord "

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 import sympy as sp
 
@@ -17,8 +18,10 @@ from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
     RIGHT_ANGLE,
+    STRAIGHT_ANGLE,
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
@@ -29,7 +32,13 @@ from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.circles import chord_from, from_centre
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
-from restitution.planning.writing.forms import ONE, in_tangents, product, swept, tree_of
+from restitution.planning.writing.forms import (
+    ONE,
+    in_tangents,
+    product,
+    swept,
+    tree_of,
+)
 from restitution.planning.writing.place_trees import place_tree
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
@@ -104,15 +113,19 @@ def write_round(scene: Scene, own: Round) -> int:
             premises.append(number)
             pool.append(f"acute: {other.name}")
     a, b, c = angles
-    total = chain(Binary("+", a, b), (Binary("-", RIGHT_ANGLE, c), None))
-    if len({*angles}) == 1:
-        total = chain(product(tree_of(len(angles)), a), (RIGHT_ANGLE, None))
+    is_one = len({*angles}) == 1
+    relation = chain(Binary("+", a, b), (Binary("-", RIGHT_ANGLE, c), None))
+    if is_one:
+        span = Binary("-", STRAIGHT_ANGLE, product(tree_of(2), a))
+        whole = Degrees(Fraction(360))
+        relation = chain(product(tree_of(len(angles)), span), (whole, None))
     move = move_of(own)
-    closing = scene.desk.write(move, together(premises), total)
+    closing = scene.desk.write(move, together(premises), relation)
     if all(scene.coefficient(n).value == 1 for n in own.hits):
         _hide_components(scene, closing)
-    if len({*angles}) == 1:
-        return closing
+    if is_one:
+        simple = chain(product(tree_of(len(angles)), a), (RIGHT_ANGLE, None))
+        return scene.desk.write(Move("rearrange"), (closing,), simple)
     x, y, z = (Apply("tan", angle) for angle in angles)
     quotient = Binary("/", Binary("+", x, y), Binary("-", ONE, product(x, y)))
     relation = chain(quotient, (Binary("/", ONE, z), None))

@@ -126,6 +126,9 @@ class Leads(Titles):
             return () if title is None or title == above else (title,)
         if self._beside_normal(line):
             return (say("wall.beside-normal"),)
+        chords = self._round_by_one_angle(line)
+        if chords is not None:
+            return (chords,)
         sense = sense_of_a_normal(self._derivation, self._naming, line) or sense_of_a_change(
             self._derivation, self._naming, line
         )
@@ -135,6 +138,15 @@ class Leads(Titles):
         if bodies is not None:
             return (say("centres.between", one=bodies[0], other=bodies[1]),)
         return (say("so"),) if line.move.record == "wall-direction" else None
+
+    def _round_by_one_angle(self, line: Line) -> Sentence | None:
+        """Why three chords that close make one angle with the radii, and what they subtend."""
+        match line.relation if line.move.record == "round" else None:
+            case Relation(((Link(Binary("*", right=Binary("-", right=turn) as span)),),)):
+                assert isinstance(turn, Binary)
+                layout = self._naming.layout
+                return say("round.same", angle=layout(turn.right), span=layout(span))
+        return None
 
     def _by_its_direction(self, line: Line) -> tuple[Sentence, ...] | None:
         """What is said of a line that a body moves along, and of an angle; None of any other."""

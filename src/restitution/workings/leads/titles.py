@@ -191,7 +191,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             case "perpendicular", _ if last.sign in FLIPPED:
                 return None
             case "round", Binary("*"):
-                return say("round.title-same")
+                return None  # its lead names the angle
             case "speed", Binary("*"):
                 return say("derived-speed.resolved", body=bodies[0])
             case "speed", _ if self._by_a_multiple(line):
