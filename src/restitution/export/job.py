@@ -15,7 +15,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from restitution.errors import RestitutionError, StatementError, TimeLimitError
-from restitution.export.algebra import load_algebra
+from restitution.export.algebra import without_tensors
 from restitution.expression.tree import Binary, Name, Number, Quantity
 from restitution.garbage import collect_seldom
 from restitution.problem import Find, Impact, Part, Problem, Sphere, Value, Wall
@@ -166,7 +166,7 @@ def prepare() -> None:
     """Load what the work needs: before it is asked whether there is time to rehearse."""
     # Loading makes many objects and no garbage.
     gc.disable()
-    load_algebra()
+    without_tensors()
     for module in (
         *("export.answers", "export.contract", "render.document.text", "solving.showing"),
         "workings",
