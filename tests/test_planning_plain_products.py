@@ -105,3 +105,13 @@ def test_who_moves_along_the_line_itself_has_a_scalar_product_too(
     statement: str, line: str
 ) -> None:
     assert line in printed(statement)
+
+
+def test_the_unit_vector_along_the_line_keeps_its_letter_in_a_product() -> None:
+    text = printed(
+        "sphere A: mass 1, velocity 3i + 4j\nsphere B: mass 1, velocity -3i\n"
+        "A hits B: along 2i - j, e = 1/2\n"
+        "find line_of_centres, velocity(A), dot(velocity(A), line_of_centres)"
+    )
+    assert "unit vector along the line of centres = (2𝐢 − 𝐣)/√5" in text
+    assert "𝐯_A · 𝐧 = −4√5/5" in text

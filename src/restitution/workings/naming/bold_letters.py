@@ -273,6 +273,13 @@ class BoldLetters:
             self._introduce(number, kinds, direction)
         return self._units[number, kind]
 
+    def unit_of_the_line(self, number: int) -> lay.Layout | None:
+        """The unit vector along a line of centres, where lines above have a letter for it."""
+        event = self._events.get(number)
+        if event is None or event.wall:
+            return None
+        return self._units.get((number, "along"))
+
     def leads_into(self, event: Event) -> bool:
         """Whether the axis at a wall is certain to be the direction into it.
 

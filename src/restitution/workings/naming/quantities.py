@@ -221,6 +221,9 @@ class Naming(Moments):
             case Quantity("angle", _, _) if tree in terms.inside:
                 free = (angle for angle in _ANGLES if angle not in self._used)
                 return self._lettered(tree, next(free, _ANGLES[0]))
+            case Quantity("dot", (vector, Quantity("line_of_centres", (), int(stage)))):
+                unit = self.bold.unit_of_the_line(stage)
+                return None if unit is None else lay.product(self.layout(vector), unit, sign="·")
             case Quantity("dot", _, _):
                 return None
         if tree in self._of_the_question:
