@@ -186,3 +186,13 @@ def test_a_range_of_an_offset_is_one_of_the_sine_of_its_angle() -> None:
     assert "v = −(18/7) cos φ" in text
     assert "tan²φ < 3/7 sin²φ < 3/10 Substituting for sin φ: (d/10)² < 3/10 d² < 30" in text
     assert "√(100 − d²)" not in text
+
+
+def test_components_keep_their_signs_in_a_scalar_product_that_is_negative() -> None:
+    problem, derivation = planned(
+        "sphere A: mass m, velocity u i, radius r\nsphere B: mass 3m, at rest, radius r\n"
+        "A hits B: offset d, e = 1\ngiven deflection(A) > 90°\nfind range of d in terms of r"
+    )
+    assert not follow(derivation, Oracle(roles(problem)))
+    text = printed(problem, derivation)
+    assert "(u cos φ)(−½u cos φ) + (−u sin φ)(−u sin φ) < 0" in text

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Name,
+    Negate,
     Polar,
     Quantity,
     is_zero,
@@ -241,17 +242,23 @@ def _product(a: Source, b: Source) -> Expression:
 
 
 def scalar_product(
-    scene: Scene, pair: Sequence[tuple[str, int]], event: int
+    scene: Scene, pair: Sequence[tuple[str, int]], event: int, *, signed: bool = False
 ) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
     """The scalar product of two velocities, each of a body after an event, by components.
 
-    As a tree, as a value that is not worked out, and what it rests on.
+    As a tree, as a value that is not worked out, and what it rests on. In a ``signed`` one of which
+    a product has two minus signs all components stand as they are above.
     """
     frame = scene.frame(event)
     (a, b), (c, d) = (_pair(scene, body, stage, frame) for body, stage in pair)
-    tree = total(_product(x, y) for x, y in ((a, c), (b, d)))
+    value = a.value * c.value + b.value * d.value
     refs = together(*(source.whole for source in (a, b, c, d)), frame.names_axis("along"))
-    return tree, a.value * c.value + b.value * d.value, refs
+    trees = [tuple(tree_of(own.value) for own in both) for both in ((a, c), (b, d))]
+    if signed and any(all(isinstance(own, Negate) for own in both) for both in trees):
+        terms = (Binary("*", *both) for both in trees if not any(map(is_zero, both)))
+        return total(terms), value, refs
+    tree = total(_product(x, y) for x, y in ((a, c), (b, d)))
+    return swept(tree) if signed else tree, value, refs
 
 
 def cosine_of_deflection(scene: Scene, quantity: Quantity) -> Formula:

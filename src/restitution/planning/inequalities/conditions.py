@@ -324,7 +324,7 @@ class Conditions:
         sign, x = stripped
         move = Move("define", "perpendicular", event, tuple(dict.fromkeys(b for b, _ in pair)))
         known = self.worths.known_in(expanded(value))
-        first = Relation(((Link(swept(tree), opposite, ZERO),),))
+        first = Relation(((Link(tree, opposite, ZERO),),))
         lets = self.scene.lets_in(link)
         pool = [fact.id, *lets, *refs, *known]
         axis = self.scene.frame(event).refs
@@ -382,7 +382,7 @@ class Conditions:
         for body, stage in pair:
             self.worths.determine(Quantity("velocity", (Name(body),), stage))
         event = max(frame_after(self.scene, *each).number for each in pair)
-        return pair, *scalar_product(self.scene, pair, event)
+        return pair, *scalar_product(self.scene, pair, event, signed=True)
 
     def _with_a_direction(self, angle: Quantity) -> Product | None:
         """The component of a velocity in a direction along the line of centres, or across it."""
@@ -399,7 +399,7 @@ class Conditions:
             if tidy(direction.cross(axis)) == 0:
                 component = self.worths.component(kind, *own, frame)
                 value = component.value * tidy(direction.dot(axis))
-                return (own,), tree_of(value), value, component.whole
+                return (own,), swept(tree_of(value)), value, component.whole
         return None
 
     def gap(self, link: Link) -> sp.Expr:
