@@ -176,6 +176,19 @@ def test_a_time_that_is_a_multiple_of_the_one_before_tells_the_time_between() ->
     assert "Since t₂ = 5t₁:" in to_text(explain(solution))
 
 
+def test_a_time_that_a_fact_gave_above_is_what_the_time_between_is_of() -> None:
+    """The fact is used once: not again for the time between."""
+    solution, derivation = planned(
+        "wall L: along j, through (0, 0)\nwall R: along j, through (9d, 0)\n"
+        "sphere P: mass m, at (5d, 0), velocity u i\nP hits R: e = e\nP hits L: e = e\n"
+        "find time(1), time(2)\ngiven time(2) = 5 time(1)\nfind e"
+    )
+    told = said(derivation)
+    assert "9d/(e u) = 20d/u - 4d/u" in told
+    assert not any("time(2) - time(1) = 4" in each for each in told)
+    assert to_text(explain(solution, check=True)).count("Since t₂ = 5t₁:") == 1
+
+
 def test_equal_components_cancel_where_the_speeds_are_equal() -> None:
     _, derivation = planned(
         "sphere A: mass 2m, velocity u at theta\nsphere B: mass m, velocity w at phi from -i\n"

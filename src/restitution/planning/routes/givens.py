@@ -58,6 +58,7 @@ from restitution.planning.formulas.ties import write_tie
 from restitution.planning.journeys import journeys
 from restitution.planning.journeys.given_places import write_given_place
 from restitution.planning.routes.given_energies import write_share_of_energy
+from restitution.planning.routes.given_times import write_time_since
 from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as, quoted_ratio
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between
@@ -549,41 +550,6 @@ def _of_two_speeds(scene: Scene, equation: GivenEquation, left: Quantity) -> int
     return without_equal_squares(scene, scene.desk.write(a.move, whole, relation))
 
 
-def _time_since(scene: Scene, equation: GivenEquation) -> int | None:
-    """A time that is a multiple of the one before it, by the time between: t₂ − t₁ = 2t₁.
-
-    None of other times, and where the time between has no line.
-    """
-    match equation.link:
-        case Link(Quantity("time", (), int(late)) as whole, "=", right):
-            first = next((n for n in walk(right) if isinstance(n, Quantity)), None)
-        case _:
-            return None
-    if first is None or first != Quantity("time", (), late - 1):
-        return None
-    factor = product_without(right, first)
-    value = None if factor is None or has_quantity(factor) else scene.scalar(factor)
-    if value is None or not value.is_number or value <= 1:
-        return None
-    if equation.lets:
-        return None
-    mark = scene.desk.mark()
-    between = Binary("-", whole, first)
-    times = tree_of(value - 1)
-    try:
-        (early, time), (gap, apart) = (journeys.write(scene, e) for e in (first, between))
-    except NotPlannedError:
-        scene.desk.back(mark)
-        return None
-    rest = chain(between, (swept(product(times, first)), None))
-    line = scene.judge.write((Move("rearrange"),), (equation.fact.id,), rest)
-    relation = chain(tree_of(apart), (swept(product(times, tree_of(time))), None))
-    put = line and scene.judge.write((Move("put"),), (line, gap, early), relation)
-    if put is None:
-        scene.desk.back(mark)
-    return put
-
-
 def _of_two_components(
     scene: Scene,
     equation: GivenEquation,
@@ -617,7 +583,7 @@ def _of_two_components(
 def _of_several(scene: Scene, equation: GivenEquation) -> int:
     """A relation between quantities: each is defined, and put into what is given."""
     own = equation.link
-    for special in (_time_since, write_sum_with):
+    for special in (write_time_since, write_sum_with):
         number = special(scene, equation)
         if number is not None:
             return number
