@@ -388,6 +388,18 @@ def test_a_coefficient_by_which_three_chords_close() -> None:
     assert [write_relation(each.answer) for each in derivation.items] == ["e = 1"]
 
 
+def test_what_starts_at_the_centre_is_once_along_a_radius() -> None:
+    """The radius has no line of its own: it is where the sphere goes from the start."""
+    problem, derivation = planned(
+        "wall C: circle centre (2, 1) radius 5\nsphere P: mass 2, at (2, 1), velocity 3i + 4j\n"
+        "P hits C: e = 1/2\nfind velocity(P), time(1), impulse"
+    )
+    assert not follow(derivation, Oracle(roles(problem)))
+    words = printed(problem, derivation)
+    assert words.count("radius,") + words.count("a radius.") == 1
+    assert "the radius to P" not in words
+
+
 def test_chords_that_end_elsewhere_make_no_right_angle() -> None:
     problem, derivation = planned(ROUND)
     (line,) = (each for each in derivation.lines if each.move.record == "round")
@@ -404,7 +416,7 @@ def test_chords_that_end_elsewhere_make_no_right_angle() -> None:
                 "wall C: circle centre (1, 2) radius 10\nsphere P: at (1, 2), velocity 4i - 3j\n"
                 "P hits C: e = 1/3\nfind position(P), velocity(P)"
             ),
-            "P moves along the radius, so it strikes C at right angles.",
+            "P strikes C at right angles. Component before the impact:",
         ),
         (
             (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from restitution.components.frames import Frame as Told
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, Showing
 from restitution.expression.tree import Binary, Quantity, is_quantity, walk
 from restitution.planning.journeys.aims import struck, write_centres
 from restitution.planning.journeys.places import spot
@@ -44,7 +44,21 @@ def frame_by_places(scene: Scene, number: int, model_frame: Told) -> Frame:
                 line = scene.judge.write((Move("rearrange"),), (line,), final)
             if line is not None:
                 return (line,)
-        return (scene.desk.write(Move("put"), refs, final),)
+        shown: Showing = "silent" if _is_from_the_centre(scene, number) else "line"
+        return (scene.desk.write(Move("put"), refs, final, shown),)
 
     sign = 1 if model_frame.wall is None else -1
     return Frame(number, model_frame.wall, centres, None, n, n.turned_left(), (), sign, write)
+
+
+def _is_from_the_centre(scene: Scene, number: int) -> bool:
+    """Whether a line above says that a body starts at the centre of a wall, along a radius."""
+    for line in scene.desk.lines:
+        match line.relation:
+            case Relation(((Link(Quantity("time"), "="), *_),)) if (
+                line.shown == "line"
+                and (line.move.record, line.move.event) == ("chord", number)
+                and f"position {line.move.bodies[0]}" in line.premises
+            ):
+                return True
+    return False

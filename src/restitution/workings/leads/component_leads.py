@@ -128,7 +128,9 @@ class ComponentLeads(LinesAround):
         if stage < event.number and self._comes_straight(event):
             body, wall = event.bodies
             circular = wall in self._naming.circles
-            name: SentenceId = "resolved.direct-radius" if circular else "resolved.direct"
+            # That it starts at the centre has its words already where a time rests on it.
+            new = circular and not self._starts_at_the_centre(line, event)
+            name: SentenceId = "resolved.direct-radius" if new else "resolved.direct"
             if any(_is_speed(other) for other in map(self._cited, line.premises)):
                 name = "resolved.direct-speed"
             return _components(name, body=body, wall=wall)
@@ -166,6 +168,18 @@ class ComponentLeads(LinesAround):
             and is_zero(line.relation.only[-1].right)
             for line in self._derivation.lines
         )
+
+    def _starts_at_the_centre(self, line: Line, event: Event) -> bool:
+        """Whether a line above says that a body starts at the centre of a circular wall."""
+        for own in self._derivation.lines[: line.number - 1]:
+            match own.relation:
+                case Relation(((Link(Quantity("time"), "="), *_),)) if (
+                    own.shown == "line"
+                    and (own.move.record, own.move.event) == ("chord", event.number)
+                    and f"position {event.bodies[0]}" in own.premises
+                ):
+                    return True
+        return False
 
     def _resolved_at(
         self, line: Line, event: Event, angle: Expression, struck: str | None
