@@ -10,7 +10,7 @@ import pytest
 from restitution.explaining.data.arrangement import events_of
 from restitution.explaining.data.facts import facts_of
 from restitution.explaining.following.follower import follow
-from restitution.explaining.lines.derivation import Derivation, Line, Move, Ref
+from restitution.explaining.lines.derivation import Derivation, Line, Move
 from restitution.explaining.lines.notation import read_meaning, read_relation
 from restitution.language import parse
 from restitution.oracle import Oracle
@@ -350,30 +350,3 @@ find range of u
 """
     shown = to_text(explain(solve(parse(text))))
     assert "u = 3√((m + 5)/(m + 3))" in shown
-
-
-@pytest.mark.parametrize(
-    ("premises", "holds"),
-    [((1, "acute: alpha", "given 1"), False), ((1, "acute: alpha", "given 1", "given 2"), True)],
-)
-def test_nothing_grows_with_a_coefficient_that_another_may_take_away(
-    premises: tuple[Ref, ...], holds: bool
-) -> None:
-    problem = parse(
-        "wall L: along i\nwall M: along i\nsphere P: velocity u at alpha to L\n"
-        "P hits L: e = e1\nP hits M: e = e2\ngiven e1 > 0, e2 > 0\nfind speed(P)\n"
-    )
-    names = {"P": "sphere", "L": "wall", "M": "wall"}
-    texts = (
-        "speed(P, 2) = u sqrt(cos^2(alpha) + e_1^2 e_2^2 sin^2(alpha))",
-        "speed(P, 2) > u cos(alpha)",
-    )
-    first, second = (read_relation(text, names) for text in texts)
-    lines = (
-        Line(1, "", Move("fact"), (), first),
-        Line(2, "", Move("monotone"), premises, second),
-    )
-    derivation = Derivation(facts_of(problem), lines, (), events_of(problem))
-    complaints = follow(derivation, Oracle(roles(problem)))
-    reasons = {each.reason for each in complaints if each.line == 2}
-    assert ("does-not-follow" in reasons) != holds

@@ -89,8 +89,6 @@ def _grows_between(
         if step.oracle.proves(Claim(direction * slope, ">=")):
             if not _is_unbroken(step, value, letter):
                 return False
-            if any(link.sign in ("<", ">") for link in links) and _may_be_level(step, slope, name):
-                return False
             return all(
                 _is_worth(step, value, letter, *bound) for bound in bounds if bound is not None
             )
@@ -116,24 +114,6 @@ def _is_unbroken(step: Step, value: sp.Expr, letter: sp.Symbol) -> bool:
     )
     oracle = Oracle({**step.roles, **step.setting.roles}, between)
     return all(oracle.proves(Claim(value, "!=")) for value in broken)
-
-
-def _may_be_level(step: Step, slope: sp.Expr, name: str) -> bool:
-    """Whether a value does not grow at all where another letter is at an end that it may have.
-
-    Of e₁²e₂² nothing grows with e₁ where e₂ is 0: no bound is strict then.
-    """
-    cited = _cited_ranges(step)
-    for symbol in slope.free_symbols:
-        role = step.setting.roles.get(symbol.name)
-        if role is None or symbol.name == name:
-            continue
-        ends = zip(("low", "high"), (role.low, role.high), role.closed, strict=True)
-        for which, end, closed in ends:
-            left_out = cited.get(symbol.name, {}).get(which) == (end, False)
-            if closed and not left_out and end is not None and slope.subs(symbol, end) == 0:
-                return True
-    return False
 
 
 def _end_of(
