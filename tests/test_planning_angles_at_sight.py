@@ -126,7 +126,7 @@ find tan(beta - alpha)
     ),
     "a deflection at a wall, with its angle given below": (
         AT_A_WALL + "given theta = 60°\nfind range of deflection(P)",
-        ("δ = θ + β", "δ = 60° + β", "60° ≤ δ ≤ 120°"),
+        ("δ = 60° + β = 60° + arctan(√3 e)", "60° ≤ δ ≤ 120°"),
         ("derivative",),
     ),
     "a deflection at a wall by a tangent of an earlier part": (
@@ -139,7 +139,7 @@ find tan(beta - alpha)
     "a deflection that stands, with degrees put in": (
         AT_A_WALL
         + "part a\nfind deflection(P)\npart b\ngiven theta = 60°\nfind range of deflection(P)",
-        ("δ = 60° + arctan(√3 e)",),
+        ("δ = 60° + β = 60° + arctan(√3 e)",),
         ("π",),
     ),
 }

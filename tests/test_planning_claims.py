@@ -477,7 +477,7 @@ def test_speeds_are_compared_by_their_squares(statement: str, lines: list[str]) 
                 "sphere B: mass m, velocity 12u at 90° - alpha from -i\n"
                 "A hits B: along i, e = 1\nfind maximum of impulse over alpha"
             ),
-            "(5 cos α + 12 sin α)² = 169 − (12 cos α − 5 sin α)²",
+            "5 cos α + 12 sin α = 13 cos(α − arctan(12/5)) ≤ 13",
         ),
         (
             (

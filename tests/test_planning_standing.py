@@ -99,7 +99,7 @@ def test_a_root_that_equal_letters_leave_is_taken_from_the_line_above() -> None:
 def test_a_tangent_that_was_shown_gives_its_angle() -> None:
     text = printed(NAMED)
     assert text.count("tan γ = u sin α/") == 1
-    assert "(as required) A1* tan γ = (5/3) tan α (ii) γ = arctan((5/3) tan α)" in text
+    assert "(as required) A1* From (3): (ii) γ = arctan((5/3) tan α)" in text
 
 
 def test_a_scalar_product_along_the_line_of_centres_is_the_component() -> None:

@@ -201,7 +201,7 @@ SAYS = [
     (ON_TO_A_WALL, "along the line of centres, at 60° to W"),
     (BY_E_AS_ABOVE, "tan θ = √(15/(1 − 16e²)), as θ is acute"),
     (NOT_BY_ALPHA, "speed of A = √("),
-    (SQUARES_WITH_A_ROOT, "cos²θ = (5 + √17)/12"),
+    (SQUARES_WITH_A_ROOT, "cos²θ = 1/(1 + ((√17 − 3)/2)²) = 2/(15 − 3√17)"),
     (BY_CALCULATOR, "speed of B ≈ √((2.005u)² + (u sin 50°)²) ≈ 2.15u"),
     (BY_CALCULATOR, "θ ≈ −arctan((u sin 50°)/(2.005u))"),
     (OFF_FROM_REST, "angle between 𝐯_Q and 𝐢 = φ It is given that"),

@@ -935,7 +935,7 @@ def test_a_title_says_what_a_line_rests_on() -> None:
         A hits B: along i, e = 1/2
         find velocity(A) - velocity(B)
         """)
-    assert "Subtracting the velocities:" in difference
+    assert "The relative velocity, from its components:" in difference
 
 
 def test_why_one_of_two_points_of_a_rim_is_struck_and_why_both_values_hold() -> None:
