@@ -104,7 +104,7 @@ def test_a_tangent_that_was_shown_gives_its_angle() -> None:
 
 def test_a_scalar_product_along_the_line_of_centres_is_the_component() -> None:
     text = printed(PRODUCT)
-    assert "𝐯_A · (unit vector along the line of centres) = −4√5/5" in text
+    assert "𝐯_A · 𝐧 = −4√5/5" in text
 
 
 def test_a_half_is_that_of_an_energy_and_a_percentage_makes_no_decimals() -> None:
