@@ -139,7 +139,7 @@ find tan(beta - alpha)
     "a deflection that stands, with degrees put in": (
         AT_A_WALL
         + "part a\nfind deflection(P)\npart b\ngiven theta = 60°\nfind range of deflection(P)",
-        ("δ = 60° + β = 60° + arctan(√3 e)",),
+        ("Since θ = 60°, from (1):", "  δ = 60° + arctan(√3 e)"),
         ("π",),
     ),
 }

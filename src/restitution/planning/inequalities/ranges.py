@@ -109,7 +109,8 @@ def _of_a_turn(
         return None
     nodes = {n for link in relation.only for e in (link.left, link.right) for n in walk(e)}
     rooted = any(is_function(node, "sqrt") for node in nodes)
-    beyond = _is_at_a_wall(scene, asked) and _is_beyond_a_right_angle(claims, relation)
+    is_new = _is_at_a_wall(scene, asked) and scene.desk.known(asked) is None
+    beyond = is_new and _is_beyond_a_right_angle(claims, relation)
     if not (
         rooted or beyond or _ends_at_a_right_angle(relation) or _is_at_a_slanting_wall(scene, asked)
     ):
