@@ -256,16 +256,16 @@ def _html_numbered(number: int, title: str | None, body: str, alone: bool, sheet
 
 
 def _html_question(question: Question, figure: str | None, rooms: Sequence[float]) -> str:
-    from restitution.render.document.html import to_text
+    from restitution.render.document.html import to_blocks
     from restitution.wording import document
 
-    blocks = [to_text(document.opening(question))]
+    blocks = [to_blocks(document.opening(question))]
     if figure is not None:
         blocks.append(f'<div class="figure">{figure}</div>')
     for index, part in enumerate(question.parts):
         if index:
             blocks.append(_html_room(rooms[index - 1]))
-        blocks.append(to_text([document.part(part)]))
+        blocks.append(to_blocks([document.part(part)]))
     return '<article class="question">' + "\n".join(blocks) + "</article>"
 
 

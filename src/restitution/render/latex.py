@@ -159,7 +159,7 @@ def _sign(c: str) -> str:
     return c
 
 
-def escape(text: str) -> str:
+def _escape(text: str) -> str:
     """A name with the characters that mean something to LaTeX made harmless."""
     return "".join(_ESCAPES.get(c, c) for c in text)
 
@@ -167,7 +167,7 @@ def escape(text: str) -> str:
 def _subscript(subscript: str) -> str:
     if not subscript:
         return ""
-    inner = rf"\{subscript}" if subscript in GREEK else escape(subscript)
+    inner = rf"\{subscript}" if subscript in GREEK else _escape(subscript)
     return f"_{{{inner}}}"
 
 
@@ -245,5 +245,5 @@ def _unit_number(inside: Layout) -> str:
 
 
 def _phrase(items: tuple[Layout, ...], separator: str) -> str:
-    gap = {"": "", " ": r"\ ", "\u00a0": "~"}.get(separator, rf"\text{{{escape(separator)}}}")
+    gap = {"": "", " ": r"\ ", "\u00a0": "~"}.get(separator, rf"\text{{{_escape(separator)}}}")
     return gap.join(to_latex(item) for item in items)

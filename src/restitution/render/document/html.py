@@ -62,8 +62,8 @@ def to_tree(document: Document) -> Tree:
     return _classed("article", _CLASSES[document.kind], [*title, *blocks])
 
 
-def to_text(blocks: Iterable[Block]) -> str:
-    """Blocks as HTML, one behind the other."""
+def to_blocks(blocks: Iterable[Block]) -> str:
+    """Blocks to stand in a page, one behind the other."""
     return to_markup(*to_trees(blocks))
 
 
