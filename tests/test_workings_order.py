@@ -174,7 +174,7 @@ def test_an_equation_of_times_between_impacts_has_no_times_from_the_start() -> N
         "sphere P: at (0, b), velocity u at alpha to L\ngiven 0 < b < d, 0 < e <= 1\n"
         "P hits L\nP hits M\nP hits L\nshow time(3) - time(2) = (time(2) - time(1))/e"
     )
-    assert "t₃ − t₂ = (t₂ − t₁)/e (as required)" in words
+    assert "t₃ − t₂ = (t₂ − t₁)/e = T/e, as T = t₂ − t₁ (as required)" in words
     assert "Putting the times together" not in words
     assert "b/(u sin α)" not in words
 

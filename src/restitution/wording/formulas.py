@@ -175,6 +175,10 @@ def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:
             case Quantity("speed", (Name(body),), stage):
                 at = replace(each, stage=scene.stage(stage, body))
                 scene.lettered[at] = scene.denoted[_key(scene, each)]
+            case Quantity("time", (), int()) | Binary(
+                "-", Quantity("time", (), int()), Quantity("time", (), int())
+            ):
+                scene.lettered[each] = scene.denoted[_key(scene, each)]
     return {_key(scene, quantity): scene.denoted[_key(scene, quantity)] for quantity in quantities}
 
 

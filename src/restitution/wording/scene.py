@@ -7,6 +7,7 @@ from dataclasses import field, replace
 from restitution.counting import ordinal
 from restitution.expression.quantities import ENERGIES, PLACED
 from restitution.expression.tree import (
+    Binary,
     Degrees,
     Expression,
     Letter,
@@ -63,7 +64,7 @@ class Scene:
 
     ``letters`` are those of the statement and its names; ``denoted`` are the letters that the
     wording itself has given to quantities, by their words, and grows; so does ``lettered``, by the
-    quantities with the number of the event after which they are meant.
+    speeds with the number of the event after which they are meant, and by times.
     """
 
     problem: Problem
@@ -74,7 +75,7 @@ class Scene:
     letters: frozenset[str]
     now: int = 0
     denoted: dict[Words, str] = field(default_factory=dict, compare=False, repr=False)
-    lettered: dict[Quantity, str] = field(default_factory=dict, compare=False, repr=False)
+    lettered: dict[Quantity | Binary, str] = field(default_factory=dict, compare=False, repr=False)
 
     def at(self, now: int) -> Scene:
         """The scene when so many events are told."""

@@ -9,7 +9,7 @@ from typing import Any
 
 from restitution.errors import StatementError, require
 from restitution.expression.dimensions import LENGTH
-from restitution.expression.tree import Expression, Place, Quantity, has_quantity, letters
+from restitution.expression.tree import Binary, Expression, Place, Quantity, has_quantity, letters
 from restitution.language import check
 from restitution.problem import (
     Event,
@@ -96,8 +96,8 @@ def has_axes(problem: Problem) -> bool:
 
 
 @once_a_problem
-def letters_of_speeds(problem: Problem) -> Mapping[Quantity, str]:
-    """The letters that formulas of the question have for speeds, each after so many events."""
+def letters_of_formulas(problem: Problem) -> Mapping[Quantity | Binary, str]:
+    """The letters that formulas of the question have for speeds and for times."""
     scene = scene_of(problem)
     list(_drafts(scene))
     return scene.lettered

@@ -279,7 +279,7 @@ class _Writer:
             for claim in self.ends.claims(line):
                 yield from self._introduced()
                 sentences = (say("shown.claim", claim=claim),)
-                label = self.ends.label(line)
+                label = self.ends.label_of_claims(line)
                 yield Step("note", sentences=sentences, item=step.item, label=label)
             condition = self.conditions.get(line.number)
             if condition is not None and not any(is_same(condition, e) for e in self.limited):

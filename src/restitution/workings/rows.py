@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Rela
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.quantities import LOSSES
 from restitution.expression.tree import (
     Apply,
@@ -134,6 +135,8 @@ class Rows:
             if waiting and not index:
                 whole = self._with(waiting, links)
             row = self._chain(line, whole, last=index == len(groups) - 1)
+            if index == len(groups) - 1 and self._ends.is_required(line):
+                row = self._as_the_question_has_it(row, whole[-1])
             unit = self._unit_asked(line, whole[-1])
             if unit is not None:
                 if unit.operands[-1] != self._naming.layout(whole[-1].right):
@@ -148,13 +151,31 @@ class Rows:
                 self._left, self._single = (whole[0].left, line.item), len(whole) == 1
             fresh = False
 
+    def _as_the_question_has_it(self, row: Row, link: Link) -> Row:
+        """The row of what was to be shown, with the letter of the question for a time in it."""
+        letters_ = self._naming.times_of_the_question()
+        own = {node: Letter(letters_[node]) for node in walk(link.right) if node in letters_}
+        inner = [node for whole in own for node in walk(whole) if node != whole]
+        own = {node: letter for node, letter in own.items() if node not in inner}
+        if not own or link.sign != "=" or link.right in own:
+            return row
+        side = rebuilt(link.right, lambda node: own.get(node, node))
+        meanings = (Relation(((Link(letter, "=", node),),)) for node, letter in own.items())
+        reason = say("derived.as", reasons=tuple(map(self._naming.relation, meanings)))
+        return replace(
+            row,
+            operands=(*row.operands, self._naming.layout(side)),
+            signs=(*row.signs, "="),
+            reasons=(*row.reasons, reason),
+        )
+
     def _unit_asked(self, line: Line, link: Link) -> Row | None:
         """The unit vector that was asked for, where a line says to what it is parallel."""
         match self._ends.asked(line), link:
             case (
                 Value(expression=Quantity("line_of_centres")),
-                Link(Quantity("line_of_centres", _, int(stage)), "parallel to", vector),
-            ):
+                Link(Quantity("line_of_centres", _, int(stage)), sign, vector),
+            ) if sign == "parallel to" or isinstance(unsigned(vector), Unit):
                 own = unsigned(vector)
                 unit = vector if isinstance(own, Unit) else unit_vector(vector)
             case _:

@@ -102,7 +102,7 @@ def _maker(problem: Problem) -> FactsOf:
 
 def _is_about_the_sense(tree: Expression) -> bool:
     """Whether a tree is a line of centres, or holds a component in its direction."""
-    return any(
+    return is_quantity(tree, "line_of_centres") or any(
         is_quantity(node, "along", "across") and is_quantity(node.arguments[-1], "line_of_centres")
         for node in walk(tree)
     )

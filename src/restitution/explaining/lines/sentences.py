@@ -1306,6 +1306,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "component across the line divided by the component along it."
     ),
     "derived-speed.title": "Speed, from its components",
+    "speed.by-energy": "Speed, from the kinetic energy",
     "derived-speed.title-of": "Speed of {body}, from its components",
     "derived-speed.why": (
         "The components are the two shorter sides of a right-angled triangle, of which the "
@@ -1359,6 +1360,9 @@ SENTENCES: Mapping[SentenceId, str] = {
         "turned anticlockwise:"
     ),
     "derived.along-axis": "{body} moves in the direction of {axis}:",
+    "derived.off-along-axis": (
+        "{body} was at rest, so it moves off along the line of centres, in the direction of {axis}:"
+    ),
     "derived-parallel.title": "In one direction, the components are in the same ratio",
     "derived-parallel.why": (
         "Two vectors are parallel if one is a number times the other. Then that number is the "

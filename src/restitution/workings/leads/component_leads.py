@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Quantity,
+    Stage,
     Unit,
     is_quantity,
     is_zero,
@@ -254,7 +255,9 @@ class ComponentLeads(LinesAround):
         assert isinstance(line.relation, Relation)
         match line.relation.only[0]:
             case Link(
-                Quantity("angle", (Quantity("velocity", (Name(body),)), other)), "=", Degrees(angle)
+                Quantity("angle", (Quantity("velocity", (Name(body),), stage), other)),
+                "=",
+                Degrees(angle),
             ):
                 line_ = self._naming.layout(other)
             case _:
@@ -270,9 +273,15 @@ class ComponentLeads(LinesAround):
             case Unit() if angle not in (0, RIGHT_ANGLE.value, STRAIGHT_ANGLE.value):
                 return None
             case Unit() if not square:
-                axis = line_ if angle == 0 else self._naming.layout(Negate(other))
-                return say("derived.along-axis", body=body, axis=axis)
+                axis = other if angle == 0 else Negate(other)
+                return self._along_axis(line, body, stage, axis)
         return say("derived.across-line" if square else "derived.along-line", body=body, line=line_)
+
+    def _along_axis(self, line: Line, body: str, stage: Stage, axis: Expression) -> Sentence:
+        """Which way a body moves; of one that was at rest, why."""
+        rested = isinstance(stage, int) and self.tells_of_rest(body, stage, line)
+        name: SentenceId = "derived.off-along-axis" if rested else "derived.along-axis"
+        return say(name, body=body, axis=self._naming.layout(axis))
 
     def _along_axes(self, line: Line) -> Sentence | None:
         """That one velocity is along **i** and another along **j**, which are at right angles."""

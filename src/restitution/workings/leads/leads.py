@@ -45,7 +45,11 @@ from restitution.workings.leads.offsets import (
 )
 from restitution.workings.leads.one_component import went_from_rest
 from restitution.workings.leads.scalar_products import slope_title
-from restitution.workings.leads.senses import sense_of_a_change, sense_of_a_normal
+from restitution.workings.leads.senses import (
+    sense_of_a_change,
+    sense_of_a_given_line,
+    sense_of_a_normal,
+)
 from restitution.workings.leads.shapes_of_lines import (
     body_read_off,
     read_off_lines,
@@ -129,11 +133,10 @@ class Leads(Titles):
         chords = self._round_by_one_angle(line)
         if chords is not None:
             return (chords,)
-        sense = sense_of_a_normal(self._derivation, self._naming, line) or sense_of_a_change(
-            self._derivation, self._naming, line
-        )
-        if sense is not None:
-            return (sense,)
+        for sense_of in (sense_of_a_normal, sense_of_a_change, sense_of_a_given_line):
+            sense = sense_of(self._derivation, self._naming, line)
+            if sense is not None:
+                return (sense,)
         bodies = self._from_centre_to_centre(line)
         if bodies is not None:
             return (say("centres.between", one=bodies[0], other=bodies[1]),)
@@ -187,8 +190,8 @@ class Leads(Titles):
             return say(which, body=body)
         axis: Expression = Unit("j" if size == RIGHT_ANGLE else "i")
         back = size != angle or size == STRAIGHT_ANGLE
-        along = self._naming.layout(Negate(axis) if back else axis)
-        return say("derived.along-axis", body=body, axis=along)
+        stage = getattr(line.relation.only[0].left, "stage", None)
+        return self._along_axis(line, body, stage, Negate(axis) if back else axis)
 
     def _by_its_step(self, line: Line, source: Source | None) -> tuple[Sentence, ...] | None:
         """What is said of a factor that goes, and of an identity; None of any other step."""

@@ -7,7 +7,7 @@ import sympy as sp
 from restitution.explaining.lines.derivation import Derivation, Event, Fact, Line, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import Binary, Expression, Quantity, letters
+from restitution.expression.tree import Binary, Expression, Polar, Quantity, Unit, letters, walk
 from restitution.planning.writing.forms import ZERO, tree_of
 from restitution.render import layout as lay
 from restitution.vector import Vector
@@ -36,15 +36,10 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
     pushed, from_ = event.bodies if body == event.bodies[0] else event.bodies[::-1]
     if towards != (body == event.bodies[0]):
         return None
-    sides = None
-    if not event.wall and not _is_multiple(one, other):
-        sides = _approaching(derivation, event, before, one)
-    if sides is not None:
-        slots = {"one": event.bodies[0], "other": event.bodies[1], "vector": naming.side(own)}
-        reason = _closing(derivation, naming, sides, own)
-        if reason is None:
-            return say("sense.approach", **slots)
-        return say("sense.approach-as", reason=reason, **slots)
+    if not event.wall and not _is_multiple(one, other) and _is_in_a_letter(derivation, before):
+        sides = _approaching(derivation, event, one)
+        if sides is not None:
+            return _approach(derivation, naming, event, sides, own)
     opposite = "sense.opposite-wall" if event.wall else "sense.opposite"
     name = opposite if towards else "sense.away"
     return say(name, body=pushed, other=from_)
@@ -55,17 +50,19 @@ def _is_multiple(one: Vector, other: Vector) -> bool:
     return bool(sp.cancel(one.dot(other) / other.dot(other)).is_number)
 
 
-def _approaching(
-    derivation: Derivation, event: Event, impulse: Expression, line: Vector
-) -> tuple[Expression, Expression] | None:
-    """The velocities of two spheres that approach along a line, where an impulse has a new letter.
+def _is_in_a_letter(derivation: Derivation, impulse: Expression) -> bool:
+    """Whether a change or an impulse has a letter that is not of the data, so an open sign."""
+    data = {name for fact in derivation.facts if fact.kind == "data" for name in _letters(fact)}
+    return not letters(impulse) <= data
 
-    Its sign is not known then, and the velocities of the data tell the sense.
-    """
+
+def _approaching(
+    derivation: Derivation, event: Event, line: Vector
+) -> tuple[Expression, Expression] | None:
+    """The velocities of two spheres of the data that approach along a line in its sense."""
     facts = [derivation.fact(" ".join(("velocity", body))) for body in event.bodies]
     sides = [fact.relation.only[-1].right for fact in facts if fact is not None]
-    names = {name for fact in derivation.facts if fact.kind == "data" for name in _letters(fact)}
-    if len(sides) != 2 or event.number != 1 or letters(impulse) <= names:
+    if len(sides) != 2 or event.number != 1:
         return None
     one, other = sides
     vectors = vector_worth(one), vector_worth(other)
@@ -75,6 +72,21 @@ def _approaching(
     return (one, other) if closing.is_positive else None
 
 
+def _approach(
+    derivation: Derivation,
+    naming: Naming,
+    event: Event,
+    sides: tuple[Expression, Expression],
+    line: Expression,
+) -> Sentence:
+    """That two spheres approach along a line, and why."""
+    slots = {"one": event.bodies[0], "other": event.bodies[1], "vector": naming.side(line)}
+    reason = _closing(derivation, naming, sides, line)
+    if reason is None:
+        return say("sense.approach", **slots)
+    return say("sense.approach-as", reason=reason, **slots)
+
+
 def _closing(
     derivation: Derivation, naming: Naming, sides: tuple[Expression, Expression], line: Expression
 ) -> lay.Layout | None:
@@ -82,10 +94,14 @@ def _closing(
 
     None where a letter of the working, of which the sign is open, is in the line.
     """
-    one, other = sides
-    first, second, along = map(vector_worth, (one, other, line))
+    first, second, along = map(vector_worth, (*sides, line))
     if first is None or second is None or along is None or letters(line) & set(derivation.meanings):
         return None
+    # A velocity by its speed and an angle has no scalar product until it is resolved.
+    one, other = (
+        tree_of(worth) if any(isinstance(node, Polar) for node in walk(side)) else side
+        for side, worth in zip(sides, (first, second), strict=True)
+    )
     value = tree_of(sp.factor((first - second).dot(along)))
     relative = one if (second.x, second.y) == (0, 0) else Binary("-", one, other)
     product = Quantity("dot", (relative, line))
@@ -99,9 +115,13 @@ def _letters(fact: Fact) -> frozenset[str]:
 def direction_by_its_sense(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
     """A line of centres in its sense, from one body to the other; None of any other line."""
     own = _direction(line)
-    if own is None or sense_of_a_change(derivation, naming, line) is None:
+    event = _event_of_the_data(derivation, naming, line)
+    if own is not None and sense_of_a_change(derivation, naming, line) is not None:
+        event = naming.events[_event(derivation, line)]
+    elif sense_of_a_given_line(derivation, naming, line) is None:
         return None
-    event = naming.events[_event(derivation, line)]
+    if own is None or event is None:
+        return None
     vector = naming.side(own)
     if event.wall:
         return say("sense.of-normal", wall=event.bodies[1], vector=vector)
@@ -110,15 +130,30 @@ def direction_by_its_sense(derivation: Derivation, naming: Naming, line: Line) -
 
 def sense_of_a_normal(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
     """What is said before the normal to a wall whose direction the data give; None of another."""
-    (ref,) = line.premises if len(line.premises) == 1 else (None,)
-    fact = derivation.fact(ref)
-    if line.move.id != "rearrange" or fact is None or _direction(line) is None:
-        return None
-    event = naming.events.get(int(fact.id.rpartition(" ")[2])) if fact.kind == "geometry" else None
+    event = _event_of_the_data(derivation, naming, line)
     if event is None or not event.wall:
         return None
     wall = derivation.fact(" ".join(("wall", event.bodies[1])))
     return None if wall is None else say("derived.since", facts=(fact_in_words(naming, wall),))
+
+
+def sense_of_a_given_line(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
+    """What is said before a line of centres that the data give, in its sense; None of another."""
+    event, own = _event_of_the_data(derivation, naming, line), _direction(line)
+    along = None if own is None else vector_worth(own)
+    if event is None or event.wall or own is None or along is None:
+        return None
+    sides = _approaching(derivation, event, along)
+    return None if sides is None else _approach(derivation, naming, event, sides, own)
+
+
+def _event_of_the_data(derivation: Derivation, naming: Naming, line: Line) -> Event | None:
+    """The impact whose line of centres a line has from the data; None of any other line."""
+    (ref,) = line.premises if len(line.premises) == 1 else (None,)
+    fact = derivation.fact(ref)
+    if line.move.id not in ("fact", "rearrange") or fact is None or _direction(line) is None:
+        return None
+    return naming.events.get(int(fact.id.rpartition(" ")[2])) if fact.kind == "geometry" else None
 
 
 def _direction(line: Line) -> Expression | None:
@@ -126,6 +161,8 @@ def _direction(line: Line) -> Expression | None:
     match line.relation:
         case Relation(((Link(Quantity("line_of_centres"), "parallel to", vector),),)):
             return vector
+        case Relation(((Link(Quantity("line_of_centres"), "=", Unit() as unit),),)):
+            return unit
     return None
 
 
@@ -148,4 +185,9 @@ def _change(derivation: Derivation, line: Line) -> Line | None:
     return None
 
 
-__all__ = ["direction_by_its_sense", "sense_of_a_change", "sense_of_a_normal"]
+__all__ = [
+    "direction_by_its_sense",
+    "sense_of_a_change",
+    "sense_of_a_given_line",
+    "sense_of_a_normal",
+]

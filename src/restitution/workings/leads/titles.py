@@ -184,6 +184,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 return say("derived-opposite.change", one=body, other=other)
             case "energy-ratio" | "energy-lost" | "total-lost", _:
                 return self._of_energy(record, line, event)
+            case "energy" | "total", Binary("^", Quantity("speed")):
+                return "speed.by-energy"
             case "tan-deflection", Apply("cot"):
                 return "turned.products-over"
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):

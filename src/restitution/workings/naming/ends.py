@@ -98,12 +98,23 @@ class Ends:
     def label(self, line: Line, said_again: Collection[str] = ()) -> str:
         """The numbers in the question of the items that end in a line: ``"(i)"``.
 
-        Those that are said again below have their numbers there, and those asked in terms of
-        letters where these still stand.
+        Those that are said again below have their numbers there, as those that a sentence below
+        another item ends, and those asked in terms of letters where these still stand.
         """
-        own = [e.item for e in self._at(line) if e.item not in said_again]
+        elsewhere = {*said_again, *self._ended_below(line)}
+        own = [e.item for e in self._at(line) if e.item not in elsewhere]
         early = [item for item, number in self._in_letters.items() if number == line.number]
         return self._label([*early, *(item for item in own if item not in self._in_letters)])
+
+    def label_of_claims(self, line: Line) -> str:
+        """The numbers of the items that the sentences below a line end: ``"(ii)"``."""
+        below = self._ended_below(line)
+        return self._label(below) if below else self.label(line)
+
+    def _ended_below(self, line: Line) -> list[str]:
+        """The items of a line that ends another one, of which a sentence below says the claim."""
+        claimed = [end.item for end in self._at(line) if end.shown and self._claim(end) is not None]
+        return claimed if len(claimed) < len(self._at(line)) else []
 
     def _answers_in_letters(self, derivation: Derivation) -> Iterator[tuple[str, int]]:
         """The lines above the ends of items in which they are in the letters that are asked.

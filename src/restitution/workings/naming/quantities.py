@@ -37,7 +37,7 @@ from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.shapes import Circle
 from restitution.solving.story.letters import roles
-from restitution.wording.telling import has_axes, letters_of_speeds
+from restitution.wording.telling import has_axes, letters_of_formulas
 from restitution.workings.naming.bold_letters import BoldLetters, Used
 from restitution.workings.naming.foreseen import foreseen
 from restitution.workings.naming.measured import is_plain, vector_worth, with_unit, worth
@@ -89,9 +89,9 @@ class Naming(Moments):
         }
         #: The letters by which the statement calls times.
         self._of_the_statement = dict(_named_times(self.derivation))
-        #: The letters by which the question calls speeds.
-        self._of_the_question: Mapping[Quantity, str] = (
-            shared._of_the_question if shared else letters_of_speeds(self.problem)
+        #: The letters by which the question calls speeds and times.
+        self._of_the_question: Mapping[Quantity | Binary, str] = (
+            shared._of_the_question if shared else letters_of_formulas(self.problem)
         )
         #: Whether the times of events have numbers: where there are several.
         self._numbered_times = self.several or len(times) > 1
@@ -241,6 +241,13 @@ class Naming(Moments):
         if not isinstance(tree, Quantity) or tree not in self._of_the_question:
             return False
         return isinstance(self.name(tree), lay.Letter)
+
+    def times_of_the_question(self) -> Mapping[Expression, str]:
+        """The letters that the question has for times, and the working for nothing else."""
+        own = self._of_the_question.items()
+        return {
+            e: name for e, name in own if not is_quantity(e, "speed") and name not in self._used
+        }
 
     def _early(self, tree: Quantity) -> lay.Layout:
         """The letter that a later line has for an angle of which a sine or the like stands here."""

@@ -1,0 +1,96 @@
+"""Workings as they would stand in a book: reasons, labels and letters of the question."""
+
+from __future__ import annotations
+
+import pytest
+
+from restitution import explain, parse, solve
+from restitution.workings import to_text
+
+# A statement, what its working says, and what it does not say: lines, or parts of them.
+CASES = {
+    "why a sphere moves off along an axis": (
+        (
+            "sphere P: velocity -5j\nsphere Q: at rest\nP hits Q: along j, e = 1/3\n"
+            "find velocity(P) - velocity(Q), angle(velocity(Q), j)"
+        ),
+        (
+            (
+                "Q was at rest, so it moves off along the line of centres, in the direction of −𝐣: "
+                "angle between 𝐯_Q and 𝐣 = 180°"
+            ),
+        ),
+        ("Q moves in",),
+    ),
+    "the sense of a line of centres that is given": (
+        (
+            "sphere A: mass 2m, velocity 3u at 30° from i\nsphere B: mass m, velocity u j\n"
+            "A hits B: along i + j, e = 1/2\nfind line_of_centres"
+        ),
+        (
+            (
+                "As (((3√3 u/2)𝐢 + (3u/2)𝐣) − u𝐣) · (𝐢 + 𝐣) = (1 + 3√3)u/2 > 0, A and B approach "
+                "each other along 𝐢 + 𝐣: the direction from A to B is that of 𝐢 + 𝐣"
+            ),
+        ),
+        ("is parallel to 𝐢 + 𝐣",),
+    ),
+    # The second sphere comes from below: from the first to the second it is −j.
+    "an axis typed against the approach": (
+        (
+            "sphere A: mass 2, velocity -4i\nsphere B: mass 1, velocity i + 2j\n"
+            "A hits B: along j, e = 1/3\nfind line_of_centres, impulse"
+        ),
+        ("unit vector along the line of centres = −𝐣", "impulse = 2 − 2/9 = 16/9"),
+        ("not written out",),
+    ),
+    "an axis of the data is a unit vector": (
+        (
+            "sphere A: mass 2m, velocity u at alpha\nsphere B: mass m, at rest\n"
+            "A hits B: along i\nfind line_of_centres"
+        ),
+        ("unit vector along the line of centres = 𝐢",),
+        (),
+    ),
+    "a claim below the line of another item has its own number": (
+        (
+            "wall X: along i\nwall Y: along j\nsphere P: velocity u at alpha to X\n"
+            "given e > 0\nP hits X: e = e\nP hits Y: e = e\n"
+            "show velocity(P) = -e velocity(P, 0)\n"
+            "show velocity(P) opposite to velocity(P, 0)\nfind speed(P)"
+        ),
+        ("(i) 𝐯₂ = −eu", "(ii) So 𝐯₂ is opposite to 𝐮, since e > 0, as required.", "(iii) speed"),
+        ("(i), (ii)",),
+    ),
+    "a speed by a kinetic energy": (
+        (
+            "wall X: along i\nwall Y: along j\nsphere P: velocity u at alpha from -i\n"
+            "P hits X\nP hits Y\ngiven total_energy_lost = 75% energy(0)\nfind e, speed(P)"
+        ),
+        ("Speed, from the kinetic energy: (speed of P)² = e²u² = u²/4",),
+        (),
+    ),
+    "times of the question by its letters": (
+        (
+            "wall L: along j, through (0, 0)\nwall M: along j, through (a, 0)\n"
+            "sphere P: at (b, 0), velocity -u i\ngiven 0 < b < a\nP hits L: e = e\n"
+            "P hits M: e = f\nP hits L: e = e\nshow time(2) - time(1) = (a/b) time(1)/e\n"
+            "show time(3) - time(2) = (time(2) - time(1))/f"
+        ),
+        (
+            "t₂ − t₁ = (a/b)t₁/e = (a/b)T/e, as T = t₁ (as required)",
+            "t₃ − t₂ = (t₂ − t₁)/f = t/f, as t = t₂ − t₁ (as required)",
+        ),
+        (),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_would_be_printed_as_it_stands(name: str) -> None:
+    text, lines, others = CASES[name]
+    shown = " ".join(to_text(explain(solve(parse(text)), check=True), 80).split())
+    for line in lines:
+        assert line in shown
+    for other in others:
+        assert other not in shown
