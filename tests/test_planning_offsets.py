@@ -196,3 +196,55 @@ def test_components_keep_their_signs_in_a_scalar_product_that_is_negative() -> N
     assert not follow(derivation, Oracle(roles(problem)))
     text = printed(problem, derivation)
     assert "(u cos φ)(−½u cos φ) + (−u sin φ)(−u sin φ) < 0" in text
+
+
+GREATEST = """
+sphere P: mass 2m, velocity V i, radius a
+sphere Q: mass m, at rest, radius a
+P hits Q: offset x, e = 1
+"""
+
+
+def test_a_greatest_deflection_over_an_offset_is_one_over_the_angle() -> None:
+    problem, derivation = planned(GREATEST + "find maximum of deflection(P) over x")
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    text = " ".join(printed(problem, derivation).split())
+    assert "tan δ = (3 tan φ − tan φ)/(1 + 3 tan²φ) = 2 tan φ/(1 + 3 tan²φ)" in text
+    assert "S = (1 − √3 tan φ)²/tan φ + 2√3" in text
+    # tan φ = 1/√3 is 30°, of which the sine is ½ = x/(2a).
+    assert "when 1 − √3 tan φ = 0, so tan φ = √3/3, sin φ = ½ and x = a" in text
+    assert "√(4a² − x²)" not in text
+
+
+def test_what_is_asked_by_the_offset_beside_a_greatest_deflection_ends_in_it() -> None:
+    problem, derivation = planned(
+        GREATEST + "find speed(Q) in terms of V, a, x\nfind maximum of deflection(P) over x"
+    )
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    text = " ".join(printed(problem, derivation).split())
+    assert "cos φ = √(4a² − x²)/(2a)" in text
+    # Q leaves with 2 × 2/3 of V cos φ.
+    assert "speed of Q = (4/3)V cos φ" in text
+    assert "Substituting for cos φ: (i) speed of Q = 2V√(4a² − x²)/(3a)" in text
+
+
+def test_an_offset_is_told_by_the_radius_and_not_the_other_way_round() -> None:
+    problem, derivation = planned(
+        "sphere P: mass m, velocity V i, radius a\nsphere Q: mass m, at rest, radius a\n"
+        "P hits Q: offset d, e = 1/2\nfind range of d"
+    )
+    text = " ".join(printed(problem, derivation).split())
+    assert "d = 2a sin φ 0 < d < 2a, as 2a sin φ increases with φ and φ is acute" in text
+
+
+def test_an_offset_that_a_later_part_gives_leaves_the_angle_to_the_first() -> None:
+    problem, derivation = planned(
+        "sphere P: mass m, velocity V i, radius a\nsphere Q: mass m, at rest, radius a\n"
+        "P hits Q: offset x\npart a\ngiven e = 1/2\nfind maximum of deflection(P) over x\n"
+        "part b\ngiven x = a, deflection(P) = 45°\nfind e"
+    )
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    text = " ".join(printed(problem, derivation).split())
+    assert "so tan φ = ½, sin φ = √5/5 and x = 2√5 a/5" in text
+    assert "sin φ = a/(2a) = ½ φ = 30°" in text
+    assert "Substituting for φ and tan β: (2√3/(3(1 − e)) − √3/3)" in text

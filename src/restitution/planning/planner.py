@@ -35,7 +35,7 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle
 from restitution.planning.angles.angles_at_walls import write_angles_at_walls
 from restitution.planning.axes.by_changes import frame_at, write_axis
-from restitution.planning.axes.offsets import given_by_offsets, paths_beside
+from restitution.planning.axes.offsets import given_by_offsets, open_angles, paths_beside
 from restitution.planning.axes.open_lines import write_open_lines
 from restitution.planning.axes.opposite_impulses import (
     write_impulse_of_an_open_line,
@@ -58,6 +58,7 @@ from restitution.planning.inequalities.forms_of_ranges import (
     write_form,
     write_forms,
 )
+from restitution.planning.inequalities.over_offsets import write_by_offset
 from restitution.planning.inequalities.ranges import general_answer, relation_of, write_range
 from restitution.planning.latest_forms import (
     with_factors_kept,
@@ -436,6 +437,8 @@ def _drafts(
         others = tuple(models) if len(models) > 1 else ()
         scene = Scene(problem, own, part, model_, draft, others, find_frame=frame_at)
         scene.of_offsets = given_by_offsets(scene)
+        scene.kept = open_angles(scene)
+        scene.free |= scene.kept
         scene.sided, scene.turned = len(one_side), turned
         _write_items(scene, statuses, last)
         drafts.append(draft)
@@ -626,6 +629,8 @@ def _write_item(
             asked = staged(problem, item.expression, now)
             if not write_with_facts(scene, solver, name):
                 write_item(scene, solver, asked, name)
+            if scene.kept:
+                write_by_offset(scene, name)
             if place_trees.serves(asked):
                 require_form(scene, result)
             require_found(scene, asked)

@@ -35,7 +35,8 @@ def means_something(meaning: Meaning, setting: Setting) -> bool:
         return False
     step = Step(setting, Move("let"), (), ())
     step.world.printed = False
-    signs = Signs(step.world, lambda: Oracle(setting.roles))
+    angles = {name: setting.role(name) for name, own in setting.meanings.items() if own.angle}
+    signs = Signs(step.world, lambda: Oracle({**setting.roles, **angles}))
     try:
         value = step.world.value(meaning.quantity)
         if meaning.vector != isinstance(value, Plane):

@@ -791,6 +791,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "extremum.value-there": "When {places:or}, {value}.",
     "extremum.at-zero": "{square}, so {place}",
     "extremum.at-zero-angle": "{square}, so {place} and {angle}",
+    "extremum.at-zero-sine": "{square}, so {tangent}, {sine} and {offset}",
+    "extremum.by-sine": "{place}, so {offset}",
     "extremum.at-angle": "{place}, so {angle}",
     "extremum.with": "{place} and so {other}",
     "extremum.approached": "as {place}: a bound that is approached and not reached",

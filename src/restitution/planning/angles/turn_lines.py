@@ -400,10 +400,17 @@ def _is_to_a_wall(scene: Scene, letter: Expression) -> bool:
 
 
 def _by_its_letter(scene: Scene, side: Direction, tangent: sp.Expr) -> Term | None:
-    """The angle of a path to the line of centres in whose letter the components stand already."""
+    """The angle of a path to the line of centres in whose letter the components stand already.
+
+    It has the value of the letter, where that is known.
+    """
     known = letter_known(scene, side.named)
     symbol = None if known is None else scene.model.unknowns.letter(known[0])
-    if symbol is None or not scene.unknown(symbol) or tidy(tangent - sp.tan(symbol)) != 0:
+    worth = None if symbol is None else scene.desk.known(Letter(symbol.name))
+    if symbol is not None and worth is not None and worth.value.is_number:
+        return Term(Letter(symbol.name), tree_of(tidy(sp.tan(worth.value))), worth.refs)
+    is_open = symbol is not None and (symbol in scene.kept or bool(scene.unknown(symbol)))
+    if symbol is None or not is_open or tidy(tangent - sp.tan(symbol)) != 0:
         return None
     return Term(Letter(symbol.name), Apply("tan", Letter(symbol.name)))
 

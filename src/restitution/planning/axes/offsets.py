@@ -15,13 +15,14 @@ from restitution.exact import tidy
 from restitution.explaining.data.offset_angles import offset_angle
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Relation, equality
 from restitution.explaining.lines.trees import trees_of
+from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import Apply, Letter, Name, Quantity, is_quantity, letters, walk
 from restitution.planning.formulas.named_angles import free_letter
 from restitution.planning.writing.desk import Desk
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
-from restitution.problem import Range
+from restitution.problem import Extremum, Problem, Range
 from restitution.solving.equations.solution import Solution
 from restitution.solving.story.letters import roles
 from restitution.vector import Vector
@@ -41,9 +42,11 @@ def paths_beside(solution: Solution, desk: Desk) -> dict[int, Vector]:
     if own is None:
         return {}
     sought = all(letters(own.sine) & branche.values.keys() for branche in branches)
-    if not sought and not _is_its_range(solution, letters(own.sine)):
+    over = _is_over(solution.problem, letters(own.sine))
+    if not (sought or over or _is_its_range(solution, letters(own.sine))):
         return {}
-    if any(_is_value_of(fact, letters(own.sine)) for fact in desk.facts):
+    values = [fact for fact in desk.facts if _is_value_of(fact, letters(own.sine))]
+    if any(fact.part is None or not over for fact in values):
         return {}
     one, other = (branches[0].story.velocity(body, 0) for body in desk.events[0].bodies)
     size = sp.sqrt(sp.expand(one.dot(one)))
@@ -60,6 +63,18 @@ def _is_its_range(solution: Solution, names: AbstractSet[str]) -> bool:
         isinstance(item, Range)
         and isinstance(item.expression, Letter)
         and item.expression.name in names
+        for item in items
+    )
+
+
+def _is_over(problem: Problem, names: AbstractSet[str]) -> bool:
+    """Whether a greatest or least angle is asked for over the letter of the offset."""
+    items = [item for part in problem.parts for item, _ in problem.asked(part)]
+    return any(
+        isinstance(item, Extremum)
+        and is_quantity(item.expression, *ANGLES)
+        and isinstance(item.over, Letter)
+        and item.over.name in names
         for item in items
     )
 
@@ -124,6 +139,24 @@ def given_by_offsets(scene: Scene) -> tuple[GivenEquation, ...]:
         residual = below * sp.sin(frame.angle) - above
         equations.append(GivenEquation(fact, link, (residual,)))
     return tuple(equations)
+
+
+def open_angles(scene: Scene) -> frozenset[sp.Symbol]:
+    """The angles of lines of centres with a path of which the offset is left open.
+
+    Their ratios are not put in: what is asked over the offset is worked out by the angle.
+    """
+    final = scene.model.final
+    angles = {frame.angle for frame in scene.model.frames.values()}
+    return frozenset(
+        angle
+        for equation in scene.of_offsets
+        for angle in equation.residuals[0].free_symbols & angles
+        if _is_over(
+            scene.problem,
+            {each.name for each in equation.residuals[0].free_symbols if each not in final},
+        )
+    )
 
 
 def is_sine_of_an_offset(equation: GivenEquation) -> bool:

@@ -133,7 +133,7 @@ class ClaimLines:
             if isinstance(own, Relation):
                 names |= names_in(own)
         names |= names_in(relation)
-        pool = [*refs, *self.judge.known(n for n in names if n in roles(self.scene.problem))]
+        pool = [*refs, *self.judge.known(names)]
         line = bound_by_a_ratio(self, relation, pool)
         if line is not None:
             return line
@@ -164,9 +164,7 @@ class ClaimLines:
         several = self.coefficients(names)
         products = self.products(several)
         if products:
-            rest = self.judge.known(
-                n for n in names - set(several) if n in roles(self.scene.problem)
-            )
+            rest = self.judge.known(names - set(several))
             line = self.judge.write((Move("compare"),), [*refs, *products, *rest], relation)
         if line is None:
             self.worths.back(mark)

@@ -41,6 +41,7 @@ from restitution.planning.inequalities.extrema_above import write_bound_again
 from restitution.planning.inequalities.gaps import is_left, is_plain, write_difference
 from restitution.planning.inequalities.inverses import inverse_by_lines
 from restitution.planning.inequalities.letter_ranges import ranges_of
+from restitution.planning.inequalities.over_offsets import offset_over, role_of
 from restitution.planning.inequalities.quotients import by_tangent, write_quotient
 from restitution.planning.inequalities.wide_angles import compared_by_cosine, cosine_of
 from restitution.planning.inequalities.worths import NAMED
@@ -123,7 +124,11 @@ class _Extremum:
         self.scene = claims.scene
         self.judge = claims.judge
         self.symbol = roles(self.scene.problem)[over].symbol(over)
-        self.angle = roles(self.scene.problem)[over].kind == "angle"
+        self.offset = offset_over(self.scene, self.symbol)
+        if self.offset is not None:
+            self.symbol = self.offset.angle
+        self.role = role_of(self.scene, self.symbol)
+        self.angle = self.role.kind == "angle"
         self.least = kind == "minimum"
         # A tangent of two letters is written by these.
         self.asked = asked if is_tangent_of_letters(asked) else claims.worths.opened(asked)
@@ -326,7 +331,7 @@ class _Extremum:
             by_ratio = inverse_by_lines(self.scene, lines, asked, self.value)
             self.end = self.end if by_ratio is None else replace(self.end, right=by_ratio)
         bound = self.claims.write(self._relation)
-        other = roles(self.scene.problem)[self.symbol.name]
+        other = self.role
         for line in lines:
             for end in (other.low, other.high):
                 if end is None or not self._comes_to(asked.name, end):
@@ -432,7 +437,7 @@ class _Extremum:
         return self.judge.known(names)
 
     def _names(self, x: sp.Expr) -> list[str]:
-        known = roles(self.scene.problem)
+        known = {*roles(self.scene.problem), self.symbol.name}
         return sorted(s.name for s in x.free_symbols if s.name in known)
 
     # --- where it is reached --------------------------------------------------------------------
@@ -478,6 +483,12 @@ class _Extremum:
         for place in self._places(line) if only is None else (only,):
             form = self.end.right if self.end.left == subject else tree_of(self.value)
             value = Link(subject, "=", form)
+            ratios: tuple[int, ...] = ()
+            if self.offset is not None:
+                by_offset = self.offset.place(place)
+                if by_offset is None:
+                    continue
+                place, ratios = by_offset, self.offset.ratios()
             unless = Link(place.left, "!=", place.right)
             relation = Relation(((unless,), (value,)))
             known = self._known(*self._names(self._value(line)))
@@ -489,7 +500,7 @@ class _Extremum:
                     return there
                 # What introduces the letter is tried first: nothing else may be needed.
                 lines = [ref for ref in named if isinstance(ref, int)]
-                for pool in ([line, *lines], [line, *named, *known, *more]):
+                for pool in ([line, *ratios, *lines], [line, *ratios, *named, *known, *more]):
                     refs = self.judge.needed(Move("put"), pool, relation)
                     if refs is not None:
                         return self.scene.desk.write(Move("put"), refs, relation, "silent")
@@ -534,7 +545,7 @@ class _Extremum:
             roots = sp.roots(sp.Poly(x, generator))
         except sp.PolynomialError:
             return
-        role = roles(self.scene.problem)[self.symbol.name]
+        role = self.role
         for root in sorted(roots, key=sp.default_sort_key):
             own = tidy(root)
             if own.is_real is False or (self.angle and own.is_positive is False):
@@ -553,8 +564,8 @@ class _Extremum:
 
     def _ends(self) -> Iterator[Link]:
         """The ends of the range of the letter that do not belong to it."""
-        role = roles(self.scene.problem)[self.symbol.name]
-        for end, closed in ((role.low, role.closed[0]), (role.high, role.closed[1])):
+        role = self.role
+        for end, closed in zip((role.low, role.high), role.closed, strict=True):
             if end is not None and not closed:
                 tree = tree_of(end, angle=self.angle, as_it_is=self.angle)
                 yield Link(Letter(self.symbol.name), "=", tree)
@@ -582,7 +593,7 @@ class _Extremum:
         bound = self.judge.write((Move("monotone"),), pool, self._relation)
         if bound is not None:
             return bound
-        for each in ranges_of(self.claims, self.symbol.name):
+        for each in () if self.offset else ranges_of(self.claims, self.symbol.name):
             bound = self.judge.write((Move("monotone"),), [line, each, *pool[1:]], self._relation)
             if bound is not None:
                 return bound

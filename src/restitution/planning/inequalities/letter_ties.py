@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from fractions import Fraction
 
@@ -274,7 +275,8 @@ class Ties:
         above = sp.fraction(whole)[0]
         kept = sp.Mul(*(x for x in sp.Mul.make_args(above) if not certain(self.scene, x)))
         symbols = [s for s in kept.free_symbols if s.name in roles(scene.problem)]
-        for symbol in sorted(symbols, key=self.rank):
+        beside = _beside_the_path(own)
+        for symbol in sorted(symbols, key=lambda own: (own.name not in beside, *self.rank(own))):
             form = isolated(self.scene, kept, symbol)
             if form is None:
                 continue
@@ -431,6 +433,17 @@ class Ties:
                 return None  # that holds of every square
             return Link(kept, sign if slope > 0 else FLIPPED[sign], tree_of(value))
         return None
+
+
+def _beside_the_path(link: Link) -> AbstractSet[str]:
+    """The letters of an offset, in the sine of the angle that it tells; none of another equation.
+
+    The offset is told by the distance of the centres, and not the other way round.
+    """
+    match link:
+        case Link(Apply("sin", Letter()), "=", Binary("/", beside, _)):
+            return letters(beside)
+    return frozenset()
 
 
 def _as_right_angle(equation: GivenEquation) -> GivenEquation:

@@ -11,6 +11,7 @@ from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Re
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
+from restitution.planning.inequalities.over_offsets import role_of
 from restitution.planning.writing.forms import product, square, total, tree_of
 from restitution.planning.writing.scene import Scene
 from restitution.records import dataclass
@@ -37,10 +38,11 @@ def write_quotient(
     """
     scene, judge = claims.scene, claims.judge
     stated = scene.desk.last_link(line).sign
-    role = roles(scene.problem)[symbol.name]
+    role = role_of(scene, symbol)
     t = sp.Dummy("t", positive=True)
     value = scene_value(scene, scene.desk.last_link(line).right)
-    names = sorted(s.name for s in value.free_symbols if s.name in roles(scene.problem))
+    known_letters = {*roles(scene.problem), symbol.name}
+    names = sorted(s.name for s in value.free_symbols if s.name in known_letters)
     x = by_tangent(value, symbol, t) if role.kind == "angle" else value.subs(symbol, t)
     above, below = sp.fraction(sp.factor(sp.together(x)))
     try:

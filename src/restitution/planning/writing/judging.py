@@ -234,7 +234,13 @@ class Judge:
         """The bounds of a letter as premises say them: ``e >= 0``, ``e <= 1``, ``acute: alpha``."""
         role = roles(self.problem).get(name)
         if role is None:
-            return ()
+            return tuple(
+                f"acute: {name}"
+                for line in self.desk.lines
+                if isinstance(line.relation, Meaning)
+                and line.relation.letter == name
+                and line.relation.angle == "acute"
+            )[:1]
         ranges = self.ranges_given(name)
         # What is known anyway is cited before the condition of a form.
         cases = [ref for ref in ranges if str(ref).startswith("case")]

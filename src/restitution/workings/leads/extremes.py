@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.exact import tidy
+from restitution.explaining.data.offset_angles import letter_of_offset
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, equality
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
@@ -27,6 +28,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
+from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import as_answer
 from restitution.workings.naming.quantities import Naming
@@ -53,11 +55,12 @@ def extreme(
         and isinstance(behind.relation, Relation)
         and (reached := value_reached(behind.relation.options)) is not None
     ]
-    places = [place for place, _ in reached_there]
     if line.move.record != "approached":
         called = operand(naming.extreme(link.left, greatest=greatest))
         where = tuple(
-            _where(naming, place, shown, _square_above(derivation, line, place)) for place in places
+            _by_angle(derivation, naming, line, behind, place)
+            or _where(naming, place, shown, _square_above(derivation, line, place))
+            for place, behind in reached_there
         )
         reasons: tuple[Sentence, ...] = (say("derived.for", places=where),) if where else ()
         bound = _bound_above(derivation, line)
@@ -110,6 +113,47 @@ def _where(
                 own = naming.relation(place_alone)
                 return say("extremum.at-zero-angle", square=zero, place=own, angle=also)
     return relation
+
+
+def _by_angle(
+    derivation: Derivation, naming: Naming, line: Line, behind: Line, place: Link
+) -> Sentence | None:
+    """Where a value is reached over an offset: the tangent of the angle, its sine, the offset.
+
+    None where the line ``behind`` the value does not rest on such an angle.
+    """
+    for own in derivation.lines_in(behind.premises):
+        match own.move.id, own.relation:
+            case "triangle", Relation(((Link(Apply("tan", Letter() as angle), "="),),)):
+                lines = derivation.lines_in(own.premises)
+            case _:
+                continue
+        sines = [each.relation for each in lines if letter_of_offset(each) == angle.name]
+        if not sines or not isinstance(sines[0], Relation):
+            continue
+        letter, there = (in_letters(side, positive=True) for side in (place.left, place.right))
+        sine = in_letters(sines[0].only[0].right, positive=True).subs(letter, there)
+        tangent = tidy(sp.sqrt(sp.factor(sine**2 / (1 - sine**2))))
+        first, second = (
+            equality(Apply(ratio, angle), tree_of(value, as_it_is=True))
+            for ratio, value in (("tan", tangent), ("sin", sine))
+        )
+        square = _square_above(derivation, line, first.only[0])
+        if square is None:
+            return say("extremum.by-sine", place=naming.relation(second), offset=_of(naming, place))
+        return say(
+            "extremum.at-zero-sine",
+            square=naming.relation(equality(square, Number(Fraction(0)))),
+            tangent=naming.relation(first),
+            sine=naming.relation(second),
+            offset=_of(naming, place),
+        )
+    return None
+
+
+def _of(naming: Naming, place: Link) -> lay.Layout:
+    """A place as an equation."""
+    return naming.relation(Relation(((place,),)))
 
 
 def under_one_root(tree: Expression) -> Expression:
