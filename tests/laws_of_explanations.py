@@ -11,7 +11,8 @@ from pathlib import Path
 import pypdf
 from statements import EXAMPLES, QUESTIONS, explained, law, solved
 
-from restitution.export.sheet import Options, entry, to_pdf
+from restitution.export.sheet import Options, entry, to_document
+from restitution.render.document.typst import to_pdf
 from restitution.render.text import width
 from restitution.wording import Listing, question
 from restitution.workings import PartExplanation, to_html, to_latex, to_markdown, to_text
@@ -222,7 +223,7 @@ def what_is_said_about_a_step_is_a_few_sentences_in_words(path: Path) -> None:
 @law(EXAMPLES[::3])  # each by itself; the nightly run has all of them on one sheet
 def it_can_be_set_on_a_sheet(path: Path) -> None:
     options = Options(solutions=True)
-    pdf = to_pdf([entry(solved(path), "pdf", options)], "All", options)
+    pdf = to_pdf(to_document([entry(solved(path), options)], "All", options))
     read = pypdf.PdfReader(io.BytesIO(pdf))
     seen = " ".join(" ".join(page.extract_text() for page in read.pages).split())
     title = solved(path).problem.title or ""

@@ -8,10 +8,12 @@ import pytest
 from commands import run
 
 import restitution as r
-from restitution.export import mark_scheme as tables
+from restitution.export.mark_scheme import to_table
 from restitution.practice.marking import mark_scheme as schemes
 from restitution.practice.marking.mark_scheme import mark_scheme
 from restitution.practice.questions.varying import variant
+from restitution.render.document import Document, html, typst
+from restitution.render.document.text import to_text
 from restitution.workings import explain
 
 STATEMENT = """title A ball & a cushion
@@ -91,9 +93,11 @@ def test_a_mistake_that_keeps_its_method_is_not_condoned(notes):
 
 
 def test_tables_are_escaped(rows):
-    html = tables.to_html(rows)
-    assert html.count("<tr>") == len(rows) + 2
-    assert "#table(" in tables.to_typst(rows)
+    table = to_table(rows)
+    assert html.to_blocks([table]).count("<tr>") == len(rows) + 2
+    assert "#table(" in typst.to_blocks([table])
+    text = to_text(Document("", (table,)))
+    assert max(map(len, text.splitlines())) <= 80 and "Newton" in text
 
 
 def test_the_command_sets_versions_with_their_schemes(tmp_path):
@@ -109,7 +113,7 @@ def test_the_command_sets_versions_with_their_schemes(tmp_path):
     assert one.read_text(encoding="utf-8") != other.read_text(encoding="utf-8")
     assert "Mark scheme" in (tmp_path / "test-1-scheme.html").read_text(encoding="utf-8")
     assert "Mark scheme" not in one.read_text(encoding="utf-8")
-    room = re.compile(r'<div style="height: [^0]')
+    room = re.compile(r'<div style="height:[^0]')
     assert room.search(one.read_text(encoding="utf-8"))
     assert not room.search((tmp_path / "test-1-scheme.html").read_text(encoding="utf-8"))
 

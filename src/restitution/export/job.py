@@ -31,7 +31,7 @@ if TYPE_CHECKING:
         SolvedObject,
         WorkedObject,
     )
-    from restitution.export.sheet import Form, Options
+    from restitution.export.sheet import Options
     from restitution.export.trace import Stage
     from restitution.solving.equations.solution import Solution
     from restitution.workings.rendering.explanation import Explanation
@@ -91,7 +91,6 @@ class Playing:
 class Setting:
     """A question to be set on a sheet, with ``seed`` one like it with other numbers."""
 
-    form: Form
     options: Options
     seed: int | None = None
 
@@ -309,10 +308,10 @@ def serve(job: Job) -> Reply:
             played = play(solution, part, seconds=budget, as_=mistake)
             tired = tired or is_hurried(played.data)
             return Reply(played.html, answered, errors, tuple(reply["warnings"]), tired=tired)
-        case Setting(form, options):
+        case Setting(options):
             from restitution.export.sheet import entry
 
-            one = entry(solution, form, options)
+            one = entry(solution, options)
             warnings = reply["warnings"]
             return Reply(one, answered, errors, tuple(warnings), tired=tired, notes=unvaried)
         case Picturing(event):

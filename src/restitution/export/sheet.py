@@ -1,29 +1,36 @@
 """Questions on sheets of A4: wording, a figure, room for working, and worked solutions.
 
-A sheet is made in two steps. `entry` turns a solved problem into markup, in the process that has
-solved it; `to_pdf` and `to_html` put entries together, and need no algebra for it.
+A sheet is made in two steps. `entry` sets a solved problem as blocks of a document, in the process
+that has solved it; `to_document` puts entries together, and needs no algebra for it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from html import escape
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from restitution.records import dataclass
-from restitution.render.page import page
-from restitution.render.typst import NAME, compiled, literal, paper
+from restitution.render.document import (
+    Block,
+    Document,
+    Heading,
+    Inset,
+    NewPage,
+    Numbered,
+    Picture,
+    Room,
+    Together,
+)
+from restitution.render.typst import NAME
 
 if TYPE_CHECKING:
     from restitution.explaining.lines.marks import Style
     from restitution.solving.equations.solution import Solution
     from restitution.wording import Question, QuestionPart
 
-Form = Literal["pdf", "html"]
-
 DEFAULT_TITLE = "Oblique impacts"
-_MOST = 20.0  # centimetres of room that are given unasked: nearly a page
+_MOST = 200.0  # millimetres of room that are given unasked: nearly a page
 FIGURE = 84
 """Width of a figure, in millimetres."""
 
@@ -47,36 +54,27 @@ class Options:
 
 @dataclass(frozen=True)
 class Entry:
-    """One question of a sheet as markup of its form; ``working`` is empty where not wanted.
+    """One question of a sheet: ``room`` is that for the working of its last part.
 
-    So is ``scheme``, its mark scheme, and ``close``, the question without room for working, which
-    stands before it unless room is asked for.
-
-    ``room`` is that for the working of its last part, in centimetres.
+    Its parts have theirs between them. Behind all questions stand the ``working`` and the
+    ``scheme``, the mark scheme, where they are wanted.
     """
 
     title: str | None
-    question: str
-    working: str = ""
-    room: float = 0.0
-    scheme: str = ""
-    close: str = ""
-
-    def asked(self, options: Options) -> tuple[str, float]:
-        """The question, and the room behind it, as they stand on a sheet."""
-        if options.scheme and options.space is None:
-            return self.close, 0.0
-        return self.question, self.room
+    question: tuple[Block, ...]
+    room: Room
+    working: tuple[Block, ...] = ()
+    scheme: tuple[Block, ...] = ()
 
 
-def entry(solution: Solution, form: Form, options: Options) -> Entry:
+def entry(solution: Solution, options: Options) -> Entry:
     """A solved problem as it stands on a sheet.
 
     Raises RestitutionError where the problem cannot be worded or explained.
     """
     from restitution.wording import question
     from restitution.workings import explain, illustrated
-    from restitution.workings.rendering.document import to_body, to_typst
+    from restitution.workings.rendering.document import document_of
 
     explanation = explain(solution, marks="fm1" if options.marks == "none" else options.marks)
     marks = {part.label: part.marks for part in explanation.parts if part.marks}
@@ -88,190 +86,86 @@ def entry(solution: Solution, form: Form, options: Options) -> Entry:
     explained = replace(explanation, title=None)
     if options.diagrams and options.solutions:
         explained = illustrated(explained)
-    figure = _figure(solution) if options.diagrams else None
-    room = rooms[-1] if rooms else 0.0
-    if form == "pdf":
-        working = to_typst(explained) if options.solutions else ""
-        written = _typst_question
-    else:
-        working = to_body(explained) if options.solutions else ""
-        written = _html_question
-    close = written(asked, figure, [0.0] * len(rooms)) if options.scheme else ""
-    text, scheme = written(asked, figure, rooms), _scheme(solution, form, options)
-    return Entry(solution.problem.title, text, working, room, scheme, close)
+    figure = _figure(solution) if options.diagrams else []
+    return Entry(
+        solution.problem.title,
+        tuple(_question(asked, figure, rooms)),
+        rooms[-1] if rooms else Room(0),
+        (Inset(document_of(explained)),) if options.solutions else (),
+        tuple(_scheme(solution, options)),
+    )
 
 
-def _scheme(solution: Solution, form: Form, options: Options) -> str:
+def _scheme(solution: Solution, options: Options) -> Iterator[Block]:
     """The mark scheme as a table, where it is wanted."""
-    if not options.scheme:
-        return ""
-    from restitution.export import mark_scheme as tables
-    from restitution.practice.marking.mark_scheme import mark_scheme
+    if options.scheme:
+        from restitution.export.mark_scheme import to_table
+        from restitution.practice.marking.mark_scheme import mark_scheme
 
-    rows = mark_scheme(solution, "fm1" if options.marks == "none" else options.marks)
-    return tables.to_typst(rows) if form == "pdf" else tables.to_html(rows)
+        yield to_table(mark_scheme(solution, "fm1" if options.marks == "none" else options.marks))
 
 
-def _figure(solution: Solution) -> str | None:
-    """The situation before the first impact, as SVG."""
+def _figure(solution: Solution) -> list[Block]:
+    """The situation before the first impact."""
     from restitution.drawing import figure
     from restitution.drawing.svg import to_svg
 
     scene = figure(solution)
-    return None if scene is None else to_svg(scene)
+    return [] if scene is None else [Picture(to_svg(scene), FIGURE)]
 
 
-def _room(part: QuestionPart, options: Options) -> float:
-    """Centimetres of room for the working of a part."""
+def _room(part: QuestionPart, options: Options) -> Room:
+    """Room for the working of a part: ten millimetres for a mark."""
     if options.space is not None:
-        return options.space
-    return 0.0 if options.solutions else min(float(part.marks or 0), _MOST)
+        return Room(10 * options.space)
+    return Room(0.0 if options.solutions else min(10 * float(part.marks or 0), _MOST))
 
 
-_LONG = 4000  # characters of markup that a page may not hold
-
-
-# --- typst --------------------------------------------------------------------------------------
-
-_SETUP = """\
-#let numbered(number, title, body) = block(above: 1.6em, breakable: true, grid(
-  columns: (1.8em, 1fr), strong[#number], [#if title != none { block(sticky: true, strong(title)) }
-  #body]))
-#let figure-of(svg) = align(center, block(above: 1em, below: 1em,
-  image(bytes(svg), format: "svg", width: WIDTH)))
-#let together(body) = block(breakable: false, width: 100%, body)
-#let room(height) = block(height: height, width: 100%, breakable: true)
-"""
-
-
-def to_pdf(entries: Sequence[Entry], title: str | None, options: Options) -> bytes:
-    """The sheet as a PDF of A4 pages, the same bytes for the same entries.
-
-    Raises UnsupportedError where typst is not installed.
-    """
-    return compiled(_typst_document(entries, title or _title(entries), options), "pdf", "HTML")
-
-
-def _typst_document(entries: Sequence[Entry], title: str, options: Options) -> str:
-    from restitution.render.document.typst import PREAMBLE
-
-    head = "" if options.solutions or options.scheme else NAME
-    setup = paper(title, head) + _SETUP.replace("WIDTH", f"{FIGURE}mm")
-    blocks = [setup, PREAMBLE]
-    alone = len(entries) == 1
-    for number, each in enumerate(entries, 1):
-        question, room = each.asked(options)
-        blocks.append(_typst_numbered(number, each.title, question, alone, title))
-        # What is left of the last page is room enough, whatever it is.
-        blocks.append(f"#room({room:g}cm)" if number < len(entries) else "")
-    if options.solutions:
-        blocks.append("#pagebreak(weak: true)\n#heading(numbering: none)[Solutions]")
-        for number, each in enumerate(entries, 1):
-            blocks.append(_typst_numbered(number, each.title, each.working, alone, title))
-    if options.scheme:
-        blocks.append("#pagebreak(weak: true)\n#heading(numbering: none)[Mark scheme]")
-        for number, each in enumerate(entries, 1):
-            blocks.append(_typst_numbered(number, each.title, each.scheme, alone, title))
-    return "\n\n".join(blocks) + "\n"
-
-
-def _typst_numbered(number: int, title: str | None, body: str, alone: bool, sheet: str) -> str:
-    named = "none" if title is None or (alone and title == sheet) else literal(title)
-    return f"#numbered({literal(f'{number}')}, {named})[\n{body}\n]"
-
-
-def _typst_question(question: Question, figure: str | None, rooms: Sequence[float]) -> str:
-    from restitution.render.document.typst import to_blocks
+def _question(question: Question, figure: list[Block], rooms: Sequence[Room]) -> Iterator[Block]:
+    """What is told with the figure and the first part, and the others, with room between them."""
     from restitution.wording import document
 
-    opening = to_blocks(document.opening(question))
-    parts = [to_blocks([document.part(part)]) for part in question.parts]
-    first = parts[0] if parts else ""
-    short = len(opening) + len(first) < _LONG
-    if figure is not None:
-        opening += f"\n\n#figure-of({literal(figure)})"
-    start = f"{opening}\n\n{first}"
-    blocks = [_together(start) if short else start]
+    parts = [*map(document.part, question.parts)]
+    yield _inset([*document.opening(question), *figure, *parts[:1]])
     for room, part in zip(rooms, parts[1:], strict=False):
-        blocks.append(f"#room({room:g}cm)")
-        blocks.append(_together(part) if len(part) < _LONG else part)
-    return "\n\n".join(blocks)
+        yield from (room, _inset([part]))
 
 
-def _together(body: str) -> str:
-    return f"#together[\n{body}\n]"
+def _inset(blocks: Iterable[Block]) -> Block:
+    """A piece of a question, on one page if it is short."""
+    return Inset(Document("", (Together(tuple(blocks)),), kind="question"))
 
 
-# --- HTML ---------------------------------------------------------------------------------------
-
-_STYLE = """
-body { margin: 0; background: #fff } main { max-width: 46rem; margin: 0 auto; padding: 1rem }
-main > h1 { font: 600 1.3rem/1.3 Georgia, serif; margin: .5rem 0 1rem }
-main > h2 { font: 600 1.15rem/1.3 Georgia, serif; break-before: page }
-.entry { display: grid; grid-template-columns: 2rem 1fr; margin: 1.4rem 0 }
-.entry > .number { font: 600 1.05rem/1.6 Georgia, serif }
-.entry h3 { font: 600 1.05rem/1.6 Georgia, serif; margin: 0 }
-.entry .question, .entry .restitution { padding: 0; margin: 0; max-width: none }
-.figure { text-align: center; margin: 1rem 0; break-inside: avoid } .figure svg { width: 84mm;
-  max-width: 100%; height: auto }
-@media (prefers-color-scheme: dark) { body { background: #17181c; color: #e8e8ec } }
-@media print { @page { size: A4; margin: 20mm } main { padding: 0; max-width: none }
-  body { background: #fff; color: #000 } }
-"""
-
-
-def to_html(entries: Sequence[Entry], title: str | None, options: Options) -> str:
-    """The sheet as one page that needs nothing else and prints on A4."""
-    from restitution.export.mark_scheme import STYLE as SCHEME
-    from restitution.render.document.styles import QUESTION, WORKING
-
-    named = title or _title(entries)
-    alone = len(entries) == 1
-    body = [f"<h1>{escape(named)}</h1>"]
+def to_document(entries: Sequence[Entry], title: str | None, options: Options) -> Document:
+    """The sheet: all questions, and behind them all workings or mark schemes."""
+    named = title or (entries[0].title if len(entries) == 1 else None) or DEFAULT_TITLE
+    close = options.scheme and options.space is None  # nobody writes on it
+    blocks: list[Block] = []
     for number, each in enumerate(entries, 1):
-        question, room = each.asked(options)
-        body.append(_html_numbered(number, each.title, question, alone, named))
-        body.append(_html_room(room))
-    if options.solutions:
-        body.append("<h2>Solutions</h2>")
-        body += [
-            _html_numbered(n, e.title, e.working, alone, named) for n, e in enumerate(entries, 1)
-        ]
-    if options.scheme:
-        body.append("<h2>Mark scheme</h2>")
-        body += [
-            _html_numbered(n, e.title, e.scheme, alone, named) for n, e in enumerate(entries, 1)
-        ]
-    inside = "\n".join(body)
-    scheme = SCHEME if options.scheme else ""
-    return page(named, f"{QUESTION}{WORKING}{_STYLE}{scheme}", f"<main>\n{inside}\n</main>")
+        asked = each.question
+        if close:
+            asked = tuple(block for block in asked if not isinstance(block, Room))
+        blocks.append(_numbered(number, each, asked, named, len(entries)))
+        # What is left of the last page is room enough, whatever it is.
+        blocks += [] if close or number == len(entries) else [each.room]
+    behind = [
+        ("Solutions", options.solutions, [each.working for each in entries]),
+        ("Mark scheme", options.scheme, [each.scheme for each in entries]),
+    ]
+    for heading, wanted, contents in behind:
+        if wanted:
+            blocks += [NewPage(), Heading(heading, 1)]
+            blocks += [
+                _numbered(number, each, content, named, len(entries))
+                for number, (each, content) in enumerate(zip(entries, contents, strict=True), 1)
+            ]
+    head = "" if options.solutions or options.scheme else NAME
+    return Document(named, tuple(blocks), head, "sheet")
 
 
-def _html_numbered(number: int, title: str | None, body: str, alone: bool, sheet: str) -> str:
-    named = "" if title is None or (alone and title == sheet) else f"<h3>{escape(title)}</h3>"
-    return (
-        f'<section class="entry"><div class="number">{number}</div><div>{named}\n{body}\n'
-        "</div></section>"
-    )
-
-
-def _html_question(question: Question, figure: str | None, rooms: Sequence[float]) -> str:
-    from restitution.render.document.html import to_blocks
-    from restitution.wording import document
-
-    blocks = [to_blocks(document.opening(question))]
-    if figure is not None:
-        blocks.append(f'<div class="figure">{figure}</div>')
-    for index, part in enumerate(question.parts):
-        if index:
-            blocks.append(_html_room(rooms[index - 1]))
-        blocks.append(to_blocks([document.part(part)]))
-    return '<article class="question">' + "\n".join(blocks) + "</article>"
-
-
-def _html_room(height: float) -> str:
-    return f'<div style="height: {height:g}cm"></div>' if height else ""
-
-
-def _title(entries: Sequence[Entry]) -> str:
-    return (entries[0].title if len(entries) == 1 else None) or DEFAULT_TITLE
+def _numbered(
+    number: int, entry: Entry, blocks: tuple[Block, ...], sheet: str, count: int
+) -> Numbered:
+    """Blocks of a question behind its number; the title of the only one may be the sheet's."""
+    title = "" if entry.title is None or (count == 1 and entry.title == sheet) else entry.title
+    return Numbered(number, title, blocks)

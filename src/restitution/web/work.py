@@ -109,14 +109,14 @@ def on_a_sheet(
     marks: Style = "fm1",
 ) -> Payload:
     """A PDF; or the error, as JSON, of a statement that cannot be set."""
-    from restitution.export.sheet import Options, to_pdf
+    from restitution.export.sheet import Options, to_document
+    from restitution.render.document.typst import to_pdf
 
     options = Options(solutions, diagrams, None if room else 0.0, marks)
     try:
-        reply = serve(Job(FILE, parse(statement), Setting("pdf", options), limit))
-        return Payload(
-            to_pdf([reply.content], title, options), "application/pdf", tired=reply.tired
-        )
+        reply = serve(Job(FILE, parse(statement), Setting(options), limit))
+        document = to_document([reply.content], title, options)
+        return Payload(to_pdf(document), "application/pdf", tired=reply.tired)
     except RestitutionError as error:
         return _failed(error)
 

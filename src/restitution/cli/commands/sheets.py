@@ -31,6 +31,7 @@ from restitution.errors import StatementError
 
 if TYPE_CHECKING:
     from restitution.export.sheet import Entry, Options
+    from restitution.render.document import Document
 
 SHEET = """Set questions on a sheet to print.
 
@@ -134,7 +135,7 @@ def sheet(
             shown = progress(files) if len(files) > 1 else silent
             with shown(output == "-") as each:
                 for file in each(files):
-                    task = Setting(form.value, options, version)
+                    task = Setting(options, version)
                     done = answer(worker, file, task, limit(time_limit))
                     worst = max(worst, done.status)
                     if done.content is not None:
@@ -166,18 +167,13 @@ def _write_worksheet(
 ) -> None:
     """The worksheet of the experiment with a wall."""
     from restitution.experiments.worksheet import USUAL_TRIALS, worksheet
-    from restitution.render.document.html import to_html
-    from restitution.render.document.typst import to_pdf
 
     try:
         rows = USUAL_TRIALS if trials is None else trials
         document = worksheet(rows, solutions=solutions, title=title)
     except StatementError as error:
         raise typer.BadParameter(error.message, param_hint="--trials") from None
-    pdf = form is SheetFormat.pdf
-    content = content_or_exit(lambda: to_pdf(document)) if pdf else to_html(document).encode()
-    with refusing():
-        write_file(output, content, [])
+    _write(output, document, form, [])
 
 
 _TITLE = "Oblique impacts"
@@ -198,11 +194,17 @@ def _write_sheet(
     files: list[str],
 ) -> None:
     """One sheet, put together and written."""
-    from restitution.export.sheet import to_html, to_pdf
+    from restitution.export.sheet import to_document
 
-    if form is SheetFormat.pdf:
-        content = content_or_exit(lambda: to_pdf(entries, title, options))
-    else:
-        content = to_html(entries, title, options).encode()
+    _write(output, to_document(entries, title, options), form, files)
+
+
+def _write(output: str, document: Document, form: SheetFormat, files: list[str]) -> None:
+    """A document in its form; ``files`` are those that it was made of."""
+    from restitution.render.document.html import to_html
+    from restitution.render.document.typst import to_pdf
+
+    pdf = form is SheetFormat.pdf
+    content = content_or_exit(lambda: to_pdf(document)) if pdf else to_html(document).encode()
     with refusing():
         write_file(output, content, files)

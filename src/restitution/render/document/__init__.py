@@ -1,7 +1,8 @@
 """A document as data: headings, paragraphs, equations, entries, tables, pictures, room to write.
 
-Questions, worked solutions, reports and worksheets are documents. `text`, `markdown`, `latex`,
-`html` (as text or as a tree of elements) and `typst` write them, and know no word of what they say.
+Questions, worked solutions, mark schemes, sheets of them, reports and worksheets are documents.
+`text`, `markdown`, `latex`, `html` (as text or as a tree of elements) and `typst` write them, and
+know no word of what they say.
 """
 
 from __future__ import annotations
@@ -30,18 +31,33 @@ class Typed:
     text: str
 
 
+@dataclass(frozen=True, slots=True)
+class Strong:
+    """Words in bold type, such as the marks of a line."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class LineBreak:
+    """The end of a line within the words of a cell."""
+
+
 Piece: TypeAlias = str | Emphasis | Typed | Layout
 Words: TypeAlias = tuple[Piece, ...]
 Inline: TypeAlias = Piece | Words
 """Words, mathematics, or a mixture."""
+CellPiece: TypeAlias = Piece | Strong | LineBreak
+Cell: TypeAlias = CellPiece | tuple[CellPiece, ...]
+"""The same in a table, where words may be bold, and lines end."""
 
 
 @dataclass(frozen=True)
 class Heading:
-    """The title of what follows: of a section, or of a step in it (``level`` 3)."""
+    """The title of what follows: of a half of a sheet, a section, or a step in it (``level`` 3)."""
 
     words: Inline
-    level: Literal[2, 3] = 2
+    level: Literal[1, 2, 3] = 2
 
 
 @dataclass(frozen=True)
@@ -113,15 +129,19 @@ class Table:
 
     ``align`` has a letter for each column: l, c or r. ``height`` is the least of a row in
     millimetres, for cells that are filled in by hand, and ``ruled`` draws all lines. A narrow
-    table is as wide as its cells are, another one as the page.
+    table is as wide as its cells are, another one as the page; there, columns may have ``shares``
+    of the room that is left, where those without (None) are as wide as their cells. ``remarks``
+    are the columns in small type.
     """
 
-    heads: tuple[Inline, ...]
-    rows: tuple[tuple[Inline, ...], ...]
+    heads: tuple[Cell, ...]
+    rows: tuple[tuple[Cell, ...], ...]
     align: str
     height: float | None = None
     ruled: bool = False
     narrow: bool = False
+    shares: tuple[float | None, ...] = ()
+    remarks: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -159,8 +179,50 @@ class NewPage:
     """What follows begins on a page of its own."""
 
 
+@dataclass(frozen=True)
+class Room:
+    """Empty paper to write on, in millimetres."""
+
+    height: float
+
+
+@dataclass(frozen=True)
+class Together:
+    """Blocks that stand on one page where they are short enough."""
+
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Inset:
+    """A question or a worked solution that stands in another document."""
+
+    document: Document
+
+
+@dataclass(frozen=True)
+class Numbered:
+    """What stands behind its number in a margin, below a title, which may be empty."""
+
+    number: int
+    title: str
+    blocks: tuple[Block, ...]
+
+
 Block: TypeAlias = (
-    Heading | Paragraph | Equations | Entries | Labelled | Table | Picture | Listing | NewPage
+    Heading
+    | Paragraph
+    | Equations
+    | Entries
+    | Labelled
+    | Table
+    | Picture
+    | Listing
+    | NewPage
+    | Room
+    | Together
+    | Inset
+    | Numbered
 )
 
 
@@ -168,16 +230,17 @@ Block: TypeAlias = (
 class Document:
     """Blocks below a title, which may be empty; ``head`` stands at the right above every page.
 
-    A report is a page of its own, a question or a worked solution may stand in another page.
+    A report and a sheet are pages of their own, a question or a worked solution may stand in
+    another page.
     """
 
     title: str
     blocks: tuple[Block, ...]
     head: str = ""
-    kind: Literal["report", "question", "working"] = "report"
+    kind: Literal["report", "question", "working", "sheet"] = "report"
 
 
-def pieces(words: Inline) -> Words:
+def pieces(words: Cell) -> tuple[CellPiece, ...]:
     """Words as their pieces."""
     return words if isinstance(words, tuple) else (words,)
 

@@ -8,7 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from restitution.render.document import Chain, Emphasis, Inline, Typed, pieces
+from restitution.render.document import (
+    Cell,
+    Chain,
+    Emphasis,
+    LineBreak,
+    Strong,
+    Typed,
+    pieces,
+)
 from restitution.render.latex import SIGNS, to_latex
 from restitution.render.latex import words as plain
 from restitution.render.layout import Layout, Sum
@@ -87,7 +95,7 @@ def _operand(layout: Layout | None) -> str:
     return "" if layout is None else to_latex(layout)
 
 
-def inline(words: Inline) -> str:
+def inline(words: Cell) -> str:
     """Words with their mathematics, as LaTeX."""
     out: list[str] = []
     for piece in pieces(words):
@@ -97,6 +105,10 @@ def inline(words: Inline) -> str:
             out.append(rf"\emph{{{plain(piece.text)}}}")
         elif isinstance(piece, Typed):
             out.append(rf"\texttt{{{plain(piece.text)}}}")
+        elif isinstance(piece, Strong):
+            out.append(rf"\textbf{{{plain(piece.text)}}}")
+        elif isinstance(piece, LineBreak):
+            out.append(r"\newline ")
         else:
             out.append(f"${to_latex(piece)}$")
     return "".join(out)

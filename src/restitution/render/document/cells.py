@@ -5,7 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import pairwise
 
-from restitution.render.document import Chain, Emphasis, Inline, Typed, lines, pieces
+from restitution.render.document import (
+    Cell,
+    Chain,
+    Emphasis,
+    LineBreak,
+    Strong,
+    Typed,
+    lines,
+    pieces,
+)
 from restitution.render.layout import (
     Brackets,
     Fraction,
@@ -28,7 +37,7 @@ _LEFT = 44
 _BREAK = element("wbr")
 
 
-def inline(words: Inline) -> list[Tree]:
+def inline(words: Cell) -> list[Tree]:
     """Words with their mathematics, to stand in a paragraph.
 
     What follows a short formula without a blank, such as a full stop, stays on its line.
@@ -43,6 +52,10 @@ def inline(words: Inline) -> list[Tree]:
             out.append(element("i", [piece.text]))
         elif isinstance(piece, Typed):
             out.append(element("code", [piece.text]))
+        elif isinstance(piece, Strong):
+            out.append(element("b", [piece.text]))
+        elif isinstance(piece, LineBreak):
+            out.append(element("br"))
         else:
             whole = isinstance(after, str) and width(to_text(piece)) <= _WHOLE
             held = after.split(" ", 1)[0] if whole and isinstance(after, str) else ""

@@ -7,7 +7,16 @@ from dataclasses import replace
 from itertools import pairwise
 
 from restitution.records import dataclass
-from restitution.render.document import Chain, Emphasis, Inline, Piece, Typed, pieces
+from restitution.render.document import (
+    Cell,
+    CellPiece,
+    Chain,
+    Emphasis,
+    LineBreak,
+    Strong,
+    Typed,
+    pieces,
+)
 from restitution.render.layout import Brackets, Fraction, Layout, Phrase, Relation, Sum, Words
 from restitution.render.text import NO_BREAK, wrapped
 from restitution.render.text import to_text as one_line
@@ -55,15 +64,17 @@ def _labelled(lines: Sequence[TextLine], label: str, margin: int) -> Iterator[Te
         yield line if text == line.text else replace(line, text=text)
 
 
-def inline(words: Inline) -> str:
+def inline(words: Cell) -> str:
     """Words with their mathematics, as one string; formulas are not to be broken."""
     return "".join(map(_piece, pieces(words)))
 
 
-def _piece(piece: Piece) -> str:
+def _piece(piece: CellPiece) -> str:
     if isinstance(piece, str):
         return piece
-    return piece.text if isinstance(piece, Emphasis | Typed) else _unbroken(piece)
+    if isinstance(piece, LineBreak):
+        return "\n"
+    return piece.text if isinstance(piece, Emphasis | Typed | Strong) else _unbroken(piece)
 
 
 def _unbroken(layout: Layout) -> str:

@@ -15,12 +15,16 @@ from restitution.render.document import (
     Equations,
     Heading,
     Inline,
+    Inset,
     Labelled,
     Listing,
     NewPage,
+    Numbered,
     Paragraph,
     Picture,
+    Room,
     Table,
+    Together,
 )
 from restitution.render.document.cells import inline, rows
 from restitution.render.document.styles import AROUND, STYLES
@@ -33,8 +37,8 @@ _CLASSES = {"question": "question", "working": "restitution"}
 def to_html(document: Document, title: str = "") -> str:
     """A whole page; ``title`` is the name of one of a document that has none."""
     named = document.title or title
-    if document.kind == "report":
-        return page(named, STYLES["report"], to_body(document))
+    if document.kind in ("report", "sheet"):
+        return page(named, STYLES[document.kind], to_body(document))
     return page(named, AROUND[document.kind], to_fragment(document))
 
 
@@ -56,7 +60,7 @@ def to_tree(document: Document) -> Tree:
     """The same as a tree of elements."""
     title = [element("h1", [document.title])] if document.title else []
     blocks = to_trees(document.blocks)
-    if document.kind == "report":
+    if document.kind in ("report", "sheet"):
         head = [_classed("p", "head", [document.head])] if document.head else []
         return element("main", [*head, *title, *blocks])
     return _classed("article", _CLASSES[document.kind], [*title, *blocks])
@@ -75,7 +79,7 @@ def to_trees(blocks: Iterable[Block]) -> list[Tree]:
 def _block(block: Block) -> list[Tree]:
     match block:
         case Heading(words, level):
-            return [element(f"h{level}", inline(words))]
+            return [element(f"h{max(level, 2)}", inline(words))]
         case Paragraph(words, role, mark):
             beside = [_classed("span", "mark", [mark])] if mark else []
             own = {} if role == "text" else {"class": role}
@@ -98,6 +102,16 @@ def _block(block: Block) -> list[Tree]:
             return [_listing(block)]
         case NewPage():
             return [_classed("div", "break", [])]
+        case Room(height):
+            return [element("div", [], {"style": f"height:{height:g}mm"})]
+        case Together(inside):
+            return to_trees(inside)
+        case Inset(document):
+            return [to_tree(document)]
+        case Numbered(number, title, inside):
+            head = [element("h3", [title])] if title else []
+            both = element("div", [*head, *to_trees(inside)])
+            return [_classed("section", "entry", [_classed("div", "number", [f"{number}"]), both])]
     assert_never(block)
 
 
@@ -126,19 +140,21 @@ def _table(table: Table) -> Tree:
         element("th", inline(words), {"scope": "col", "class": side})
         for side, words in zip(table.align, table.heads, strict=True)
     ]
+    kinds = [
+        f"{side} remark" if column in table.remarks else side
+        for column, side in enumerate(table.align)
+    ]
     high = {} if table.height is None else {"style": f"height:{table.height:g}mm"}
     body = [
         element(
             "tr",
-            [
-                _classed("td", side, inline(words))
-                for side, words in zip(table.align, row, strict=True)
-            ],
+            [_classed("td", kind, inline(words)) for kind, words in zip(kinds, row, strict=True)],
             high,
         )
         for row in table.rows
     ]
     names = [*(["ruled"] if table.ruled else []), *([] if table.narrow else ["full"])]
+    names += ["shared"] if table.shares else []
     inside = [element("thead", [element("tr", heads)]), element("tbody", body)]
     return _classed("div", "wide", [_classed("table", " ".join(names), inside)])
 

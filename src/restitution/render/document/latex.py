@@ -12,18 +12,24 @@ from restitution.render.document import (
     Entries,
     Equations,
     Heading,
+    Inset,
     Labelled,
     Listing,
     NewPage,
+    Numbered,
     Paragraph,
     Picture,
+    Room,
     Table,
+    Together,
 )
 from restitution.render.document.aligned import LINE, columns, inline, lines
 from restitution.render.latex import words as plain
 
 _BEGIN = "\n\\begin{align*}\n"
 _END = "\n\\end{align*}"
+# The part of a line that columns with shares have.
+_SHARED = 0.75
 _PREAMBLE = r"""\documentclass[11pt,fleqn]{article}
 \usepackage[a4paper,margin=25mm]{geometry}
 \usepackage{amsmath,amssymb}
@@ -71,18 +77,39 @@ def _add(blocks: Iterable[Block], out: list[str]) -> None:
                 if own and words:
                     own[-1] += rf" \hspace*{{\fill}}{plain(words)}"
                 out += own
-            case Table(heads, rows, align):
-                body = " \\\\\n".join(" & ".join(map(inline, row)) for row in (heads, *rows))
-                out.append(f"\\begin{{tabular}}{{{align}}}\n{body}\n\\end{{tabular}}")
+            case Table():
+                out.append(_table(block))
             case Listing(items, numbered):
                 name = "enumerate" if numbered else "itemize"
                 body = "\n".join(rf"\item {inline(item.words)}" for item in items)
                 out.append(f"\\begin{{{name}}}\n{body}\n\\end{{{name}}}")
             case NewPage():
                 out.append(r"\newpage")
+            case Room(height):
+                out.append(rf"\vspace{{{height:g}mm}}")
+            case Together(inside):
+                _add(inside, out)
+            case Inset(document):
+                out.append(to_latex(document, whole=False).rstrip("\n"))
+            case Numbered(number, title, inside):
+                head = rf"\textbf{{{number}}}"
+                out.append(rf"{head}\quad\textbf{{{plain(title)}}}" if title else head)
+                _add(inside, out)
             case Picture():
                 pass
         below_words = isinstance(block, Paragraph)
+
+
+def _table(table: Table) -> str:
+    kinds = list(table.align)
+    if table.shares:  # of the line, beside narrow columns
+        whole = sum(filter(None, table.shares)) / _SHARED
+        kinds = [
+            side if share is None else rf"p{{{share / whole:.2f}\linewidth}}"
+            for side, share in zip(table.align, table.shares, strict=True)
+        ]
+    body = " \\\\\n".join(" & ".join(map(inline, row)) for row in (table.heads, *table.rows))
+    return f"\\begin{{tabular}}{{{''.join(kinds)}}}\n{body}\n\\end{{tabular}}"
 
 
 def _displayed(chains: Iterable[Chain], out: list[str], fresh: bool) -> None:

@@ -7,19 +7,25 @@ from collections.abc import Iterable, Iterator
 
 from restitution.render.document import (
     Block,
+    Cell,
+    CellPiece,
     Document,
     Emphasis,
     Entries,
     Equations,
     Heading,
-    Inline,
+    Inset,
     Labelled,
+    LineBreak,
     Listing,
     NewPage,
+    Numbered,
     Paragraph,
     Picture,
-    Piece,
+    Room,
+    Strong,
     Table,
+    Together,
     Typed,
     pieces,
 )
@@ -34,16 +40,20 @@ def to_markdown(document: Document) -> str:
     return "\n\n".join([*title, *_blocks(document.blocks)]) + "\n"
 
 
-def inline(words: Inline) -> str:
+def inline(words: Cell) -> str:
     """Words with their mathematics."""
     return "".join(map(_piece, pieces(words)))
 
 
-def _piece(piece: Piece) -> str:
+def _piece(piece: CellPiece) -> str:
     if isinstance(piece, str):
         return escape(piece)
     if isinstance(piece, Emphasis):
         return f"*{escape(piece.text)}*"
+    if isinstance(piece, Strong):
+        return f"**{escape(piece.text)}**" if piece.text else ""
+    if isinstance(piece, LineBreak):
+        return "<br>"
     return f"`{piece.text}`" if isinstance(piece, Typed) else f"${to_latex(piece)}$"
 
 
@@ -55,8 +65,8 @@ def _block(block: Block) -> Iterator[str]:
     match block:
         case Heading(words, level):
             named = inline(words)
-            if level == 2:
-                yield f"### {named}"
+            if level < 3:
+                yield f"{'#' * (level + 1)} {named}"
             else:
                 plain = all(isinstance(piece, str) for piece in pieces(words))
                 yield f"**{named}**" if plain else named
@@ -97,3 +107,13 @@ def _block(block: Block) -> Iterator[str]:
             )
         case NewPage():
             yield "---"
+        case Room():
+            pass
+        case Together(inside):
+            yield from _blocks(inside)
+        case Inset(document):
+            yield to_markdown(document).rstrip("\n")
+        case Numbered(number, title, inside):
+            texts = _blocks(inside)
+            head = f"**{number}**" + (f" **{escape(title)}**" if title else "")
+            yield from [head, *texts] if title or not texts else [f"{head} {texts[0]}", *texts[1:]]

@@ -109,6 +109,27 @@ math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", math }
   li, p { break-inside: avoid } }
 """
 
+SHEET = """
+body { margin: 0; background: #fff } main { max-width: 46rem; margin: 0 auto; padding: 1rem }
+main > h1 { font: 600 1.3rem/1.3 Georgia, serif; margin: .5rem 0 1rem }
+main > h2 { font: 600 1.15rem/1.3 Georgia, serif } main > .break { break-before: page }
+.head { text-align: right; margin: 0 }
+.entry { display: grid; grid-template-columns: 2rem 1fr; margin: 1.4rem 0 }
+.entry > .number { font: 600 1.05rem/1.6 Georgia, serif }
+.entry h3 { font: 600 1.05rem/1.6 Georgia, serif; margin: 0 }
+.entry .question, .entry .restitution { padding: 0; margin: 0; max-width: none }
+.question figure { text-align: center; margin: 1rem 0; break-inside: avoid }
+.question figure svg { max-width: 100%; height: auto }
+table.shared { border-collapse: collapse; width: 100%; font: 400 .92rem/1.4 Georgia, serif }
+table.shared th, table.shared td { border: 1px solid #888; padding: .3rem .45rem; text-align: left;
+  vertical-align: top } table.shared tr { break-inside: avoid }
+table.shared b { white-space: nowrap; font-weight: 600 }
+table.shared .remark { font-size: .86rem }
+@media (prefers-color-scheme: dark) { body { background: #17181c; color: #e8e8ec } }
+@media print { @page { size: A4; margin: 20mm } main { padding: 0; max-width: none }
+  body { background: #fff; color: #000 } }
+"""
+
 # What is around a question or a worked solution that is a page of its own.
 _BARE = "body { margin: 0 }"
 _AROUND = (
@@ -116,7 +137,12 @@ _AROUND = (
     "{ html { background: #17181c } } body { margin: 0 }"
 )
 
-STYLES = {"working": WORKING, "question": QUESTION, "report": REPORT}
+STYLES = {
+    "working": WORKING,
+    "question": QUESTION,
+    "report": REPORT,
+    "sheet": f"{QUESTION}{WORKING}{SHEET}",
+}
 """The style of what stands in a page, by the kind of a document."""
 
 AROUND = {"working": _AROUND, "question": _BARE, "report": ""}

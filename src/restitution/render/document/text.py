@@ -4,21 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import zip_longest
 from string import ascii_letters, digits
 
 from restitution.render.document import (
     Block,
+    Cell,
     Document,
     Entries,
     Equations,
     Heading,
     Inline,
+    Inset,
     Labelled,
     Listing,
     NewPage,
+    Numbered,
     Paragraph,
     Picture,
+    Room,
     Table,
+    Together,
 )
 from restitution.render.document.columns import INDENT, TextLine, aligned, inline, plain
 from restitution.render.text import NO_BREAK, bold, wrapped
@@ -27,6 +33,8 @@ from restitution.render.text import width as columns
 # Where the paragraphs of a part stand behind its label.
 _BEHIND = 5
 _NOTHING = TextLine()
+# Columns that a cell has at the least.
+_NARROWEST = 12
 
 _BOLD, _FAINT, _NORMAL = "\x1b[1m", "\x1b[2m", "\x1b[0m"
 _LETTERS = {bold(c): c for c in ascii_letters + digits}
@@ -89,8 +97,8 @@ class _Texts:
                     yield from _hanging(label, wrapped(inline(words), self.width - room), room)
             case Labelled(label, inside, words):
                 yield from self.labelled(label, inside, words)
-            case Table(heads, rows):
-                yield from plain(_table([heads, *rows]))
+            case Table(heads, rows, shares=shares):
+                yield from plain(_table([heads, *rows], shares, self.width))
             case Picture(words=words):
                 yield from plain(wrapped(inline(words), self.width)) if words else ()
             case Listing(items, numbered, first):
@@ -98,7 +106,15 @@ class _Texts:
                     head = f"{number}." if numbered else "-"
                     room = len(head) + 1
                     yield from _hanging(head, wrapped(inline(item.words), self.width - room), room)
-            case NewPage():
+            case Together(inside):
+                yield from self.below([], inside)
+            case Inset(document):
+                own = to_text(document, self.width)
+                yield from plain(own.splitlines())
+            case Numbered(number, title, inside):
+                named = [Heading(title, 3)] if title else []
+                yield from self.labelled(f"{number}", [*named, *inside], "")
+            case NewPage() | Room():
                 pass
 
     def paragraph(self, words: Inline, mark: str) -> list[TextLine]:
@@ -132,15 +148,31 @@ def _hanging(head: str, texts: Sequence[str], room: int) -> list[TextLine]:
     ]
 
 
-def _table(rows: Sequence[Sequence[Inline]]) -> list[str]:
-    cells = [[inline(cell) for cell in row] for row in rows]
-    widths = [max(map(columns, column)) for column in zip(*cells, strict=True)]
-    return [
-        "  ".join(
-            text + " " * (room - columns(text)) for text, room in zip(row, widths, strict=True)
-        ).rstrip()
-        for row in cells
-    ]
+def _table(rows: Sequence[Sequence[Cell]], shares: Sequence[float | None], width: int) -> list[str]:
+    """Rows of cells in columns two blanks apart; those with a share of the width are wrapped."""
+    cells = [[inline(cell).split("\n") for cell in row] for row in rows]
+    widths = [max(columns(line) for cell in column for line in cell) for column in zip(*cells)]
+    if shares:
+        own = sum(room for room, share in zip(widths, shares, strict=True) if share is None)
+        left = max(width - own - 2 * (len(widths) - 1), 0)
+        whole = sum(filter(None, shares))
+        widths = [
+            room if share is None else max(int(left * share / whole), _NARROWEST)
+            for room, share in zip(widths, shares, strict=True)
+        ]
+    out = []
+    for row in cells:
+        wrapped_cells = [
+            [piece for line in cell for piece in wrapped(line, room) or [""]]
+            for cell, room in zip(row, widths, strict=True)
+        ]
+        for texts in zip_longest(*wrapped_cells, fillvalue=""):
+            padded = (
+                text + " " * (room - columns(text))
+                for text, room in zip(texts, widths, strict=True)
+            )
+            out.append("  ".join(padded).rstrip())
+    return out
 
 
 def _strong(texts: Sequence[str]) -> list[TextLine]:

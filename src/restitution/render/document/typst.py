@@ -8,6 +8,7 @@ from typing import assert_never
 
 from restitution.render.document import (
     Block,
+    Cell,
     Chain,
     Document,
     Emphasis,
@@ -15,12 +16,18 @@ from restitution.render.document import (
     Equations,
     Heading,
     Inline,
+    Inset,
     Labelled,
+    LineBreak,
     Listing,
     NewPage,
+    Numbered,
     Paragraph,
     Picture,
+    Room,
+    Strong,
     Table,
+    Together,
     Typed,
     lines,
     pieces,
@@ -32,6 +39,8 @@ from restitution.render.typst import words as plain
 
 _ALIGNED = {"l": "left", "c": "center", "r": "right"}
 _SIZES = {"result": "size: 1.25em", "remark": "size: 0.85em"}
+# Characters of markup that a page may not hold.
+_LONG = 4000
 
 PREAMBLE = """
 #let working-mark(mark) = text(size: 0.85em, weight: "bold", mark)
@@ -73,11 +82,13 @@ def to_pdf(document: Document) -> bytes:
 
 def to_markup(document: Document) -> str:
     """The document as markup."""
-    title = f"#text(size: 1.3em, strong({literal(document.title)}))"
     setup = paper(document.title, document.head)
-    if any(isinstance(block, Equations) for block in document.blocks):
+    if document.kind == "sheet" or any(isinstance(each, Equations) for each in document.blocks):
         setup += PREAMBLE
-    return "\n\n".join([setup, title, *_blocks(document.blocks)]) + "\n"
+    # The title of a sheet stands above every page.
+    title = f"#text(size: 1.3em, strong({literal(document.title)}))"
+    titles = [] if document.kind == "sheet" else [title]
+    return "\n\n".join([setup, *titles, *_blocks(document.blocks)]) + "\n"
 
 
 def to_content(document: Document) -> str:
@@ -134,10 +145,28 @@ def _block(block: Block, is_held: bool) -> list[str]:
             return [_listing(block)]
         case NewPage():
             return ["#pagebreak(weak: true)"]
+        case Room(height):
+            return [f"#block(height: {height:g}mm, width: 100%, breakable: true)"]
+        case Together(inside):
+            texts = _blocks(inside)
+            plain_blocks = [each for each in inside if not isinstance(each, Picture)]
+            if len(to_blocks(plain_blocks)) >= _LONG:
+                return texts
+            whole = "\n\n".join(texts)
+            return [f"#block(breakable: false, width: 100%)[\n{whole}\n]"]
+        case Inset(document):
+            return [to_content(document)]
+        case Numbered(number, title, inside):
+            named = f"#block(sticky: true, strong({literal(title)}))\n" if title else ""
+            body = "\n\n".join(_blocks(inside))
+            beside = f"grid(columns: (1.8em, 1fr), strong[{number}], [{named}{body}\n])"
+            return [f"#block(above: 1.6em, breakable: true, {beside})"]
     assert_never(block)
 
 
 def _heading(words: Inline, level: int) -> str:
+    if level == 1:
+        return f"#heading(numbering: none)[{inline(words)}]"
     if level == 2:
         return (
             f"#block(above: 1.5em, below: 0.8em, sticky: true, "
@@ -158,7 +187,7 @@ def _paragraph(paragraph: Paragraph, is_held: bool) -> str:
     return f"#block(sticky: true)[{line}]" if is_held else line
 
 
-def inline(words: Inline) -> str:
+def inline(words: Cell) -> str:
     """Words with their mathematics."""
     out: list[str] = []
     for piece in pieces(words):
@@ -169,6 +198,10 @@ def inline(words: Inline) -> str:
             out.append(f"#emph[{plain(piece.text)}]")
         elif isinstance(piece, Typed):
             out.append(f"#raw({literal(piece.text)})")
+        elif isinstance(piece, Strong):
+            out.append(f"#strong[{plain(piece.text)}]")
+        elif isinstance(piece, LineBreak):
+            out.append(" #linebreak() ")
         else:
             out.append(to_typst(piece))
     return "".join(out)
@@ -213,11 +246,21 @@ def _operand(layout: Layout | None) -> str:
 def _table(table: Table) -> str:
     heads = ", ".join(f"[#strong[{inline(word)}]]" for word in table.heads)
     rows = "".join(
-        "  " + ", ".join(f"[{inline(word)}]" for word in row) + ",\n" for row in table.rows
+        "  "
+        + ", ".join(
+            f"[#text(size: 0.85em)[{inline(words)}]]"
+            if column in table.remarks
+            else f"[{inline(words)}]"
+            for column, words in enumerate(row)
+        )
+        + ",\n"
+        for row in table.rows
     )
     # The last column of words takes the room that is left.
     kinds = ["auto"] * len(table.align)
-    if table.ruled and not table.narrow:
+    if table.shares:
+        kinds = ["auto" if share is None else f"{share:g}fr" for share in table.shares]
+    elif table.ruled and not table.narrow:
         kinds = ["1fr"] * len(table.align)  # room to write in
     elif "l" in table.align and not table.narrow:
         kinds[table.align.rfind("l")] = "1fr"
