@@ -20,7 +20,7 @@ FEW = 5
 """A test with fewer cases is whole in the normal run, but for those that take long."""
 
 ONE_IN = {
-    "test_statements": 5,
+    "test_statements": 8,
     # Workings of statements of its own: solved, planned, followed.
     "test_planning_accepted": 3,
     "test_planning_angles": 3,
@@ -137,10 +137,9 @@ def _leave(tests: Mapping[str, pytest.Item], kept: Collection[str]) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Processes of pytest-xdist get the options of the first, which knows what was typed."""
-    if not hasattr(config, "workerinput"):
-        named = config.args_source is config.ArgsSource.ARGS or bool(config.option.keyword)
-        config.option.whole |= named and config.option.markexpr == "not nightly"
+    """What is asked for by name runs whole; each process of pytest-xdist reads what was typed."""
+    named = config.args_source is config.ArgsSource.ARGS or bool(config.option.keyword)
+    config.option.whole |= named and config.option.markexpr == "not nightly"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -312,7 +312,10 @@ PIECES = {
 @pytest.mark.parametrize("caught", [True, False])
 def test_a_piece_of_a_page_that_is_broken_off_is_told(monkeypatch, piece, caught):
     solution = solve(parse(STATEMENT))
+    began = time.monotonic()
     whole = shown(solution)
+    # All other pieces are there in time, however busy the machine is.
+    limit = max(1.0, 5 * (time.monotonic() - began))
     assert not whole.tired
     assert not [text for text in whole.pieces.warnings if "time" in text]
 
@@ -328,7 +331,7 @@ def test_a_piece_of_a_page_that_is_broken_off_is_told(monkeypatch, piece, caught
 
     make = getattr(working, PIECES[piece])
     monkeypatch.setattr(working, PIECES[piece], hurried)
-    page = shown(solution, 1.0)
+    page = shown(solution, limit)
     assert page.tired
     reason = getattr(page.pieces, f"{piece}_error", None)
     left_out = [text for text in page.pieces.warnings if f"the {piece} is left out" in text]

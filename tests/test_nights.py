@@ -103,6 +103,21 @@ def test_those_that_take_long_are_noted_and_left_to_the_night(
     pytester.runpytest_inprocess(*options).assert_outcomes(passed=1, deselected=1)
 
 
+def test_what_is_named_runs_whole_in_other_processes(
+    pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytester.makepyfile(test_one="def test_long(): pass\ndef test_short(): pass\n")
+    pytester.makeconftest(
+        "import nights\nnights.LONG = {'test_one.py::test_long'}\nnights.KEPT = set()\n"
+    )
+    monkeypatch.setenv("PYTHONPATH", str(Path(nights.__file__).parent))
+    monkeypatch.delenv("PYTEST_XDIST_WORKER", raising=False)
+    options = ("-p", "nights", "-p", "no:playwright", "-n", "1", "-m", "not nightly")
+    pytester.runpytest_subprocess(*options).assert_outcomes(passed=1)
+    pytester.runpytest_subprocess(*options, "test_one.py").assert_outcomes(passed=2)
+    pytester.runpytest_subprocess(*options, "-k", "long").assert_outcomes(passed=1)
+
+
 def test_what_shares_is_kept_together(request: pytest.FixtureRequest) -> None:
     """Without this a statement is solved, and a browser begun, in every process.
 
