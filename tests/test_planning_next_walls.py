@@ -19,6 +19,7 @@ from restitution.planning.planner import plan
 from restitution.problem import Problem
 from restitution.solving import solve
 from restitution.solving.story.letters import roles
+from restitution.workings import explain
 
 STATEMENTS = {
     "after an angle that was found": """
@@ -194,3 +195,28 @@ find impulse(2)
     said = [write_relation(each) for each in relations if isinstance(each, Relation)]
     assert "along(velocity(P, 1), line_of_centres(2)) = u sin(55°)" in said
     assert not follow(derivation, Oracle(roles(problem)))
+
+
+ELASTIC = "wall W: along i\nsphere P: mass m, velocity u at alpha to W\nP hits W: e = 1\n"
+
+
+@pytest.mark.parametrize(
+    ("rest", "working"),
+    [
+        (
+            "given tan(alpha) = 3/4\nfind angle(velocity(P), W)",
+            "α = arctan(3/4) Substituting in (1): angle between 𝐯_P and W = arctan(3/4) ≈ 36.9°",
+        ),
+        (
+            "given tan(alpha) = 3/4\nfind deflection(P)",
+            "δ = α + α = 2α = 2 arctan(3/4) ≈ 73.7°",
+        ),
+        ("find direction(P)", "tan θ = u sin α/(u cos α) = tan α θ = α"),
+    ],
+    ids=["its angle", "the deflection", "its direction"],
+)
+def test_the_angle_that_an_elastic_wall_keeps_is_that_of_the_data(rest: str, working: str) -> None:
+    text = " ".join(str(explain(solve(parse(ELASTIC + rest)), check=True)).split())
+    for mark in (" M1", " A1ft", " A1", " B1"):
+        text = text.replace(mark, "")
+    assert working in text

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import sympy as sp
 
-from restitution import exact
 from restitution.exact import tidy, tidy_angle
 from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation, equality
+from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
@@ -20,12 +19,10 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Name,
-    Polar,
     Quantity,
     Unit,
     letters,
     unsigned,
-    walk,
 )
 from restitution.planning.angles.along_lines import angle_along_the_centres
 from restitution.planning.angles.at_sight import angle_at_sight
@@ -55,6 +52,7 @@ from restitution.planning.angles.scalar_angles import (
     write_right_angle_of_axes,
     write_right_angle_of_two,
 )
+from restitution.planning.angles.sums_at_walls import write_sum
 from restitution.planning.angles.turn_lines import inverse_of_data, write_turn, write_turn_tangent
 from restitution.planning.angles.turned_directions import turn_of_directions
 from restitution.planning.angles.vectors_between import (
@@ -89,18 +87,14 @@ from restitution.planning.formulas.velocity_formulas import (
     velocity_source,
 )
 from restitution.planning.writing.angle_ratios import range_of
-from restitution.planning.writing.angles import angle_of_approach, angle_to_a_line
+from restitution.planning.writing.angles import angle_of_approach
 from restitution.planning.writing.circles import chord_from
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
-    TWO,
     difference,
-    product,
-    total,
     tree_of,
 )
 from restitution.planning.writing.frames import Frame
-from restitution.planning.writing.given_angles import given_angle, given_by_its_ratio
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
@@ -168,8 +162,22 @@ def _by_walls(scene: Scene, asked: Quantity) -> int | None:
             own = angle_to_a_wall(scene, body, stage, wall)
             own = own or complement_to_a_wall(scene, body, stage, wall)
             lines = () if own is None else (ref for ref in own.refs if isinstance(ref, int))
-            return next(iter(lines), None)
+            line = next(iter(lines), None)
+            return None if line is None else _by_a_given_ratio(scene, asked, line)
     return None
+
+
+def _by_a_given_ratio(scene: Scene, asked: Quantity, line: int) -> int:
+    """The line of an angle that is a letter of the data, with what a ratio says that this is."""
+    own = scene.desk.last_link(line).right
+    if not isinstance(own, Letter) or own.name not in scene.ratio_facts:
+        return line
+    known = inverse_of_data(scene, own.name)
+    relation = chain(asked, (scene.desk.last_link(known).right, None))
+    premises = scene.judge.enough(Move("put"), (line, known), relation)
+    if premises is None:
+        return line
+    return scene.desk.write(Move("put"), premises, relation)
 
 
 def _with_values(scene: Scene, asked: Quantity, known: Source) -> int | None:
@@ -261,7 +269,7 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
             if line is None:
                 raise
             return line
-    right = own.angle or _angle_of(scene, own)
+    right = rebuilt(own.angle or _angle_of(scene, own), _without_inverse)
     named: tuple[Ref, ...] = ()
     if isinstance(right, Binary) and isinstance(right.right, Letter):
         named = (range_of(scene, right.right.name),)  # of 90° − α
@@ -274,6 +282,14 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
     if premises is None:
         raise NotPlannedError("an angle that does not follow from its ratio")
     return scene.desk.write(move, premises, relation)
+
+
+def _without_inverse(tree: Expression) -> Expression:
+    """The angle itself, where its inverse tangent is taken of its tangent."""
+    match tree:
+        case Apply("arctan", Apply("tan", Letter() as angle)):
+            return angle
+    return tree
 
 
 def _sign_of_tangent(scene: Scene, own: Ratio) -> int:
@@ -443,11 +459,11 @@ def _deflection(
         return from_axis or _turned_by_a_blow(scene, body, event, asked)
     frame = scene.frame(event)
     if frame.wall and not wanted and isinstance(angle_of_approach(scene, body, frame), Degrees):
-        return _by_sum(scene, asked)
+        return write_sum(scene, asked, angle_line)
     if frame.wall and not wanted and _are_exact(scene, body, event, frame):
-        return _by_sum(scene, asked)
+        return write_sum(scene, asked, angle_line)
     if wanted is None and frame.wall and chord_from(scene, body, event) is not None:
-        return _by_sum(scene, asked)  # the angles are known before the place is
+        return write_sum(scene, asked, angle_line)  # the angles are known before the place is
     square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
     if square is not None:
         return square
@@ -499,7 +515,7 @@ def _deflection(
         sources = [whole_velocity(scene, *each) for each in both]
         return by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)
     if frame.wall is not None and wanted is None:
-        return _by_sum(scene, asked)
+        return write_sum(scene, asked, angle_line)
     if frame.wall is not None and wanted == "tan":
         number = tangent_at_a_wall(scene, asked, frame)
         if number is not None:
@@ -589,7 +605,7 @@ def turn_in_letters(scene: Scene, asked: Quantity) -> int | None:
     number = asked.stage
     own = scene.model.frames.get(number) if isinstance(number, int) else None
     if own is not None and own.wall is not None:
-        return _by_sum(scene, asked)
+        return write_sum(scene, asked, angle_line)
     for turn in turns_of(scene, asked):
         mark = scene.desk.mark()
         line = write_turn(scene, turn, angle_line, in_letters=True)
@@ -597,118 +613,6 @@ def turn_in_letters(scene: Scene, asked: Quantity) -> int | None:
             return line
         scene.desk.back(mark)
     return None
-
-
-def _by_sum(scene: Scene, asked: Quantity) -> int:
-    """At a wall the angles to it before and after, added."""
-    body, event = asked.arguments[0].name, asked.stage  # type: ignore[union-attr]
-    assert isinstance(event, int)
-    frame = scene.frame(event)
-    assert frame.wall is not None
-    if (alone := _left_along_the_wall(scene, asked, frame)) is not None:
-        return alone
-    names: list[Expression] = []
-    terms: list[Expression] = []
-    refs: list[Ref] = []
-    total_: Any = 0
-    for stage in (event - 1, event):
-        velocity = Quantity("velocity", (Name(body),), scene.last_event(body, stage))
-        quantity = Quantity("angle", (velocity, Name(frame.wall)))
-        given = _given_angle(scene, velocity, frame.wall)
-        if given is not None:
-            name = tree_of(given.value, angle=True)
-            given = _by_its_ratio(scene, given)
-            names.append(name)
-            terms.append(tree_of(given.value, angle=True))
-            refs += given.refs
-            total_ += given.value
-            continue
-        line = angle_line(scene, quantity)
-        own = scene.desk.last_link(line)
-        value = scene.scalar(own.right)
-        total_ += value
-        terms.append(own.right)
-        if own.left == quantity:
-            names.append(own.right)
-            refs.append(line)
-            continue
-        letter, meaning = letter_of(scene, quantity)
-        names.append(own.right if isinstance(own.right, Degrees) else Letter(letter))
-        refs += [line, meaning]
-    right = total(terms)
-    value = exact.tidy_angle(total_)
-    tree = tree_of(value, angle=True, as_it_is=True)
-    if value.has(sp.atan, sp.acos, sp.asin) and not value.free_symbols:
-        tree = product(TWO, terms[0]) if terms[0] == terms[1] else right
-    move, pool = Move("define", "sum", event, (body,)), together(refs)
-    relation = chain(asked, (right, None), (tree, "rearrange"))
-    named = not any(isinstance(node, Apply) for name in names for node in walk(name))
-    if named and total(names) != right:
-        by_names = chain(asked, (total(names), None), (right, "put"), (tree, "rearrange"))
-        if scene.judge.follows(move, pool, by_names):
-            relation = by_names
-    return scene.desk.write(move, pool, relation)
-
-
-def _left_along_the_wall(scene: Scene, asked: Quantity, frame: Frame) -> int | None:
-    """The deflection of a body that goes on along the wall: the angle to that before."""
-    (body,) = asked.arguments
-    assert isinstance(body, Name)
-    assert frame.wall is not None
-    late = in_direction(scene, "along", body.name, frame.number, frame)
-    early = Quantity("velocity", (body,), scene.last_event(body.name, frame.number - 1))
-    if late.value != 0:
-        return None
-    angle = _given_angle(scene, early, frame.wall)
-    if angle is None:
-        line = angle_line(scene, Quantity("angle", (early, Name(frame.wall))))
-        named = letter_of(scene, Quantity("angle", (early, Name(frame.wall))))[1]
-        own, refs = scene.desk.last_link(line).right, together((line, named))
-    else:
-        own, refs = tree_of(angle.value, angle=True), angle.refs
-    sides = [in_direction(scene, "across", body.name, frame.number - n, frame) for n in (0, 1)]
-    pool = together(refs, late.whole, *(side.whole for side in sides), frame.refs)
-    move, relation = (
-        Move("define", "difference", frame.number, (body.name,)),
-        chain(asked, (own, None)),
-    )
-    premises = scene.judge.needed(move, pool, relation)
-    return None if premises is None else scene.desk.write(move, premises, relation)
-
-
-def _by_its_ratio(scene: Scene, given: Source) -> Source:
-    """An angle of which a ratio is given, by the inverse of that."""
-    if str(given.value) not in scene.ratio_facts:
-        return given
-    line = inverse_of_data(scene, str(given.value))
-    value = scene.scalar(scene.desk.last_link(line).right)
-    return Source(value, together(given.refs, (line,)))
-
-
-def _given_angle(scene: Scene, velocity: Quantity, wall: str) -> Source | None:
-    """The angle to a wall at which a velocity is given."""
-    if velocity.stage:
-        angle_ = Quantity("angle", (velocity, Name(wall)))
-        own = given_angle(scene, angle_) or given_by_its_ratio(scene, angle_)
-        if own is None:
-            return None
-        value, more = scene.put(scene.scalar(own[0]))
-        return Source(value, together(own[1], more))
-    (body,) = velocity.arguments
-    assert isinstance(body, Name)
-    fact = scene.facts.get(f"velocity {body.name}")
-    given, line = None, scene.facts.get(f"wall {wall}")
-    refs = [f"velocity {body.name}"]
-    match fact.relation.only[0].right if fact is not None else None:
-        case Polar(_, angle, wall=Name(name)) if name == wall:
-            given = angle
-        case _ if line is not None:
-            given = angle_to_a_line(scene, body.name, line.relation.only[0].right)
-            refs.append(line.id)
-    if given is None:
-        return None
-    value, more = scene.put(scene.scalar(given))
-    return Source(value, together(refs, more))
 
 
 __all__ = ["angle_line", "is_angle", "write_angle", "write_decimal", "write_ratio"]
