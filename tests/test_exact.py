@@ -20,6 +20,7 @@ from restitution.exact import (
     tidy,
     tidy_angle,
 )
+from restitution.exact.samples import has_one_sign, is_negative
 from restitution.exact.surds import worked_out
 from restitution.exact.symbols import multiple_of_a_symbol
 
@@ -239,6 +240,17 @@ def test_large_expressions_do_not_hang() -> None:
         nested = sqrt(1 + nested)
     for each in (many, power, nested, S(9) ** 9**5):
         assert tidy(each).free_symbols == each.free_symbols  # and it comes to an end
+
+
+def test_the_sign_of_what_nearly_cancels_is_right() -> None:
+    rest = Q(1, 10**14)
+    total = (u + 1) ** 2 - u**2 - 2 * u - 1
+    assert is_negative(total - rest)
+    assert not is_negative(total + rest)
+    assert has_one_sign(total + rest)
+    assert not has_one_sign(u - v + total)
+    assert not is_negative(-sqrt(u - 1))  # no real value everywhere
+    assert is_negative(-(u**400) - v)  # beyond floats
 
 
 # --- angles -----------------------------------------------------------------------------------

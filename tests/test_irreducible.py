@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import random
 
+import sympy
 from sympy.core import random as draws
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
 from restitution.exact.irreducible import factor_list
+from restitution.exact.products import in_factors
 
+LETTERS = [*sympy.symbols("u v", positive=True), sympy.Symbol("e", nonnegative=True)]
 RING = PolyRing(["x", "y", "z", "w"], QQ)
 
 
@@ -28,10 +31,52 @@ def test_the_factors_are_those_of_sympy() -> None:
     rng = random.Random(3)
     for _ in range(150):
         a = _product(rng)
-        number, factors = factor_list(a)
-        other, others = a.factor_list()
-        assert number == other
-        assert sorted(map(str, factors)) == sorted(map(str, others))
+        assert factor_list(a) == a.factor_list()
+
+
+def test_a_square_of_a_letter_splits_where_its_discriminant_is_a_square() -> None:
+    x, y, z, w = RING.gens
+    for a, factors in (
+        (x**2 * y**2 - 2 * z**2 * w**2, [(x**2 * y**2 - 2 * z**2 * w**2, 1)]),
+        (x**2 * y**2 - 4 * z**2, [(x * y - 2 * z, 1), (x * y + 2 * z, 1)]),
+        ((x**2 + y**2) * (y**2 + 1) * 3, [(y**2 + 1, 1), (x**2 + y**2, 1)]),
+        ((x * y**2 + z) ** 2, [(x * y**2 + z, 2)]),
+        (x**2 * y**2, [(y, 2), (x, 2)]),
+    ):
+        assert factor_list(a)[1] == factors
+
+
+def _rational(rng: random.Random, depth: int) -> sympy.Expr:
+    if depth == 0:
+        return rng.choice([*LETTERS, sympy.S(2), sympy.S(-3), sympy.Rational(3, 4)])
+    left, right = _rational(rng, depth - 1), _rational(rng, depth - 1)
+    kind = rng.randrange(6)
+    if kind < 2:
+        return left + right
+    if kind < 4:
+        return left * right
+    return left**2 if kind == 4 or right == 0 else left / right
+
+
+def test_expressions_are_factored_as_by_sympy() -> None:
+    rng = random.Random(8)
+    for _ in range(80):
+        value = _rational(rng, rng.choice([2, 3, 3, 4]))
+        if not value.has(sympy.zoo, sympy.nan):
+            assert in_factors(value) == sympy.factor(value), value
+
+
+def test_what_is_no_quotient_of_polynomials_is_left_to_sympy() -> None:
+    u, v, e = LETTERS
+    for value in (
+        sympy.sqrt(3) * u + 3 * v,
+        (u**2 - v**2) * sympy.Abs(u + v),
+        sympy.sqrt(u**2 * v + u**2),
+        sympy.sqrt(12) / 4,
+        u ** (1 + e),
+        sympy.zoo * u,
+    ):
+        assert in_factors(value) == sympy.factor(value)
 
 
 def test_no_draw_is_unlucky() -> None:

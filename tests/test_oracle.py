@@ -510,3 +510,10 @@ def test_a_root_of_the_other_sense_is_no_value() -> None:
     assert Oracle(_ANGLES).decide(
         Relation(sp.sqrt(sp.expand((2 - x) ** 2), evaluate=False) - 2 + x, "=")
     )
+
+
+def test_a_letter_of_two_words_stands_in_what_is_factored() -> None:
+    sought, e = sp.Symbol("value sought"), sp.Symbol("e", nonnegative=True)
+    oracle = Oracle({"value sought": POSITIVE, "e": COEFFICIENT})
+    square = sp.expand((sought - 1) ** 2 * (e + 1))
+    assert oracle.proves(compared(square, ">=", 0))

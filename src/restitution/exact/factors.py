@@ -9,6 +9,7 @@ import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
 
 from restitution.exact.numbers import in_front, tidy_number
+from restitution.exact.products import in_factors
 from restitution.exact.quotients import over_surds
 from restitution.exact.samples import has_one_sign, is_negative
 from restitution.exact.simplicity import MASKED, cost, is_surd, node_count
@@ -18,8 +19,15 @@ from restitution.work import remembered, spend
 @remembered(2048)
 def factored(value: Expr, deep: bool = True) -> Expr:
     """Over one denominator, in factors; surds out of denominators; signs and conjugates tidy."""
+    if deep:
+        return _set_out(over_surds(in_factors(value)), True)
+    return _set_out(sympy.factor_terms(sympy.together(value)), False)
+
+
+@remembered(2048)
+def _set_out(value: Expr, deep: bool) -> Expr:
+    """A product of factors as they are read: signs, conjugates and, if deep, surds and sums."""
     spend()
-    value = over_surds(sympy.factor(value)) if deep else sympy.factor_terms(sympy.together(value))
     coefficient: Expr = S.One
     powers: list[tuple[Expr, Expr]] = []
     for factor in Mul.make_args(value):
@@ -240,9 +248,11 @@ def _collected_in(total: Add, letters: tuple[Symbol, ...]) -> Expr:
     terms = []
     for power, coefficients in parts.items():
         coefficient = Add(*coefficients)
-        inner = sympy.factor(coefficient) if isinstance(coefficient, Add) else coefficient
+        inner = in_factors(coefficient) if isinstance(coefficient, Add) else coefficient
         if isinstance(inner, Mul) and any(isinstance(x, Add) for x in inner.args):
-            inner = factored(inner, False) if inner.free_symbols else inner
+            many = sum(bool(x.free_symbols) for x in inner.args) > 1
+            if inner.free_symbols:
+                inner = _set_out(inner, False) if many else factored(inner, False)
         if isinstance(inner, Add) and power is not S.One and _turns(inner):
             terms.append(Mul(S.NegativeOne, -inner, power))
         else:

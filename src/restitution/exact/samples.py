@@ -14,10 +14,13 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
-from sympy import Add, Expr, Float, Rational, S, Symbol
+from sympy import Add, Expr, Float, Mul, Pow, Rational, S, Symbol
 
 from restitution.exact.simplicity import MASKED, TRIGONOMETRIC, WITHOUT_VALUE
 from restitution.work import spend
+
+# A float is not trusted with the sign of a sum that cancels to so small a part.
+_DOUBTFUL = 1e-9
 
 
 def has_one_sign(total: Expr) -> bool:
@@ -54,9 +57,9 @@ def _samples(total: Expr) -> Iterator[float]:
         for letter in letters
         if letter not in masked
         for end in (
-            (Float("0.0001"), Float(1000))
+            (Fraction(1, 10_000), Fraction(1000))
             if letter.is_positive or letter.name == "root"
-            else (Float("0.0001"), Float("0.9999"))
+            else (Fraction(1, 10_000), Fraction(9_999, 10_000))
         )
     ]
     for index in range(6 + len(ends)):
@@ -65,38 +68,79 @@ def _samples(total: Expr) -> Iterator[float]:
             point[ends[index - 6][0]] = ends[index - 6][1]
         if masked:
             point.update(_of_an_angle(masked, generator))
-        value = total.evalf(15, subs=point)
-        if not value.is_Float and not value.is_Integer:
+        value = _with_its_sign(total, point)
+        if value is None:
             return
-        yield float(value)
+        yield value
 
 
-def _of_an_angle(masked: list[Symbol], generator: random.Random) -> dict[Symbol, Float]:
+def _with_its_sign(value: Expr, point: dict[Symbol, Fraction]) -> float | None:
+    """A real value whose sign is right; None where there is none."""
+    try:
+        rough = _in_floats(value, {letter: float(number) for letter, number in point.items()})
+    except OverflowError:
+        rough = None
+    if rough is not None and abs(rough[0]) > rough[1] * _DOUBTFUL:
+        return rough[0]
+    number = value.evalf(15, subs={letter: _precise(x) for letter, x in point.items()})
+    return float(number) if number.is_Float or number.is_Integer else None
+
+
+def _in_floats(value: Expr, point: dict[Symbol, float]) -> tuple[float, float] | None:
+    """A value in floats and the size that it would have if no sum cancelled; None if it is none."""
+    if value.is_Symbol:
+        return point[value], abs(point[value])
+    if value.is_Rational:
+        number = float(value)
+        return number, abs(number)
+    if not isinstance(value, Add | Mul | Pow):
+        return None
+    if isinstance(value, Pow):
+        base = _in_floats(value.base, point)
+        if base is None or base[0] == 0 or not value.exp.is_Rational:
+            return None
+        exponent = float(value.exp)
+        if base[0] < 0 and not value.exp.is_Integer:
+            return None
+        power = base[0] ** exponent
+        return power, abs(power) * (base[1] / abs(base[0])) ** abs(exponent)
+    total, size = (0.0, 0.0) if value.is_Add else (1.0, 1.0)
+    for argument in value.args:
+        part = _in_floats(argument, point)
+        if part is None:
+            return None
+        total = total + part[0] if value.is_Add else total * part[0]
+        size = size + part[1] if value.is_Add else size * part[1]
+    return total, size
+
+
+def _of_an_angle(masked: list[Symbol], generator: random.Random) -> dict[Symbol, Fraction]:
     """Values for masked functions: of one acute angle where they may be, else of several."""
     several = len({x.name for x in masked}) < len(masked)
     angle = generator.uniform(0.05, 1.5)
     values = {}
     for value in masked:
         angle = generator.uniform(0.05, 1.5) if several else angle
-        values[value] = Float(getattr(math, value.name)(angle))
+        values[value] = Fraction(getattr(math, value.name)(angle))
     return values
 
 
-def _sample(letter: Symbol, generator: random.Random, acute: bool) -> Float:
-    """A random admissible value of a letter, to 110 digits."""
+def _sample(letter: Symbol, generator: random.Random, acute: bool) -> Fraction:
+    """A random admissible value of a letter."""
     value = Fraction(generator.randrange(10**12) + 1, 10**12)
     if acute:
-        return _precise(Fraction(1, 10) + value * Fraction(13, 10))
+        return Fraction(1, 10) + value * Fraction(13, 10)
     if letter.is_positive:
-        return _precise(Fraction(1, 7) + 3 * value)
+        return Fraction(1, 7) + 3 * value
     if letter.is_nonnegative:
-        return _precise(Fraction(1, 50) + Fraction(24, 25) * value)
+        return Fraction(1, 50) + Fraction(24, 25) * value
     if letter.is_negative:
-        return _precise(-Fraction(1, 7) - 3 * value)
-    return _precise(6 * value - 3)
+        return -Fraction(1, 7) - 3 * value
+    return 6 * value - 3
 
 
 def _precise(value: Fraction) -> Float:
+    """A value to 110 digits."""
     return Float(Rational(value.numerator, value.denominator), 110)
 
 
@@ -112,7 +156,9 @@ def admissible_points(
     for atom in value.atoms(*TRIGONOMETRIC):
         inside |= atom.free_symbols
     for _ in range(count):
-        yield {x: _sample(x, generator, x in inside and bool(x.is_positive)) for x in letters}
+        yield {
+            x: _precise(_sample(x, generator, x in inside and bool(x.is_positive))) for x in letters
+        }
 
 
 def value_at(

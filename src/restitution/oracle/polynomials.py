@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any, Literal
 
 import sympy as sp
@@ -23,6 +23,7 @@ from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
 from restitution.exact.degrees import function_of
+from restitution.exact.irreducible import factor_list
 from restitution.oracle.bases import bases_of, multiple_of
 from restitution.oracle.points import BeyondError, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
@@ -637,8 +638,15 @@ class Polynomials:
 
 @lru_cache(maxsize=2048)
 def _factor_list(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, int]]]:
-    content, parts = polynomial.factor_list()
-    return content, parts
+    # Of a name of two words SymPy makes no ring anew, which it has to.
+    plain = _ring(polynomial.ring.ngens)
+    content, parts = factor_list(plain.from_dict(dict(polynomial)))
+    return content, [(polynomial.ring.from_dict(dict(part)), times) for part, times in parts]
+
+
+@cache
+def _ring(count: int) -> PolyRing:
+    return PolyRing([f"x{n}" for n in range(count)], QQ)
 
 
 _TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
