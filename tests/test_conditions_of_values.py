@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import laws_of_numbers
 import pytest
 import sympy as sp
 from statements import FILES
@@ -17,6 +18,16 @@ A hits B: along i
 given {fact}
 find e
 """
+
+
+def test_numbers_for_letters_tell_a_wrong_condition(monkeypatch, tmp_path):
+    path = tmp_path / "at-rest.impact"
+    path.write_text(AT_REST.format(fact="speed(A) = 1/4 u"), encoding="utf-8")
+    assert [*laws_of_numbers.draws(path)]
+    laws_of_numbers.numbers_for_letters_give_the_same(path)
+    monkeypatch.setattr(laws_of_numbers, "holds", lambda condition, numbers: True)
+    with pytest.raises(AssertionError, match="at-rest"):
+        laws_of_numbers.numbers_for_letters_give_the_same(path)
 
 
 @pytest.mark.parametrize(

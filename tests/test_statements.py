@@ -12,6 +12,7 @@ import laws_of_contract  # noqa: F401
 import laws_of_explanations  # noqa: F401
 import laws_of_labels  # noqa: F401
 import laws_of_motions  # noqa: F401
+import laws_of_numbers  # noqa: F401
 import laws_of_paths  # noqa: F401
 import laws_of_pictures  # noqa: F401
 import laws_of_questions  # noqa: F401
