@@ -248,3 +248,27 @@ def test_an_offset_that_a_later_part_gives_leaves_the_angle_to_the_first() -> No
     assert "so tan φ = ½, sin φ = √5/5 and x = 2√5 a/5" in text
     assert "sin φ = a/(2a) = ½ φ = 30°" in text
     assert "Substituting for φ and tan β: (2√3/(3(1 − e)) − √3/3)" in text
+
+
+OFFSET_OF_A_RADIUS = (
+    "sphere A: mass m, radius a, velocity U i\nsphere B: mass m, radius a, at rest\n"
+    "A hits B: offset a\n"
+)
+
+
+def test_a_given_deflection_and_the_angle_that_an_offset_makes_give_the_other_angle() -> None:
+    problem, derivation = planned(OFFSET_OF_A_RADIUS + "given deflection(A) = 30°\nfind e")
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    text = " ".join(printed(problem, derivation).split())
+    assert "β = 30°" in text and "θ = 30° + 30° = 60°" in text
+    # √3 = 2/(√3(1 − e))
+    assert "tan 60° = (U/2)/(√3(1 − e)U/4)" in text and "e = ⅓" in text
+
+
+def test_what_the_impulse_leaves_is_no_scalar_product_of_the_velocity_that_it_makes() -> None:
+    problem, derivation = planned(
+        OFFSET_OF_A_RADIUS + "part a\nfind velocity(A)\npart b\ngiven deflection(A) = 30°\nfind e"
+    )
+    assert follow(derivation, Oracle(roles(problem))) == ()
+    text = " ".join(printed(problem, derivation).split())
+    assert "the component of A in the direction of 𝐭 stays −U/2" in text.split("(b)")[1]

@@ -52,6 +52,9 @@ from restitution.planning.writing.forms import (
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 
+# Angles of which everybody knows the tangent, or that there is none.
+_AT_SIGHT = (sp.pi / 6, sp.pi / 4, sp.pi / 3, sp.pi / 2)
+
 
 def given_turn(scene: Scene, equation: GivenEquation) -> int | None:
     """The equation of an angle between two velocities that is given, or its tangent.
@@ -194,12 +197,13 @@ def _one_angle(
     own = [e for e in sides if e.angle is None] or [
         e for e in sides if isinstance(e.angle, Letter) and scene.unknown(scene.scalar(e.angle))
     ]
-    data = [e for e in own if _is_at_whole_degrees(e)]
-    if len(own) == len(sides) and len(data) == 1:
+    data = [e for e in own if _at_whole_degrees(scene, e) is not None]
+    is_by_lines = len(own) == len(sides) and len(data) == 1
+    if is_by_lines:
         # One velocity is given as a vector: its angle has lines of its own.
-        known = _by_components(scene, data[0])
-        sides = [known if e is data[0] else e for e in sides]
-        own = [e for e in sides if e is not known]
+        by_lines = _by_components(scene, data[0])
+        sides = [by_lines if e is data[0] else e for e in sides]
+        own = [e for e in sides if e is not by_lines]
     if len(own) != 1:
         return None
     (side,) = own
@@ -223,6 +227,8 @@ def _one_angle(
     if isinstance(final, Degrees):
         if not 0 <= worth <= sp.pi:
             return None  # an angle between directions is at most 180°
+        if is_by_lines and worth not in _AT_SIGHT:
+            return None  # the tangent of 75° is no shorter than that of a sum
     elif scene.unknown(worth) or not (isinstance(other, Degrees) or _is_complement(final)):
         return None
     named: tuple[Ref, ...] = ()
@@ -268,13 +274,18 @@ def _is_in_its_letter(scene: Scene, side: Direction, subject: Expression) -> boo
     return symbol in scene.unknown(ratio) and tidy(ratio**2 - sp.tan(symbol) ** 2) == 0
 
 
-def _is_at_whole_degrees(side: Direction) -> bool:
-    """Whether a velocity of the data has components of a slope that is one of whole degrees."""
+def _at_whole_degrees(scene: Scene, side: Direction) -> Degrees | None:
+    """The angle to the line of centres of a velocity of the data that has whole degrees.
+
+    None of one that goes back along that line: its angle to an axis may be another one.
+    """
     along, across = (sp.sympify(source.value, strict=True) for source in (side.along, side.across))
     if side.velocity.stage or side.angle is not None or along.is_zero is not False:
-        return False
+        return None
     slope = tidy(across / along)
-    return bool(slope.is_number and slope.is_positive) and _in_degrees(sp.atan(slope)) is not None
+    if not slope.is_number or not (slope.is_positive or scene.model.sign(along) > 0):
+        return None
+    return _in_degrees(sp.atan(abs(slope)))
 
 
 def _in_degrees(angle: sp.Expr) -> Degrees | None:
@@ -286,8 +297,7 @@ def _by_components(scene: Scene, side: Direction) -> Direction:
     """A direction of the data with its angle, which lines give by its components."""
     _, meaning = letter_of(scene, side.named)
     line = angle_line(scene, side.named)
-    slope = sp.sympify(side.across.value / side.along.value, strict=True)
-    return replace(side, angle=_in_degrees(sp.atan(slope)), sources=(meaning, line))
+    return replace(side, angle=_at_whole_degrees(scene, side), sources=(meaning, line))
 
 
 def _body(side: Direction) -> str:

@@ -382,18 +382,29 @@ def _given_after(scene: Scene, kind: str, body: str, frame: Frame) -> Source | N
 
 
 def _stands_before(scene: Scene, velocity: Source, body: str, frame: Frame) -> bool:
-    """Whether the component along a slanting wall of a velocity in numbers has a line before it."""
-    if any(part.free_symbols for part in velocity.value):
-        return False
+    """Whether the component of a velocity across the impulse has a line before the impact.
+
+    Along a slanting wall in numbers; of spheres where the velocity is what the impulse makes of
+    the one before.
+    """
     before_ = frame.component("across", body, scene.last_event(body, frame.number - 1))
     known = scene.desk.known(before_)
-    return frame.wall is not None and known is not None and known.value.is_number
+    if known is None:
+        return False
+    if frame.wall is None:
+        return _rests_on(scene, velocity, "changed-velocity")
+    return known.value.is_number and not any(part.free_symbols for part in velocity.value)
 
 
 def _is_by_momentum(scene: Scene, velocity: Source, frame: Frame) -> bool:
     """Whether a velocity after an impact of two spheres is what is left of the momentum."""
-    return frame.wall is None and any(
-        isinstance(other, int) and scene.desk.line(other).move.record == "momentum-vector"
+    return frame.wall is None and _rests_on(scene, velocity, "momentum-vector")
+
+
+def _rests_on(scene: Scene, velocity: Source, record: str) -> bool:
+    """Whether a line of this record is among those from which a velocity comes."""
+    return any(
+        isinstance(other, int) and scene.desk.line(other).move.record == record
         for ref in velocity.refs
         if isinstance(ref, int)
         for other in scene.desk.under(ref)
