@@ -88,9 +88,7 @@ def _with_angle(best: Expr, angle: MaskedAngle) -> Expr:
         done.add(form)
         candidates.append(factored(form[0] / form[1]))
     for form in list(done):
-        quotient = _in_tangent(form, angle)
-        if quotient is not None:
-            candidates.append(factored(quotient))
+        candidates += map(factored, _in_tangent(form, angle))
     return min(candidates, key=cost)
 
 
@@ -128,15 +126,20 @@ def _homogeneous(poly: sympy.Poly, s: Symbol, c: Symbol) -> Expr | None:
     )
 
 
-def _in_tangent(form: tuple[Expr, Expr], angle: MaskedAngle) -> Expr | None:
-    """A quotient of homogeneous polynomials in sine and cosine, in the tangent."""
+def _in_tangent(form: tuple[Expr, Expr], angle: MaskedAngle) -> list[Expr]:
+    """A quotient of homogeneous polynomials in sine and cosine, in the tangent.
+
+    What is above by a degree is a cosine, or a sine: cos α tan²α, sin α tan α.
+    """
     s, c, t = angle.sine, angle.cosine, angle.tangent
     degrees = []
     for value in form:
         terms = sympy.Poly(value, s, c).monoms()
         totals = {sum(powers) for powers in terms}
         if len(totals) != 1:
-            return None
+            return []
         degrees.append(totals.pop())
     above, below = (value.xreplace({s: t, c: S.One}) for value in form)
-    return above / below * c ** (degrees[0] - degrees[1])
+    more = degrees[0] - degrees[1]
+    whole = above / below * c**more
+    return [whole, whole * s / (c * t)] if more > 0 else [whole]

@@ -209,9 +209,11 @@ def _is_squared(step: Step, line: Link, base: Link) -> bool:
 
 
 def is_root_of(step: Step, line: Link, base: Link) -> bool:
-    """Whether a line gives a speed of which its base gives the square."""
+    """Whether a line gives a speed of which its base gives the square, or as the root of that."""
     match base:
         case Link(Binary("^", Quantity("speed") as speed, Number(2)), "=", square):
+            pass
+        case Link(Quantity("speed") as speed, "=", Apply("sqrt", square)):
             pass
         case _:
             return False

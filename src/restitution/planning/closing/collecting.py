@@ -242,9 +242,11 @@ def _written(
     )
     if steps <= _MOST:
         return line
-    (symbol, *others) = symbols
-    if not others and len(generators) == 2 and _is_of_tangents(link, symbol.name):
-        polynomials, generators = _in_tangents(polynomials), (sp.tan(symbol),)
+    for angle in symbols:
+        if sp.sin(angle) in generators and _is_of_tangents(link, angle.name):
+            polynomials = _in_tangents(polynomials, angle) or polynomials
+            generators = polynomials[0].gens
+    symbol = symbols[0]
     back: dict[Expression, Expression] = {
         Letter(t.name): Apply("tan", _angle_tree(angle)) for angle, t in tangents.items()
     }
@@ -416,11 +418,19 @@ def _is_of_tangents(link: Link, name: str) -> bool:
     return kinds == {"tan"}
 
 
-def _in_tangents(polynomials: Polynomials) -> Polynomials:
-    """Forms of one degree in sine and cosine, divided by the power of the cosine."""
-    t = sp.Dummy("t")
+def _in_tangents(polynomials: Polynomials, angle: sp.Symbol) -> Polynomials | None:
+    """Forms of one degree in sine and cosine, divided by the power of the cosine.
+
+    None where they are of several degrees.
+    """
+    gens = polynomials[0].gens
+    sine, cosine = gens.index(sp.sin(angle)), gens.index(sp.cos(angle))
+    degrees = {m[sine] + m[cosine] for each in polynomials for m, c in each.terms() if c != 0}
+    if len(degrees) != 1:
+        return None
+    kept = [sp.tan(angle) if n == sine else g for n, g in enumerate(gens) if n != cosine]
     left, right = (
-        sp.Poly.from_dict({(m[0],): c for m, c in polynomial.terms()}, t)
+        sp.Poly.from_dict({m[:cosine] + m[cosine + 1 :]: c for m, c in polynomial.terms()}, *kept)
         for polynomial in polynomials
     )
     return left, right

@@ -32,6 +32,7 @@ def multiplied_across(scene: Scene, line: int, symbol: sp.Symbol) -> int:
 
     The same line where no product of two sums would be left, of which one holds the unknown.
     """
+    line = _above_one_root(scene, line)
     link = scene.desk.last_link(line)
     quotients = [_quotient(side) for side in (link.left, link.right)]
     if link.sign != "=" or not any(symbol.name in letters(below) for _, below in quotients):
@@ -52,6 +53,17 @@ def multiplied_across(scene: Scene, line: int, symbol: sp.Symbol) -> int:
     if alike(trees[0], link.left) and alike(trees[1], link.right):
         return line
     return in_another_form(scene, line, chain(trees[0], (trees[1], None))) or line
+
+
+def _above_one_root(scene: Scene, line: int) -> int:
+    """The line of two quotients over one root, without that; any other line as it is."""
+    link = scene.desk.last_link(line)
+    match link.left, link.right:
+        case Binary("/", above, Apply("sqrt") as below), Binary("/", over, under) if (
+            link.sign == "=" and under == below
+        ):
+            return in_another_form(scene, line, chain(above, (over, None))) or line
+    return line
 
 
 def _quotient(side: Expression) -> tuple[Expression, Expression]:

@@ -59,6 +59,7 @@ from restitution.planning.closing.square_roots import (
     sides_but_for_sign,
     squares_collected,
 )
+from restitution.planning.closing.squares_apart import with_squares_apart
 from restitution.planning.closing.zeros_of_sums import zero_of_a_sum
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
@@ -435,6 +436,7 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         return None  # two equal squares have two roots, of which one may cancel
     if (solved := _by_tangents(scene, number, symbol)) is not None:
         return solved
+    number = with_squares_apart(scene, number, symbol)
     for each in (above, _uncertain(scene, above, symbol)):
         poly = sp.Poly(each, symbol)
         if poly.degree() != 1:

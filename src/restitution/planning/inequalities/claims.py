@@ -36,6 +36,7 @@ from restitution.planning.inequalities.directions_bounded import (
 )
 from restitution.planning.inequalities.gaps import has_root, is_plain, write_difference
 from restitution.planning.inequalities.signs_of_components import write_by_components
+from restitution.planning.inequalities.standing_bounds import write_by_a_standing_bound
 from restitution.planning.inequalities.tangents_of_sums import write_tangent_of_a_sum
 from restitution.planning.inequalities.turned_at_walls import write_turn
 from restitution.planning.inequalities.wide_angles import write_by_a_product, write_by_cosine
@@ -62,6 +63,7 @@ class Claims(Eliminated):
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
         standing = self._of_letter(relation) or bound_that_stands(self, relation)
+        standing = standing or write_by_a_standing_bound(self, relation)
         standing = standing or write_by_its_square(self, relation)
         standing = standing or write_by_a_right_angle(self, relation)
         if standing is not None:

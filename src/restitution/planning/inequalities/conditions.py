@@ -38,6 +38,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.deflections import scalar_product
 from restitution.planning.axes.offsets import sine_of, write_sine
+from restitution.planning.closing.squares_apart import squares_apart
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.angles_bounded import Bounded, write_bounded
 from restitution.planning.inequalities.bounds_by_cotangents import write_by_cotangent
@@ -335,7 +336,8 @@ class Conditions:
             return None
         solved = solve_linear(self.scene, sign, x, wanted) or solve_linear(self.scene, sign, x)
         moves = (Move("rearrange"), Move("cancel"), Move("compare"))
-        short = None if x.has(sp.sin) and x.has(sp.cos) else Link(tree_of(x), sign, ZERO)
+        both = x.has(sp.sin) and x.has(sp.cos)
+        short = squares_apart(x, sign) if both else Link(tree_of(x), sign, ZERO)
         for each in (short, solved):
             if each is None:
                 continue

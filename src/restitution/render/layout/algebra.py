@@ -355,11 +355,22 @@ def _from_product(value: Expr) -> Layout:
                     (above if whole > 0 else below).append((base, Integer(abs(whole))))
             continue
         (above if exponent.p > 0 else below).append((base, abs(exponent)))
+    _cubes_in_quotients(above, roots_above, roots_below)
     if rational.p < 0:
         rational = -rational
         sign = 1 if _turn_a_difference(above) or _turn_a_difference(below) else -1
     layout = _assemble(rational, surds, above, below, roots_above, roots_below, other)
     return negative(layout) if sign < 0 else layout
+
+
+def _cubes_in_quotients(
+    above: list[tuple[Expr, Expr]], roots_above: list[Expr], roots_below: Sequence[Expr]
+) -> None:
+    """Leaves a cube of a letter below the root of a quotient: √(e³/(1 + e)), not e√(e/(1 + e))."""
+    for place, base in enumerate(roots_above):
+        if base.is_Symbol and (base, S.One) in above and any(e.is_Add for e in roots_below):
+            above.remove((base, S.One))
+            roots_above[place] = base**3
 
 
 def _turn_a_difference(factors: list[tuple[Expr, Expr]]) -> bool:
