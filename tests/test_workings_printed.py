@@ -83,6 +83,90 @@ CASES = {
         ),
         (),
     ),
+    "squares stand apart before a coefficient is a quotient of them": (
+        (
+            "wall W: along i\nsphere P: mass 2m, velocity 3u at theta to W\nP hits W: e = f\n"
+            "given velocity(P) perpendicular to velocity(P, 0)\nfind f in terms of theta\n"
+            "find speed(P)"
+        ),
+        (
+            "f sin²θ = cos²θ (i) f = 1/tan²θ",
+            # 9u² cos²θ(1/tan²θ + 1) = 9u²/tan²θ
+            "√(((3u cos θ)/tan θ)² + (3u cos θ)²) = 3u/tan θ, as sin²θ + cos²θ = 1",
+        ),
+        ("does not follow",),
+    ),
+    "squares stand apart in an inequality": (
+        (
+            "wall W: along i\nsphere P: velocity u at alpha to W\ngiven alpha > 45°\nP hits W\n"
+            "given deflection(P) > 90°\nfind range of e in terms of alpha"
+        ),
+        ("cos²α < e sin²α e > 1/tan²α",),
+        (),
+    ),
+    "quotients over one root": (
+        (
+            "wall W: along i\nwall X: along j\nsphere P: velocity u at alpha to W\nP hits W\n"
+            "P hits X\ngiven deflection(P, 1) = deflection(P, 2)\n"
+            "find tan(alpha) in terms of e"
+        ),
+        ("cos²α − e sin²α = e sin²α − cos²α tan²α = 1/e",),
+        (),
+    ),
+    # u sin²θ/cos θ, by the scalar product.
+    "a sine and a tangent": (
+        (
+            "sphere A: mass m, velocity u at theta\nsphere B: mass k m, at rest\n"
+            "A hits B: along i, e = 1/2\ngiven deflection(A) = 90°\nfind k in terms of theta"
+        ),
+        ("v = −u sin θ tan θ",),
+        ("cos θ tan²θ",),
+    ),
+    "a cube stays below its root": (
+        (
+            "wall C: circle centre (0, 0) radius a\npoint S: (-a, 0)\n"
+            "sphere P: at (-a, 0), velocity u at alpha\nP hits C\nP hits C\nP reaches S\n"
+            "find tan(alpha) in terms of e"
+        ),
+        ("tan α = √(e³/(1 + e + e²)), as α is acute",),
+        ("e√(e/",),
+    ),
+    "tangents stay tangents beside another unknown": (
+        (
+            "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"
+            "A hits B: along i\ngiven deflection(A) = 30°, energy_lost = 1/3 energy(0)\n"
+            "find alpha, e"
+        ),
+        ("3e tan α + 3 tan α = 2√3 tan²α − √3 e + √3",),
+        ("sin α cos α",),
+    ),
+    # ke > 1 from the right angle: k > 1/e ≥ 1.
+    "a claim rests on a bound that stands": (
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass k m, at rest\n"
+            "A hits B: along i\ngiven deflection(A) = 90°\nfind range of k in terms of e\n"
+            "find e in terms of k, alpha\nshow k > 1"
+        ),
+        ("(iii) k > 1, as 0 ≤ e ≤ 1 (as required)",),
+        ("ek − 1 > 0, as α is acute (iii)",),
+    ),
+    "vectors that are added are in brackets": (
+        (
+            "wall C: circle centre (2, 1) radius 5\nsphere P: mass 2, at (2, 1), "
+            "velocity 3i + 4j\nP hits C: e = 1/2\nfind position(P), velocity(P)"
+        ),
+        ("position of P at the impact = (2𝐢 + 𝐣) + (3𝐢 + 4𝐣)", "= (5𝐢 + 5𝐣) m"),
+        ("4𝐣) m",),
+    ),
+    "letters in the order of what is shown": (
+        (
+            "sphere A: mass m, velocity u at alpha\nsphere B: mass M, at rest\n"
+            "A hits B: along i\ngiven velocity(A) perpendicular to velocity(A, 0)\n"
+            "show tan^2(alpha) = (M e - m)/(M + m)\nfind tan(alpha)"
+        ),
+        ("(M + m) sin²α = (Me − m) cos²α", "tan α = √((Me − m)/(M + m))"),
+        ("eM", "m + M"),
+    ),
 }
 
 

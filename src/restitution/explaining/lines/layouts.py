@@ -126,10 +126,17 @@ class Forms:
 
     ``typed`` are trees of the statement: a number that stands there with a root below a line is
     printed like that everywhere, and where there are decimals, a fraction is a decimal if it has an
-    end and was not typed itself. A half that is that of an energy stays one.
+    end and was not typed itself. A half that is that of an energy stays one. A product or a sum of
+    two letters that is to be ``shown`` is printed in that order: Me, M + m.
     """
 
-    def __init__(self, typed: Iterable[Expression] = ()) -> None:
+    def __init__(self, typed: Iterable[Expression] = (), shown: Iterable[Expression] = ()) -> None:
+        self._pairs = {
+            (node.op, node.right, node.left): node
+            for tree in shown
+            for node in walk(tree)
+            if isinstance(node, Binary) and _is_a_pair(node)
+        }
         self._typed: dict[tuple[Ratio, int], Expression] = {}
         self._printed: dict[Expression, Expression] = {}
         self._decimal = False
@@ -166,6 +173,8 @@ class Forms:
 
     def _node(self, node: Expression) -> Expression:
         match node:
+            case Binary(op, left, right) if (op, left, right) in self._pairs:
+                return self._pairs[op, left, right]
             case Binary("+" | "-", left, Binary("*", Number(nothing), Unit())) if nothing == 0:
                 return left
             case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
@@ -243,6 +252,15 @@ class Forms:
         )
 
 
+def _is_a_pair(node: Binary) -> bool:
+    """Whether a node is a product of two letters, none of them a speed, or a sum of two terms."""
+    sides = node.left, node.right
+    if node.op == "*":
+        return all(isinstance(e, Letter) and e.name[0].lower() not in _SPEEDS for e in sides)
+    return node.op == "+" and all(isinstance(e, Letter | Number) for e in sides)
+
+
+_SPEEDS = frozenset("uvw")
 _HALF, _TWO = Ratio(1, 2), Number(Ratio(2))
 
 

@@ -243,7 +243,8 @@ def is_plain(value: lay.Layout) -> bool:
             return all(map(is_plain, factors)) and not any(map(_has_bold, factors[:-1]))
         case lay.Sum(terms):
             parts = [layout for _, layout in terms]
-            vector = len(parts) == 1 or all(map(_along_an_axis, parts))
+            axes = [axis for axis in map(_axis, parts) if axis is not None]
+            vector = len(parts) == 1 or len(set(axes)) == len(parts)
             return all(map(is_plain, parts)) and (vector or _is_surd(parts))
     return False
 
@@ -282,9 +283,10 @@ def _roots(layout: lay.Layout) -> Iterator[lay.Layout]:
                 yield from _roots(factor)
 
 
-def _along_an_axis(term: lay.Layout) -> bool:
+def _axis(term: lay.Layout) -> lay.Bold | None:
+    """The vector of which a term is a multiple; None of a number."""
     last = term.factors[-1] if isinstance(term, lay.Product) else term
-    return isinstance(last, lay.Bold)
+    return last if isinstance(last, lay.Bold) else None
 
 
 @remembered(1024)

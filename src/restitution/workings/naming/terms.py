@@ -9,7 +9,7 @@ from restitution.explaining.lines.derivation import Derivation, Line, Meaning
 from restitution.explaining.lines.layouts import Forms, shares_in
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import Apply, Expression, Quantity, has_quantity, letters, walk
-from restitution.problem import Problem, comparisons, trees
+from restitution.problem import Problem, Show, comparisons, trees, trees_of_relation
 from restitution.records import dataclass
 
 
@@ -47,7 +47,9 @@ def terms_of(derivation: Derivation, problem: Problem) -> Terms:
                 inside.update(node for ratio in ratios for node in _quantities(ratio))
         if line.shown != "silent":
             often.update(own)
-    forms = Forms(tree for tree in whole if tree not in shares)
+    claims = (step.relation for _, step in problem.steps() if isinstance(step, Show))
+    wanted = (tree for claim in claims for tree in trees_of_relation(claim))
+    forms = Forms((tree for tree in whole if tree not in shares), wanted)
     return Terms(forms, frozenset(names), often, frozenset(inside))
 
 
