@@ -435,7 +435,7 @@ class Reader:
         """
         assert isinstance(line.relation, Relation)
         match self.lines[ref].relation:
-            case Relation(((Link(Letter(name), "<=", Number(value)),),)) if value == 1:
+            case Relation(((Link(Letter(name), "<="), *_) as links,)) if _is_at_most_one(links):
                 role = self.setting.roles.get(name)
             case _:
                 return False
@@ -691,4 +691,12 @@ def _same(line: Relation, answer: Relation) -> bool:
 _NO_MOVE = Move("let")
 _ORDERED = ("<", "<=", ">", ">=")
 # These notes say that something cannot be.
+def _is_at_most_one(links: Sequence[Link]) -> bool:
+    """Whether a chain of bounds ends in 1: e ≤ 1, e ≤ 3/4 < 1."""
+    match links[-1].right:
+        case Number(value):
+            return value == 1 and {link.sign for link in links} <= {"<", "<="}
+    return False
+
+
 _EXCLUDING = frozenset({"impossible", "contradiction", "refuted"})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
@@ -284,10 +284,23 @@ class Claims(Eliminated):
             for name in sorted(tied - own) if tied & own else ():
                 if name not in known or known[name].kind != "restitution":
                     continue
-                most = Relation(((Link(Letter(name), "<=", ONE),),))
-                line = self.judge.write((Move("sign"),), [tie, *self.judge.known(own)], most)
+                pool = [tie, *self.judge.known(own)]
+                links: tuple[Link, ...] = (Link(Letter(name), "<=", ONE),)
+                for most in self._greatest_at_an_end(link, Letter(name)):
+                    links = (Link(Letter(name), "<=", most), Link(most, "<", ONE))
+                line = self.judge.write((Move("sign"),), pool, Relation((links,)))
                 lines += [] if line is None else [line]
         return lines
+
+    def _greatest_at_an_end(self, tie: Link, subject: Letter) -> Iterator[Expression]:
+        """What a coefficient that is tied to one other is at most, where that is less than 1."""
+        others = letters(tie.right)
+        if tie.left != subject or len(others) != 1:
+            return
+        (symbol,) = self.worths.value(tie.right).free_symbols
+        ends = [tidy(self.worths.value(tie.right).subs(symbol, end)) for end in (0, 1)]
+        if all(end.is_Rational for end in ends) and 0 < max(ends) < 1:
+            yield tree_of(max(ends))
 
     def _worths(self, trees: Sequence[Expression], quantities: Sequence[Quantity]) -> list[int]:
         """The lines of what stands in a claim: of its sides, or of the quantities in them."""
