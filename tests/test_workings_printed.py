@@ -167,6 +167,58 @@ CASES = {
         ("(M + m) sin²α = (Me − m) cos²α", "tan α = √((Me − m)/(M + m))"),
         ("eM", "m + M"),
     ),
+    # 3/(4(1 + e₁)) is greatest for e₁ = 0.
+    "a coefficient that stays below 1": (
+        (
+            "wall X: along i\nwall Y: along j\nsphere P: mass m, velocity u at alpha to X\n"
+            "P hits X: e = e1\nP hits Y: e = e2\ngiven e2 = 3/(4(1 + e1))\nfind range of e1"
+        ),
+        ("e₂ ≤ ¾ < 1, as e₁ ≥ 0", "So every value of e₁ is possible: 0 ≤ e₁ ≤ 1"),
+        (),
+    ),
+    # (q − 4, 4)·(q, 2) = −½(q − 4, 4)·(4, −2)
+    "a wall by a velocity of which a component is unknown": (
+        (
+            "wall W\nsphere P: velocity 4i - 2j\nP hits W: e = 1/2\n"
+            "given velocity(P) = q i + 2j\nfind q, direction(W)"
+        ),
+        (
+            "the normal to W is parallel to (q𝐢 + 2𝐣) − (4𝐢 − 2𝐣)",
+            "q(q − 4) + 2 × 4 = ½(−4(q − 4) + 2 × 4)",
+            "q = 1 + √5 ≈ 3.24 or q = 1 − √5 ≈ −1.24 (both are possible)",
+            "W is parallel to 4𝐢 + (3 − √5)𝐣",
+        ),
+        ("not written out",),
+    ),
+    "a line of centres by a velocity of which a component is unknown": (
+        (
+            "sphere A: mass 1, velocity 4i - 2j\nsphere B: mass 2, at rest\n"
+            "A hits B: e = 1/2\ngiven velocity(A) = q i + j\nfind q"
+        ),
+        ("𝐯_B = ((4 − q)/2)𝐢 − (3/2)𝐣", "(q − 1)(q − 3) = 0 q = 1 or q = 3"),
+        ("not written out",),
+    ),
+    "a velocity that no wall allows": (
+        (
+            "wall W\nsphere P: velocity 4i - 2j\nP hits W: e = 1/2\n"
+            "given velocity(P) = q i + 3j\nfind q, direction(W)"
+        ),
+        (
+            (
+                "q² − 2q + 2 = 0 This cannot be, as the discriminant of this quadratic in q, −4, "
+                "is negative. So what is described cannot happen. A1"
+            ),
+        ),
+        ("other data",),
+    ),
+    "a velocity that no line of centres allows": (
+        (
+            "sphere A: mass 1, velocity 4i - 2j\nsphere B: mass 2, at rest\n"
+            "A hits B: e = 1/2\ngiven velocity(A) = q i + 6j\nfind q"
+        ),
+        ("q² − 4q + 48 = 0 This cannot be, as the discriminant",),
+        ("other data",),
+    ),
 }
 
 

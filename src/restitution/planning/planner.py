@@ -66,6 +66,7 @@ from restitution.planning.latest_forms import (
     with_squares_of_speeds,
 )
 from restitution.planning.missed_walls import write_missed_wall
+from restitution.planning.open_clashes import write_open_clash
 from restitution.planning.out_of_range import write_out_of_range
 from restitution.planning.routes.back_through_walls import write_back_through_walls
 from restitution.planning.routes.directions_of_others import write_velocities_of_others
@@ -267,6 +268,7 @@ def _write_part(solution: Solution, part: PartSolution, desk: Desk, partial: boo
 
 _REFUSING = (
     write_clash,
+    write_open_clash,
     write_out_of_range,
     write_unreached,
     write_missed_wall,

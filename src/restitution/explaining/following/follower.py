@@ -690,6 +690,8 @@ def _same(line: Relation, answer: Relation) -> bool:
 
 _NO_MOVE = Move("let")
 _ORDERED = ("<", "<=", ">", ">=")
+
+
 # These notes say that something cannot be.
 def _is_at_most_one(links: Sequence[Link]) -> bool:
     """Whether a chain of bounds ends in 1: e ≤ 1, e ≤ 3/4 < 1."""

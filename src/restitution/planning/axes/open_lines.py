@@ -52,7 +52,7 @@ _LETTERS = ("s", "k", "b", "c", "q", "r")
 class Ray:
     """What is known of a velocity: a letter for ``quantity`` times a vector, by a given fact.
 
-    A ``letter`` of the statement stands for no quantity.
+    A ``letter`` of the statement stands for no quantity, and ``rest`` is the velocity without it.
     """
 
     body: str
@@ -61,6 +61,7 @@ class Ray:
     given: GivenEquation
     role: Role
     letter: sp.Symbol | None = None
+    rest: Vector = Vector(sp.Integer(0), sp.Integer(0))
 
 
 def write_open_lines(scene: Scene) -> None:
@@ -103,37 +104,85 @@ def tried(scene: Scene, write: Callable[[], bool]) -> bool:
 
 def _by_a_ray(scene: Scene, number: int) -> bool:
     """Whether a velocity whose direction is given leads to the line: its lines are written."""
-    spheres = scene.spheres(number)
-    if any(scene.last_event(sphere, number - 1) for sphere in spheres):
-        return False
-    early = {sphere: scene.initial(sphere) for sphere in spheres}
-    if any(scene.unknown(x) for source in early.values() for x in source.value):
-        return False
-    rays = [own for sphere in spheres if (own := ray_of(scene, sphere, number)) is not None]
+    rays = _rays(scene, number)
     fast = next((each for each in rays if _speed(scene, each, number) is not None), None)
-    e = scene.coefficient(number)
-    masses = [scene.mass(sphere).value for sphere in spheres] if len(spheres) > 1 else []
-    are_known = not any(map(scene.unknown, masses))
-    if not rays or (fast is None and (scene.unknown(e.value) or not are_known)):
+    are_known = _are_masses_known(scene, number)
+    if not rays or (fast is None and not (are_known and _is_coefficient_known(scene, number))):
         return False
     ray = fast or rays[0]
     if fast is not None and tried(scene, partial(_in_either_sense, scene, number, fast)):
         return True
     if not are_known:
         return False
+    own = _law_along_the_change(scene, number, ray)
+    if fast is None:
+        close(scene, own.shortened(scene), own.symbol)
+    else:
+        # One of the two senses contradicts the law.
+        _by_speed(scene, number, without_root(ray), own.symbol, own.lines, own.law)
+    _settle(scene, number, own.late, own.lines, own.change, own.axis)
+    return True
+
+
+def _rays(scene: Scene, number: int) -> list[Ray]:
+    """What is known of velocities after an impact that is the first of its spheres."""
+    spheres = scene.spheres(number)
+    if any(scene.last_event(sphere, number - 1) for sphere in spheres):
+        return []
+    early = [value for sphere in spheres for value in scene.initial(sphere).value]
+    if any(map(scene.unknown, early)):
+        return []
+    return [own for sphere in spheres if (own := ray_of(scene, sphere, number)) is not None]
+
+
+def _are_masses_known(scene: Scene, number: int) -> bool:
+    spheres = scene.spheres(number)
+    masses = [scene.mass(sphere).value for sphere in spheres] if len(spheres) > 1 else []
+    return not any(map(scene.unknown, masses))
+
+
+def _is_coefficient_known(scene: Scene, number: int) -> bool:
+    return not scene.unknown(scene.coefficient(number).value)
+
+
+@dataclass(frozen=True)
+class _Law:
+    """Newton's law along a change of velocity in a letter, and what it is made of."""
+
+    symbol: sp.Symbol
+    late: dict[str, Vector]
+    lines: dict[str, Ref]
+    change: Vector
+    axis: int
+    law: int
+    short: Relation
+
+    def shortened(self, scene: Scene) -> int:
+        """The law with the relative velocities worked out, as a line."""
+        if scene.desk.relation(self.law) == self.short:
+            return self.law
+        return scene.desk.write(Move("rearrange"), (self.law,), self.short)
+
+
+def _law_along_the_change(scene: Scene, number: int, ray: Ray) -> _Law:
     ray = without_root(ray)
     symbol, late, lines = _ray_line(scene, number, ray)
     _others(scene, number, ray, late, lines)
     change, axis = _axis(scene, number, late, lines)
     law, short = _restitution(scene, number, late, lines, change, axis)
-    if fast is None:
-        same = scene.desk.relation(law) == short
-        close(scene, law if same else scene.desk.write(Move("rearrange"), (law,), short), symbol)
-    else:
-        # One of the two senses contradicts the law.
-        _by_speed(scene, number, ray, symbol, lines, law)
-    _settle(scene, number, late, lines, change, axis)
-    return True
+    return _Law(symbol, late, lines, change, axis, law, short)
+
+
+def write_open_law(scene: Scene, number: int) -> tuple[int, sp.Symbol] | None:
+    """Newton's law by a velocity that is given in an unknown letter, and that letter.
+
+    None where no velocity is given so, or something else is unknown.
+    """
+    rays = [ray for ray in _rays(scene, number) if ray.letter is not None]
+    if not (rays and _are_masses_known(scene, number) and _is_coefficient_known(scene, number)):
+        return None
+    own = _law_along_the_change(scene, number, rays[0])
+    return own.shortened(scene), own.symbol
 
 
 def _open_angle(scene: Scene, number: int) -> sp.Symbol | None:
@@ -226,7 +275,7 @@ def _ray_line(
 ) -> tuple[sp.Symbol, dict[str, Vector], dict[str, Ref]]:
     """The letter of a velocity, that velocity, and its line."""
     symbol, line = write_ray(scene, number, ray)
-    return symbol, {ray.body: ray.direction * symbol}, {ray.body: line}
+    return symbol, {ray.body: ray.direction * symbol + ray.rest}, {ray.body: line}
 
 
 def _others(
@@ -273,7 +322,7 @@ def ray_of(scene: Scene, body: str, number: int) -> Ray | None:
 
 
 def _multiple(scene: Scene, body: str, velocity: Quantity, equation: GivenEquation) -> Ray | None:
-    """A velocity that is given as an unknown letter times a vector; None of another one."""
+    """A velocity that is given as an unknown letter times a vector, and more; None of another."""
     if equation.link.left != velocity or equation.link.sign != "=":
         return None
     value = scene.vector(equation.link.right)
@@ -282,10 +331,11 @@ def _multiple(scene: Scene, body: str, velocity: Quantity, equation: GivenEquati
         return None
     (symbol,) = names
     role = roles(scene.problem).get(symbol.name)
-    direction = Vector(*(tidy(x / symbol) for x in value))
+    direction = Vector(*(tidy(sp.diff(x, symbol)) for x in value))
     if role is None or any(x.free_symbols for x in direction):
         return None
-    return Ray(body, velocity, direction, equation, role, symbol)
+    rest = Vector(*(tidy(sp.expand(x.subs(symbol, 0))) for x in value))
+    return Ray(body, velocity, direction, equation, role, symbol, rest)
 
 
 def _beside(

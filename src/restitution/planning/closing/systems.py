@@ -37,7 +37,7 @@ def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Sym
     if not lines or len(unknowns) != len(lines):
         raise NotPlannedError(f"{len(lines)} equations for {len(unknowns)} unknowns")
     if len(lines) == 1:
-        lines = [_as_a_quadratic(scene, lines[0], unknowns[0])]
+        lines = [as_a_quadratic(scene, lines[0], unknowns[0])]
     models = scene.others or (scene.model,)
     options = [_values(scene, model, unknowns) for model in models]
     relation = Relation(tuple(dict.fromkeys(options)))
@@ -57,7 +57,7 @@ def solve_together(scene: Scene, numbers: Sequence[int], asked: frozenset[sp.Sym
     return line
 
 
-def _as_a_quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> int:
+def as_a_quadratic(scene: Scene, number: int, symbol: sp.Symbol) -> int:
     """A line in the form ``ax² + bx + c = 0``, where it is of the second degree in its unknown."""
     above = numerator(residual(scene, number))
     if symbol in inside_functions(above) or not above.is_polynomial(symbol):
