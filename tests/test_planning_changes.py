@@ -22,7 +22,7 @@ A hits B: along 3i + j
 given velocity(A) - velocity(A, 0) = -3i - j
 find e, velocity(B), impulse
 """,
-        ("Since 𝐯_A − 𝐮_A = −3𝐢 − 𝐣:", "𝐯_A = 2𝐢 + 3𝐣 − 3𝐢 − 𝐣 = (−𝐢 + 2𝐣) m s⁻¹", "e = ⅔"),
+        ("Since 𝐯_A − 𝐮_A = −3𝐢 − 𝐣:", "𝐯_A = (2𝐢 + 3𝐣) + (−3𝐢 − 𝐣) = (−𝐢 + 2𝐣) m s⁻¹", "e = ⅔"),
     ),
     "that tells a mass": (
         """

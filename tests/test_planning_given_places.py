@@ -47,7 +47,7 @@ P hits W
 given position(P, at 6) = (6, 2)
 find e
 """,
-        ("= 2𝐢 + 5𝐣 + (6 − 2)(𝐢 − 2e𝐣)", "5 − 8e = 2", "e = ⅜"),
+        ("= (2𝐢 + 5𝐣) + (6 − 2)(𝐢 − 2e𝐣)", "5 − 8e = 2", "e = ⅜"),
     ),
     "at a time that is sought": (
         """

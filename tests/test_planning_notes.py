@@ -231,10 +231,10 @@ def changed(relation: Relation | Meaning) -> Relation:
         (
             (
                 "wall W\nsphere P: velocity 4i - 2j\nP hits W: e = 1/2\n"
-                "given velocity(P) = q i + 3j\nfind q"
+                "given speed(P) = 5\nfind direction(W)"
             ),
             "contradiction",
-            "the other data make it impossible that the velocity of P",
+            "the other data make it impossible that the speed of P",
         ),
     ],
 )

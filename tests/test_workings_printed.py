@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from restitution import explain, parse, solve
+from restitution.render import layout as lay
+from restitution.render.document import Chain
+from restitution.render.document.columns import aligned
 from restitution.workings import to_text
 
 # A statement, what its working says, and what it does not say: lines, or parts of them.
@@ -219,6 +223,14 @@ CASES = {
         ("q² − 4q + 48 = 0 This cannot be, as the discriminant",),
         ("other data",),
     ),
+    "a bound of a quantity that has no letter": (
+        (
+            "wall W: along i\nsphere P: mass m, velocity p i - 4j\nP hits W\n"
+            "given speed(P, 0) >= 5, p > 0\nfind range of p"
+        ),
+        ("as the speed of P before the impact is at least 5 m s⁻¹",),
+        ("as speed",),
+    ),
 }
 
 
@@ -230,3 +242,12 @@ def test_it_would_be_printed_as_it_stands(name: str) -> None:
         assert line in shown
     for other in others:
         assert other not in shown
+
+
+def test_no_line_ends_within_a_product_with_a_sine() -> None:
+    value = sp.sympify("(a + b)*(u*sin(alpha)*(1 + e) + v*cos(alpha)*(1 - e) + u*sin(alpha))")
+    chain = Chain((lay.letter("E"), lay.from_sympy(value)), ("=",))
+    for width in range(24, 60):
+        for line in aligned([chain], width, 0):
+            assert not line.text.startswith(("sin", "cos"))
+            assert line.text.strip().split(" ")[0] not in ("sin", "cos")

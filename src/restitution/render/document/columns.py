@@ -29,6 +29,7 @@ _BELOW = 6
 # So many columns more than the shortest left side has are far.
 _APART = 28
 # Before these a line may end.
+_FUNCTIONS = frozenset({"sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan"})
 _BREAKS = frozenset(("+", "−", "×", "÷", "·", "=", "≠", "<", "≤", ">", "≥", "≈", "or", "and"))
 _MARKS = 8
 # An equation among words that is no longer stands on one line.
@@ -271,6 +272,7 @@ def _chunks(text: str, most: int) -> list[str]:
     depth = _opened(tokens[0])
     for before, token in pairwise(tokens):
         words = before.isalpha() and token.isalpha() and len(token) > 1
+        words = words and token not in _FUNCTIONS  # of u sin α no line ends within
         if (token in _BREAKS or words) and depth <= most:
             chunks.append(token)
         else:

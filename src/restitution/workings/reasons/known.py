@@ -35,6 +35,7 @@ from restitution.planning.writing.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles
+from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.before_walls import wall_reached
 from restitution.workings.reasons.grounds import (
@@ -239,9 +240,20 @@ class Known:
         if not ordered or fact.kind not in ("given", "range", "case"):
             return None
         match fact.relation:
+            case Relation(((Link(Number(), _, Quantity() as quantity),),)) | Relation(
+                ((Link(Quantity() as quantity),),)
+            ):
+                if self._is_in_words(quantity):
+                    words = fact_in_words(self._naming, fact)
+                    return words if isinstance(words, Sentence) else fact.relation
+        match fact.relation:
             case Relation(((Link(Number(), _, Quantity()) as link,),)):
                 return Relation(((turned(link),),))
         return fact.relation
+
+    def _is_in_words(self, quantity: Quantity) -> bool:
+        """Whether a quantity has no letter: the speed of A."""
+        return isinstance(self._naming.side(quantity), lay.Words | lay.Phrase)
 
     def _cited(self, line: Line) -> Iterator[Line]:
         """The lines among the premises of one."""
