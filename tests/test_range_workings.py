@@ -211,7 +211,7 @@ from restitution.workings import explain
             A hits W: e = e
             show k e > 1
             """,
-            ["(1 − ek)u/(1 + k) < 0 ke > 1, as 1 + k > 0"],
+            ["(1 − ke)u/(1 + k) < 0 ke > 1, as 1 + k > 0"],
         ),
         (
             """
