@@ -202,6 +202,18 @@ CASES = {
         ("𝐯_B = ((4 − q)/2)𝐢 − (3/2)𝐣", "(q − 1)(q − 3) = 0 q = 1 or q = 3"),
         ("not written out",),
     ),
+    "a wall by an unknown multiple of a speed": (
+        (
+            "wall W\nsphere P: mass m, velocity u(4i - 2j)\nP hits W: e = 1/2\n"
+            "given velocity(P) = k u i + 2u j\nfind k, direction(W)"
+        ),
+        (
+            "k² − 2k − 4 = 0",
+            "k = 1 + √5 ≈ 3.24, as k is positive",
+            "W is parallel to (3 + √5)𝐢 + 𝐣",
+        ),
+        ("not written out",),
+    ),
     "a velocity that no wall allows": (
         (
             "wall W\nsphere P: velocity 4i - 2j\nP hits W: e = 1/2\n"

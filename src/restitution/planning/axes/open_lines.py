@@ -332,7 +332,7 @@ def _multiple(scene: Scene, body: str, velocity: Quantity, equation: GivenEquati
     (symbol,) = names
     role = roles(scene.problem).get(symbol.name)
     direction = Vector(*(tidy(sp.diff(x, symbol)) for x in value))
-    if role is None or any(x.free_symbols for x in direction):
+    if role is None or any(map(scene.unknown, direction)):
         return None
     rest = Vector(*(tidy(sp.expand(x.subs(symbol, 0))) for x in value))
     return Ray(body, velocity, direction, equation, role, symbol, rest)
