@@ -99,9 +99,11 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
     left, right = from_tree(node.left, events), from_tree(node.right, events)
     match node.op:
         case "+":
-            if _has_terms(left) and _is_vector(node.left) and _has_vector_terms(right):
-                # An old position and a change of it: one vector and another.
-                left, right = Brackets(left), Brackets(right) if _has_terms(right) else right
+            # Two vectors, such as an old position and a change of it.
+            if _has_terms(left) and _is_vector(node.left) and _has_vectors(node.right):
+                left = Brackets(left)
+            if _has_terms(right) and _is_vector(node.right) and _has_vectors(node.left):
+                right = Brackets(right)
             return total([left, bracketed(right) if _is_negation(right) else right])
         case "-":
             several = _has_terms(right) or _is_vector(node.left)
@@ -123,19 +125,6 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
             return Fraction(left, right)
         case "^":
             return power(left, right)
-
-
-def _has_vector_terms(layout: Layout) -> bool:
-    """Whether a term is a vector of two components, or a multiple of one."""
-    inside = layout.factors[-1] if isinstance(layout, Product) else layout
-    own = inside.inside if isinstance(inside, Brackets) else inside
-    return isinstance(own, Sum) and len(own.terms) > 1 and all(_is_axis(e) for _, e in own.terms)
-
-
-def _is_axis(term: Layout) -> bool:
-    """Whether a term is a multiple of **i** or of **j**."""
-    last = term.factors[-1] if isinstance(term, Product) else term
-    return isinstance(last, Bold) and last.name in ("i", "j")
 
 
 def _has_terms(layout: Layout) -> bool:
