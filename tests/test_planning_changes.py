@@ -52,7 +52,7 @@ A hits B
 given velocity(B) = velocity(B, 0) + 3i - j
 find velocity(A), line_of_centres, e
 """,
-        ("𝐯_B = −2𝐢 + 3𝐣 + 3𝐢 − 𝐣 = (𝐢 + 2𝐣) m s⁻¹", "e = 7/23"),
+        ("𝐯_B = (−2𝐢 + 3𝐣) + 3𝐢 − 𝐣 = (𝐢 + 2𝐣) m s⁻¹", "e = 7/23"),
     ),
     "of a momentum": (
         """
