@@ -9,6 +9,7 @@ from typing import Any
 from answers import disagreements, expected
 from statements import FILES, law, solved
 
+from restitution.exact import tidy
 from restitution.problem import Find, Part, Problem, Show, Value
 from restitution.solving import ItemResult, solve
 
@@ -74,3 +75,13 @@ def each_alone_is_answered_as_all_together(path: Path) -> None:
 
 def is_value(item: ItemResult) -> bool:
     return isinstance(item.item, Value)
+
+
+@law(FILES)
+def are_in_textbook_form(path: Path) -> None:
+    """Tidied once, an answer is not changed again."""
+    for part in solved(path).parts.values():
+        for answer in (answer for item in part.items for answer in item.answers):
+            if not answer.angle:
+                values = answer.value if isinstance(answer.value, tuple) else (answer.value,)
+                assert [tidy(value) for value in values] == list(values)

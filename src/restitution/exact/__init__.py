@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from restitution.exact.angles import tidy_angle
 from restitution.exact.numbers import denested, is_nested
+from restitution.exact.orientation import forward
 from restitution.exact.plain_angles import merged
 from restitution.exact.quotients import reduced_over_surds
 from restitution.exact.rounding import decimal, significant
 from restitution.exact.simplicity import cost
 from restitution.exact.surds import rationalised, root_is_nested
-from restitution.exact.textbook import forward, tidy
+from restitution.exact.textbook import tidy
 from restitution.exact.trigonometry import in_sines
 from restitution.exact.writing import canonical_name, sympy_text
 from restitution.exact.zero import digits_apart, is_zero, same

@@ -8,7 +8,8 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
 
-from restitution.exact.numbers import in_front, tidy_number
+from restitution.exact.nodes import in_front
+from restitution.exact.numbers import tidy_number
 from restitution.exact.products import in_factors
 from restitution.exact.quotients import over_surds
 from restitution.exact.samples import has_one_sign, is_negative

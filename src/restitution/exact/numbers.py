@@ -7,6 +7,8 @@ from typing import Any
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S
 
+from restitution.exact.nodes import in_front
+from restitution.exact.rules import CONVENTION, Rule, improved
 from restitution.exact.simplicity import HALF, TOUCHED, TRIGONOMETRIC, UNREADABLE, cost, node_count
 from restitution.exact.surds import rationalised
 from restitution.work import remembered, spend
@@ -26,8 +28,7 @@ def tidy_number(value: Expr) -> Expr:
         return tidy_parts(value)
     value = _denest(value)
     whole = _content_out(rational_below(value))
-    below = _over_its_root(whole)
-    return _one_root(whole) if below is whole else below
+    return improved(NUMBERS, whole)
 
 
 def rational_below(value: Expr) -> Expr:
@@ -95,43 +96,34 @@ def _content_out(value: Expr) -> Expr:
     return in_front(content, rest)
 
 
-def _one_root(value: Expr) -> Expr:
-    """A sum of roots of roots as the root of its square, where that is plain and shorter."""
+def _is_sum_of_nested_roots(value: Expr) -> bool:
     inside = value.as_coeff_Mul()[1]
-    if not isinstance(inside, Add) or not is_nested(inside):
-        return value
+    return isinstance(inside, Add) and is_nested(inside)
+
+
+def _one_root(value: Expr) -> Expr:
+    """A sum of roots of roots as the root of its square, where that is plain."""
     squared = _content_out(rational_below(_denest(sympy.expand(value**2))))
     if is_nested(squared) or squared.is_positive is not True:
         return value
     root = _denest(sympy.sqrt(squared))
     if not isinstance(root.as_coeff_Mul()[1], Pow):
         return value
-    one = -root if value.is_negative else root
-    return one if cost(one) < cost(value) else value
+    return -root if value.is_negative else root
+
+
+def _nested_roots(value: Expr) -> set[Pow]:
+    return {x for x in value.atoms(Pow) if x.exp in (HALF, -HALF) and x.base.has(Pow)}
 
 
 def _over_its_root(value: Expr) -> Expr:
     """``(34 + 19√3)√(11 − 4√3)/146`` as ``(2 + √3)/(2√(11 − 4√3))``, where that is shorter."""
-    roots = {x for x in value.atoms(Pow) if x.exp in (HALF, -HALF) and x.base.has(Pow)}
-    if len(roots) != 1:
-        return value
-    root = sympy.sqrt(roots.pop().base)
+    root = sympy.sqrt(_nested_roots(value).pop().base)
     factor = sympy.expand(value / root)
     if not isinstance(factor, Add) or factor.has(root.base):
         return value
     above = _content_out(rational_below(factor * root.base))
     return above / root if cost(above) + 2 < cost(_content_out(factor)) else value
-
-
-def in_front(coefficient: Expr, rest: Expr) -> Expr:
-    """A product that keeps a rational factor in front of a sum instead of multiplying it out."""
-    if coefficient is S.One:
-        return rest
-    if isinstance(rest, Add) and isinstance(coefficient, Rational):
-        if coefficient is S.NegativeOne:
-            return -rest
-        return Mul(coefficient, rest, evaluate=False)
-    return coefficient * rest
 
 
 def tidy_parts(value: Expr) -> Expr:
@@ -153,10 +145,13 @@ def _inside(value: Any) -> Any:
         return value
 
 
-def rebuilt(value: Expr, arguments: list[Expr]) -> Expr:
-    """A node with other arguments; a number stays in front of a sum."""
-    if isinstance(value, Mul) and len(arguments) == 2:
-        first, second = arguments
-        if isinstance(first, Rational) and isinstance(second, Add):
-            return in_front(first, second)
-    return value.func(*arguments)
+NUMBERS = (
+    Rule(
+        "a root of a root below the line",
+        lambda value: not value.free_symbols and len(_nested_roots(value)) == 1,
+        _over_its_root,
+        CONVENTION,
+    ),
+    Rule("roots of roots as one root", _is_sum_of_nested_roots, _one_root),
+)
+"""What is done with a number whose roots are undone as far as they can be."""

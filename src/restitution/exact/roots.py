@@ -11,7 +11,7 @@ from restitution.exact.factors import conjugates, factored
 from restitution.exact.samples import is_negative
 from restitution.exact.signs import sign_of
 from restitution.exact.simplicity import HALF, cost
-from restitution.exact.trigonometry import MaskedAngle
+from restitution.exact.trigonometry import MaskedAngle, has_tangent_letter, masked_angles
 
 
 def has_fractions(value: Expr) -> bool:
@@ -21,8 +21,23 @@ def has_fractions(value: Expr) -> bool:
     )
 
 
-def into_root(value: Expr, angle: MaskedAngle) -> Expr:
+def has_tangent_under_root(value: Expr) -> bool:
+    """Whether the letter of a tangent stands under a root in a product."""
+    return any(map(_is_root_with_tangent, Mul.make_args(value)))
+
+
+def _is_root_with_tangent(factor: Expr) -> bool:
+    return isinstance(factor, Pow) and factor.exp == HALF and has_tangent_letter(factor.base)
+
+
+def into_root(value: Expr) -> Expr:
     """``cos α √(1 + e² tan²α)`` as ``√(cos²α + e² sin²α)``, where that is shorter."""
+    for angle in masked_angles(value):
+        value = _cosine_into_root(value, angle)
+    return value
+
+
+def _cosine_into_root(value: Expr, angle: MaskedAngle) -> Expr:
     s, c, t = angle.sine, angle.cosine, angle.tangent
     best = value
     for factor in Mul.make_args(value):
@@ -44,44 +59,81 @@ def square_of_root(root: Expr, back: dict[Symbol, Expr]) -> Expr | None:
     return None
 
 
-def joined_roots(factors: list[Expr]) -> list[Expr]:
-    """√(a − b) √(a + b), which SymPy keeps apart, as √(a² − b²)."""
-    roots = [factor for factor in factors if isinstance(factor, Pow) and abs(factor.exp) == HALF]
-    for first, second in combinations(roots, 2):
-        if not (first.base.free_symbols and second.base.free_symbols):
-            continue
-        rest = [factor for factor in factors if factor not in (first, second)]
-        if first.exp == second.exp:
-            inside = conjugates(first.base, second.base)
-            if inside is not None:
-                return [*rest, Pow(inside, first.exp)]
-        if first.base.is_Symbol or second.base.is_Symbol:
-            continue
-        # √(a b) / √a is √b, as both roots are real.
-        inside = sympy.cancel(first.base ** (2 * first.exp) * second.base ** (2 * second.exp))
-        if cost(inside) < cost(first.base) + cost(second.base) - 1:
-            return joined_roots([*rest, sympy.sqrt(factored(inside))])
-    return factors
+def has_two_roots(value: Expr) -> bool:
+    """Whether a product has two roots of letters."""
+    return isinstance(value, Mul) and sum(map(_is_root_of_letters, value.args)) > 1
+
+
+def _is_root_of_letters(factor: Expr) -> bool:
+    return isinstance(factor, Pow) and abs(factor.exp) == HALF and bool(factor.base.free_symbols)
+
+
+def with_roots_joined(value: Expr) -> Expr:
+    """√(a − b) √(a + b) as √(a² − b²), and √(a b)/√a as √b, where that is shorter."""
+    factors = list(value.args)
+    for first, second in combinations(filter(_is_root_of_letters, factors), 2):
+        joined = _joined(first, second)
+        if joined is not None:
+            rest = [factor for factor in factors if factor not in (first, second)]
+            return Mul(*rest, joined)
+    return value
+
+
+def _joined(first: Pow, second: Pow) -> Expr | None:
+    if first.exp == second.exp:
+        inside = conjugates(first.base, second.base)
+        if inside is not None:
+            return Pow(inside, first.exp)
+    if first.base.is_Symbol or second.base.is_Symbol:
+        return None
+    # Both roots are real, so √(a b)/√a is √b.
+    inside = sympy.cancel(first.base ** (2 * first.exp) * second.base ** (2 * second.exp))
+    if cost(inside) < cost(first.base) + cost(second.base) - 1:
+        return sympy.sqrt(factored(inside))
+    return None
+
+
+def has_sum_under_root_and_below(value: Expr) -> bool:
+    """Whether a positive sum is a factor under a root and below the line."""
+    return _factor_under_root(value) is not None
 
 
 def divided_roots(value: Expr) -> Expr:
     """√(a b)/a as √(b/a), where a is positive."""
-    if not isinstance(value, Mul):
+    pair = _factor_under_root(value)
+    if pair is None:
         return value
+    root, factor = pair
+    return value / root * factor * sympy.sqrt(root.base / factor**2)
+
+
+def _factor_under_root(value: Expr) -> tuple[Pow, Expr] | None:
+    if not isinstance(value, Mul):
+        return None
     for root in value.args:
         if not (isinstance(root, Pow) and root.exp == HALF and isinstance(root.base, Mul)):
             continue
-        below = sympy.fraction(value)[1]
-        for factor in Mul.make_args(below):
+        for factor in Mul.make_args(sympy.fraction(value)[1]):
             if isinstance(factor, Add) and factor in root.base.args and sign_of(factor) == 1:
-                return value / root * factor * sympy.sqrt(root.base / factor**2)
-    return value
+                return root, factor
+    return None
+
+
+def has_squares_below(inside: Expr) -> bool:
+    """Whether the terms of a sum have a square as their common denominator."""
+    return isinstance(inside, Add) and _common_square(inside) is not None
 
 
 def over_a_square(inside: Expr) -> Expr:
     """A²/c² + b as (A² + b c²)/c², whose root is simpler; the terms are kept as they are."""
-    if not isinstance(inside, Add):
+    whole = _common_square(inside)
+    if whole is None:
         return inside
+    parts = [sympy.fraction(term) for term in inside.args]
+    return Mul(Add(*[above * (whole / below) for above, below in parts]), 1 / whole, evaluate=False)
+
+
+def _common_square(inside: Expr) -> Expr | None:
     parts = [sympy.fraction(term) for term in inside.args]
     number = sympy.ilcm(*[below.as_coeff_Mul()[0] for _, below in parts])
     powers: dict[Expr, Expr] = {}
@@ -90,11 +142,10 @@ def over_a_square(inside: Expr) -> Expr:
             powers[base] = max(powers.get(base, S.Zero), power)
     powers.pop(S.One, None)
     if not (powers or number > 1) or any(not value.is_even for value in powers.values()):
-        return inside
+        return None
     if not sympy.sqrt(number).is_Integer:
-        return inside
-    whole = number * Mul(*[base**power for base, power in powers.items()])
-    return Mul(Add(*[above * (whole / below) for above, below in parts]), 1 / whole, evaluate=False)
+        return None
+    return number * Mul(*[base**power for base, power in powers.items()])
 
 
 def root_of(inside: Expr) -> Expr:

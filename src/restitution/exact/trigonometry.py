@@ -1,24 +1,47 @@
-"""Variants of an expression by sin² + cos² = 1 and by tangents."""
+"""Expressions in the sine, cosine and tangent of an angle, by sin² + cos² = 1 and by tangents.
+
+In an algebraic expression a letter stands for each function of an angle (`MaskedAngle`). Whoever
+needs a quotient of sines and cosines in another form takes it from here.
+"""
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import sympy
-from sympy import Add, Expr, S, Symbol
+from sympy import Add, Dummy, Expr, Mul, S, Symbol
 
 from restitution.exact.factors import factored
-from restitution.exact.simplicity import TERMS, cost
+from restitution.exact.simplicity import MASKED, TERMS, cost
 from restitution.records import dataclass
 from restitution.work import spend
+
+_MOST_DEGREES_APART = 6
 
 
 @dataclass(frozen=True)
 class MaskedAngle:
-    """An angle with the positive letters that stand for its sine, cosine and tangent."""
+    """The letters that stand for the sine, cosine and tangent of an angle."""
 
-    argument: Expr
     sine: Symbol
     cosine: Symbol
     tangent: Symbol
+
+    @classmethod
+    def numbered(cls, number: int, positive: bool) -> MaskedAngle:
+        """The letters of one of several angles, the same each time; an acute angle's are positive.
+
+        What was done with them before is remembered.
+        """
+        kind = {"positive": True} if positive else {"real": True}
+        return cls(*(Dummy(name, number, **kind) for name in MASKED))
+
+
+def masked_angles(value: Expr) -> list[MaskedAngle]:
+    """The angles of which letters stand in an expression."""
+    letters = (x for x in value.free_symbols if isinstance(x, Dummy) and x.name in MASKED)
+    kinds = {letter.dummy_index: bool(letter.is_positive) for letter in letters}
+    return [MaskedAngle.numbered(number, kinds[number]) for number in sorted(kinds)]
 
 
 def in_sines(value: Expr) -> Expr:
@@ -30,66 +53,131 @@ def in_sines(value: Expr) -> Expr:
     return value.replace(sympy.tan, lambda angle: sympy.sin(angle) / sympy.cos(angle))
 
 
-def with_angles(value: Expr, angles: list[MaskedAngle]) -> Expr:
-    """The cheapest of the forms that differ in how sines, cosines and tangents are used."""
-    best = factored(value)
-    if len(angles) > 3:
-        return best
-    for angle in angles:
-        form = _with_angle(best, angle)
-        # A square of squares has become one square: 1 − sin²α in it is seen now.
-        best = form if form == best else _with_angle(form, angle)
-    return _divided(best) if any(a.tangent in best.free_symbols for a in angles) else best
+def has_cotangents_alone(value: Expr) -> bool:
+    """Whether there are cotangents, secants or cosecants, and no tangents."""
+    return value.has(sympy.cot, sympy.sec, sympy.csc) and not value.has(sympy.tan)
 
 
-def _divided(value: Expr) -> Expr:
-    """(a tan α + b)/tan α as a + b/tan α, where that is shorter."""
+def in_tangents(value: Expr) -> Expr:
+    """Tangents for cotangents, secants and cosecants."""
+    return value.rewrite([sympy.cot, sympy.sec, sympy.csc], sympy.tan)
+
+
+def has_tangent_letter(value: Expr) -> bool:
+    """Whether a letter in an algebraic expression stands for a tangent."""
+    return any(isinstance(x, Dummy) and x.name == "tan" for x in value.free_symbols)
+
+
+def is_sum_over_product(value: Expr) -> bool:
+    """Whether a sum with tangents stands over a product: (a tan α + b)/tan α."""
     above, below = sympy.fraction(value)
-    if below is S.One or isinstance(below, Add) or not isinstance(above, Add):
-        return value
-    terms = Add(*[term / below for term in above.args])
-    return terms if cost(terms) < cost(value) - 1 else value
+    apart = isinstance(above, Add) and below is not S.One and not isinstance(below, Add)
+    return apart and has_tangent_letter(value)
 
 
-def _with_angle(best: Expr, angle: MaskedAngle) -> Expr:
-    spend()
-    s, c, t = angle.sine, angle.cosine, angle.tangent
-    if t in best.free_symbols:
-        raw = sympy.together(best.xreplace({t: s / c}))
-    else:
-        raw = best
-    above, below = sympy.fraction(sympy.together(raw))
-    above, below = sympy.expand(above), sympy.expand(below)
-    if len(Add.make_args(above)) > TERMS or len(Add.make_args(below)) > TERMS:
-        return best
-    try:
-        pair = [sympy.Poly(value, s, c) for value in (above, below)]
-    except sympy.PolynomialError:
-        return best
-    degrees = [poly.total_degree() for poly in pair]
-    if max(degrees) < 2 and t not in best.free_symbols and min(degrees) == 0:
-        return best
-    forms: list[tuple[Expr, Expr]] = [(above, below)]
-    for first, second in ((c, s), (s, c)):
-        forms.append(
-            (
-                _pythagoras(above, first, second),
-                _pythagoras(below, first, second),
+def over_each_term(value: Expr) -> Expr:
+    """(a tan α + b)/tan α as a + b/tan α."""
+    above, below = sympy.fraction(value)
+    return Add(*[term / below for term in above.args])
+
+
+class InOneAngle:
+    """An algebraic expression as a quotient of polynomials in the sine and cosine of an angle."""
+
+    def __init__(self, value: Expr, angle: MaskedAngle) -> None:
+        self.value = value
+        self.angle = angle
+
+    @cached_property
+    def forms(self) -> dict[str, tuple[Expr, Expr]]:
+        """Numerators and denominators by what was done with them, each pair once; none below zero.
+
+        There are none where nothing can come of it.
+        """
+        s, c, t = self.angle.sine, self.angle.cosine, self.angle.tangent
+        spend()
+        raw = self.value
+        if t in raw.free_symbols:
+            raw = sympy.together(raw.xreplace({t: s / c}))
+        sides = [sympy.expand(side) for side in sympy.fraction(sympy.together(raw))]
+        if any(len(Add.make_args(side)) > TERMS for side in sides):
+            return {}
+        try:
+            pair = [sympy.Poly(side, s, c) for side in sides]
+        except sympy.PolynomialError:
+            return {}
+        degrees = [poly.total_degree() for poly in pair]
+        if max(degrees) < 2 and t not in self.value.free_symbols and min(degrees) == 0:
+            return {}
+        forms = {"a sine over a cosine": (sides[0], sides[1])}
+        for name, first, second in (
+            ("squares of cosines by sines", c, s),
+            ("squares of sines by cosines", s, c),
+        ):
+            forms[name] = (
+                _pythagoras(sides[0], first, second),
+                _pythagoras(sides[1], first, second),
             )
-        )
-    level = [_homogeneous(poly, s, c) for poly in pair]
-    if level[0] is not None and level[1] is not None:
-        forms.append((level[0], level[1]))
-    candidates = [best]
-    done: set[tuple[Expr, Expr]] = set()
-    for form in forms:
-        if form[1] == 0 or form in done:
-            continue
-        done.add(form)
-        candidates.append(factored(form[0] / form[1]))
-    for form in list(done):
-        candidates += map(factored, _in_tangent(form, angle))
-    return min(candidates, key=cost)
+        level = [_homogeneous(poly, s, c) for poly in pair]
+        if level[0] is not None and level[1] is not None:
+            forms["one degree"] = (level[0], level[1])
+        names = {form: name for name, form in reversed(forms.items()) if form[1] != 0}
+        return {name: form for name, form in forms.items() if names.get(form) == name}
+
+    def as_(self, name: str) -> Expr:
+        """The quotient in one of these forms."""
+        above, below = self.forms[name]
+        return factored(above / below)
+
+    @cached_property
+    def quotients_in_tangents(self) -> list[Expr]:
+        """Those of the forms that are homogeneous, divided by powers of the cosine."""
+        return [own for form in self.forms.values() for own in _in_tangent(form, self.angle)]
+
+    def as_tangents(self) -> Expr:
+        """The shortest of the quotients in the tangent."""
+        return min(map(factored, self.quotients_in_tangents), key=cost)
+
+
+def is_of_two_angles(value: Expr) -> bool:
+    """Whether a sum of two terms is a multiple of a sine or cosine of a sum of angles."""
+    return isinstance(value, Add) and _of_two_angles(value) is not None
+
+
+def of_two_angles(total: Expr) -> Expr:
+    """sin(α − θ) for sin α cos θ − cos α sin θ, and so on."""
+    form = _of_two_angles(total)
+    return total if form is None else form
+
+
+def _of_two_angles(total: Expr) -> Expr | None:
+    if len(total.args) != 2:
+        return None
+    first, second = total.args
+    trigonometric = [
+        {f for f in Mul.make_args(term) if isinstance(f, sympy.sin | sympy.cos)}
+        for term in (first, second)
+    ]
+    if any(len(functions) != 2 for functions in trigonometric):
+        return None
+    angles = sorted(
+        {f.args[0] for functions in trigonometric for f in functions}, key=sympy.default_sort_key
+    )
+    if len(angles) != 2 or any(len({f.args[0] for f in x}) != 2 for x in trigonometric):
+        return None
+    a, b = angles
+    sines, cosines = (sympy.sin(a), sympy.sin(b)), (sympy.cos(a), sympy.cos(b))
+    for left, right, function in (
+        (sines[0] * cosines[1], cosines[0] * sines[1], sympy.sin),
+        (cosines[0] * cosines[1], -sines[0] * sines[1], sympy.cos),
+    ):
+        for x, y in ((first, second), (second, first)):
+            factor, other = x / left, y / right
+            if factor == other:
+                return factor * function(a + b)
+            if factor == -other:
+                return factor * function(a - b)
+    return None
 
 
 def _pythagoras(value: Expr, first: Symbol, second: Symbol) -> Expr:
@@ -111,7 +199,7 @@ def _homogeneous(poly: sympy.Poly, s: Symbol, c: Symbol) -> Expr | None:
     """A polynomial raised to one degree in s and c by factors s² + c² = 1, or None."""
     degrees = [sum(powers) for powers, _ in poly.terms()]
     top = max(degrees)
-    if any((top - degree) % 2 for degree in degrees) or top - min(degrees) > 6:
+    if any((top - degree) % 2 for degree in degrees) or top - min(degrees) > _MOST_DEGREES_APART:
         return None
     return sympy.expand(
         Add(
