@@ -11,7 +11,7 @@ import pytest
 import sympy
 from sympy import Expr, Mul, S, cos, cot, sin, sqrt, symbols, tan
 
-from restitution.exact import cost, tidy
+from restitution.exact import cost, in_one_ratio, in_sines, tidy
 from restitution.exact.rules import CONVENTION, Rule, everywhere, improved, shortest
 from restitution.exact.table import OF_AN_ANGLE, RULES
 from restitution.exact.trigonometry import InOneAngle, MaskedAngle
@@ -181,3 +181,21 @@ def test_what_is_tidied_is_tidy() -> None:
         for start in (given, expected):
             once = tidy(start)
             assert tidy(once) == once
+
+
+def test_a_sum_in_one_of_two_ratios() -> None:
+    sine, cosine = sin(alpha), cos(alpha)
+    assert in_one_ratio(4 * sine**2 + cosine**2 * (v - 2) ** 2, cosine, sine) == sympy.expand(
+        4 - 4 * cosine**2 + cosine**2 * (v - 2) ** 2
+    )
+    assert in_one_ratio(cosine**5 + u * cosine, sine, cosine) == sympy.expand(
+        cosine * (1 - sine**2) ** 2 + u * cosine
+    )
+    assert in_one_ratio(u * (v + 1), sine, cosine) == u * v + u
+    assert in_one_ratio(cos(beta) ** 2, sine, cosine) == cos(beta) ** 2
+
+
+def test_tangents_by_sines_and_cosines() -> None:
+    both = u * tan(alpha) + cot(beta)
+    assert in_sines(both) == u * sin(alpha) / cos(alpha) + cos(beta) / sin(beta)
+    assert in_sines(both, alpha) == u * sin(alpha) / cos(alpha) + cot(beta)

@@ -11,7 +11,7 @@ from restitution.exact.rounding import decimal, significant
 from restitution.exact.simplicity import cost
 from restitution.exact.surds import rationalised, root_is_nested
 from restitution.exact.textbook import tidy
-from restitution.exact.trigonometry import in_sines
+from restitution.exact.trigonometry import in_one_ratio, in_sines
 from restitution.exact.writing import canonical_name, sympy_text
 from restitution.exact.zero import digits_apart, is_zero, same
 
@@ -22,6 +22,7 @@ __all__ = [
     "denested",
     "digits_apart",
     "forward",
+    "in_one_ratio",
     "in_sines",
     "is_nested",
     "is_zero",

@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cached_property
 
 import sympy
-from sympy import Add, Dummy, Expr, Mul, S, Symbol
+from sympy import Add, Dummy, Expr, Mul, Pow, S, Symbol
 
 from restitution.exact.factors import factored
 from restitution.exact.simplicity import MASKED, TERMS, cost
@@ -44,13 +44,33 @@ def masked_angles(value: Expr) -> list[MaskedAngle]:
     return [MaskedAngle.numbered(number, kinds[number]) for number in sorted(kinds)]
 
 
-def in_sines(value: Expr) -> Expr:
-    """Tangents and cotangents as quotients of sines and cosines.
+def in_sines(value: Expr, angle: Expr | None = None) -> Expr:
+    """Tangents and cotangents, of all angles or of one, as quotients of sines and cosines.
 
     These have values where a tangent has none.
     """
-    value = value.replace(sympy.cot, lambda angle: sympy.cos(angle) / sympy.sin(angle))
-    return value.replace(sympy.tan, lambda angle: sympy.sin(angle) / sympy.cos(angle))
+    for function, above, below in (
+        (sympy.cot, sympy.cos, sympy.sin),
+        (sympy.tan, sympy.sin, sympy.cos),
+    ):
+        put = {
+            ratio: above(ratio.args[0]) / below(ratio.args[0])
+            for ratio in value.atoms(function)
+            if angle is None or ratio.args[0] == angle
+        }
+        value = value.xreplace(put)
+    return value
+
+
+def in_one_ratio(value: Expr, kept: Expr, other: Expr) -> Expr:
+    """A sum multiplied out, with other² = 1 − kept² for the sine and cosine of an angle."""
+    value = sympy.expand(value)
+    squares = {
+        power: other ** (power.exp % 2) * (1 - kept**2) ** (power.exp // 2)
+        for power in value.atoms(Pow)
+        if power.base == other and power.exp.is_Integer and power.exp > 1
+    }
+    return sympy.expand(value.xreplace(squares)) if squares else value
 
 
 def has_cotangents_alone(value: Expr) -> bool:
@@ -115,8 +135,8 @@ class InOneAngle:
             ("squares of sines by cosines", s, c),
         ):
             forms[name] = (
-                _pythagoras(sides[0], first, second),
-                _pythagoras(sides[1], first, second),
+                in_one_ratio(sides[0], second, first),
+                in_one_ratio(sides[1], second, first),
             )
         level = [_homogeneous(poly, s, c) for poly in pair]
         if level[0] is not None and level[1] is not None:
@@ -178,21 +198,6 @@ def _of_two_angles(total: Expr) -> Expr | None:
             if factor == -other:
                 return factor * function(a - b)
     return None
-
-
-def _pythagoras(value: Expr, first: Symbol, second: Symbol) -> Expr:
-    """A polynomial with first² = 1 − second² used throughout."""
-    if first not in value.free_symbols:
-        return value
-    poly = sympy.Poly(value, first)
-    return sympy.expand(
-        Add(
-            *[
-                coefficient * (1 - second**2) ** (power // 2) * first ** (power % 2)
-                for (power,), coefficient in poly.terms()
-            ]
-        )
-    )
 
 
 def _homogeneous(poly: sympy.Poly, s: Symbol, c: Symbol) -> Expr | None:

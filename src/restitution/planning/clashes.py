@@ -16,7 +16,7 @@ import sympy as sp
 from restitution.components.letters import protected_letters
 from restitution.components.telling import model
 from restitution.errors import ContradictionError, RestitutionError
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import facts_of, links_of
 from restitution.explaining.lines.derivation import (
@@ -313,7 +313,7 @@ def _of_one_ratio(scene: Scene, line: int, angle: sp.Symbol) -> int:
         return line
     for kept, other in ((sp.cos(angle), sp.sin(angle)), (sp.sin(angle), sp.cos(angle))):
         square = sp.Dummy()
-        alone = sp.expand(sp.expand(above).xreplace({other**2: 1 - kept**2}))
+        alone = in_one_ratio(above, kept, other)
         if not alone.has(other) and alone.is_polynomial(kept) and sp.degree(alone, kept) == 1:
             return _of_no_square(scene, line, kept, alone)
         plain = sp.expand(above).xreplace({other**2: 1 - square, kept**2: square})
@@ -333,10 +333,7 @@ def _of_no_square(scene: Scene, line: int, ratio: sp.Expr, above: sp.Expr) -> in
     link = scene.desk.last_link(line)
     own = sp.Poly(above, ratio)
     other = {sp.sin: sp.cos, sp.cos: sp.sin}[ratio.func](*ratio.args)
-    sides = (
-        tree_of(sp.expand(sp.expand(scene.scalar(e)).xreplace({other**2: 1 - ratio**2})))
-        for e in (link.left, link.right)
-    )
+    sides = (tree_of(in_one_ratio(scene.scalar(e), ratio, other)) for e in (link.left, link.right))
     value = tree_of(tidy(-own.nth(0) / own.nth(1)))
     known = background(scene, {str(symbol) for symbol in ratio.free_symbols})
     for move, relation in (

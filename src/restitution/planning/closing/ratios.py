@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact import tidy, tidy_angle
+from restitution.exact import in_sines, tidy, tidy_angle
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Relation, equality
 from restitution.explaining.lines.trees import exchanged, rebuilt
@@ -95,7 +95,7 @@ def ratio(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     if len(kinds) == 1:
         (kind,) = kinds
         return _by_one(scene, line, numerator(own), kind, symbol)
-    above = numerator(_in_sines(own, symbol))
+    above = numerator(in_sines(own, symbol))
     mixed = sp.Poly(above, sp.sin(symbol), sp.cos(symbol))
     degrees = {sum(monom) for monom in mixed.monoms()}
     if len(degrees) != 1:
@@ -132,10 +132,6 @@ def _one_term_a_side(scene: Scene, line: int, symbol: sp.Symbol) -> int:
             refs = scene.judge.enough(Move("rearrange"), (line,), relation, ())
             return line if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
     return line
-
-
-def _in_sines(own: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    return own.subs(sp.tan(symbol), sp.sin(symbol) / sp.cos(symbol))
 
 
 def _over_cosines(above: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
@@ -368,7 +364,7 @@ def _of_one_angle(scene: Scene, line: int, symbol: sp.Symbol) -> sp.Expr | None:
 def _in_both_ratios(own: sp.Expr, symbol: sp.Symbol) -> sp.Poly:
     """A residual as a polynomial in the sine and the cosine of an angle."""
     s, c = sp.sin(symbol), sp.cos(symbol)
-    mixed = sp.Poly(numerator(_in_sines(own, symbol)), s, c)
+    mixed = sp.Poly(numerator(in_sines(own, symbol)), s, c)
     whole = mixed.primitive()[1] if mixed.domain.is_QQ else mixed
     return sp.Poly(whole.as_expr(), s, c)
 
@@ -602,7 +598,7 @@ def without_sums(scene: Scene, line: int, symbol: sp.Symbol) -> int | None:
     if not sums:
         return None
     mixed = sp.Poly(
-        numerator(_in_sines(sp.expand_trig(residual(scene, line)), symbol)),
+        numerator(in_sines(sp.expand_trig(residual(scene, line)), symbol)),
         sp.sin(symbol),
         sp.cos(symbol),
     )

@@ -12,7 +12,7 @@ from dataclasses import fields
 import sympy as sp
 
 from restitution.components.verdicts import proved_sign
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import (
     Link,
@@ -137,11 +137,10 @@ def _by_sine_and_cosine(scene: Scene, number: int, symbol: sp.Symbol) -> int:
             continue
         if not above.is_polynomial(sine, cosine):
             continue
-        poly = sp.Poly(above, sine, cosine)
-        if any(m[0] % 2 for m in poly.monoms()):
+        if any(m[0] % 2 for m in sp.Poly(above, sine, cosine).monoms()):
             continue
-        put = sum(c * (1 - cosine**2) ** (m[0] // 2) * cosine ** m[1] for m, c in poly.terms())
-        powers = [(b, n) for b, n in factor_powers(expanded(put)) if symbol in b.free_symbols]
+        put = in_one_ratio(above, cosine, sine)
+        powers = [(b, n) for b, n in factor_powers(put) if symbol in b.free_symbols]
         whole = expanded(sp.Mul(*(base**power for base, power in powers)))
         if not powers or whole.has(sine, cosine) or not whole.is_polynomial(symbol):
             continue
@@ -659,7 +658,7 @@ def _goes(x: sp.Expr, angle: sp.Symbol) -> bool:
 
 def _in_sines(x: sp.Expr, angles: Iterable[sp.Symbol]) -> sp.Expr:
     for angle in angles:
-        x = expanded(x.subs(sp.cos(angle) ** 2, 1 - sp.sin(angle) ** 2))
+        x = in_one_ratio(x, sp.sin(angle), sp.cos(angle))
     return factored(x)
 
 

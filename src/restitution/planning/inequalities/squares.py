@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.components.verdicts import proved_sign
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.explaining.lines.derivation import (
     FLIPPED,
     Fact,
@@ -193,7 +193,7 @@ def _in_one_ratio(sign: Sign, x: sp.Expr) -> Link | None:
             return None
         powers = sp.Poly(plain, odd, even).monoms()
         if all(n in (0, 2) for _, n in powers) and any(n % 2 for n, _ in powers):
-            poly = sp.Poly(plain.xreplace({even**2: 1 - odd**2}), odd)
+            poly = sp.Poly(in_one_ratio(plain, odd, even), odd)
             turned_ = poly.LC().could_extract_minus_sign()
             poly = -poly if turned_ else poly
             left = total(tree_of(size * kept**n) for (n,), size in poly.terms())

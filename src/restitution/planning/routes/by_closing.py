@@ -7,7 +7,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import in_sines, tidy
 from restitution.expression.tree import Name, Quantity, is_quantity, walk
 from restitution.planning.angles.deflections import turned_at_a_wall
 from restitution.planning.axes.given_momenta import write_masses
@@ -51,7 +51,7 @@ class Closing(ByLaws):
         if open_ & self._letters.keys() and not self._is_of_direction(own):
             return open_ - self._cancelling(own, put)
         put = put.replace(sp.Abs, lambda x: x * model.sign(model.in_data(x)))
-        put = put.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
+        put = in_sines(put)
         above = sp.fraction(one_fraction(put))[0]
         factors = [base for base, _ in factor_powers(above)]
         zero = [factor for factor in factors if model.sign(model.in_data(factor)) == 0]

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import in_sines, tidy
 from restitution.explaining.lines.derivation import Link, Move, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
@@ -64,7 +64,7 @@ def ratio_by_a_tangent(worths: Worths, link: Link, lines: Sequence[int]) -> int 
     if len(angles) != 1:
         return None
     (angle,) = angles
-    ratio = ratio.subs(sp.tan(angle), sp.sin(angle) / sp.cos(angle))
+    ratio = in_sines(ratio, angle)
     factor = cancelled(ratio * sp.cos(angle) / sp.sin(angle))
     mark = worths.mark()
     first = worths.valued(link.left, Move("divide"), others)

@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 
+from restitution.exact.products import in_factors
 from restitution.work import remembered
 
 
@@ -22,7 +23,7 @@ def expanded(x: Any) -> sp.Expr:
 @remembered(2048)
 def factored(x: Any) -> sp.Expr:
     """An expression as a product of factors with whole coefficients."""
-    return sp.factor(x)
+    return in_factors(sp.sympify(x, strict=True))
 
 
 @remembered(2048)

@@ -18,6 +18,7 @@ from dataclasses import field
 import sympy as sp
 
 from restitution.errors import UnsupportedError
+from restitution.exact import in_sines
 from restitution.oracle.roles import Role
 from restitution.records import dataclass
 from restitution.solving.algebra.clearing import (
@@ -138,12 +139,7 @@ def _solved(
         c = sp.Symbol(f"cos_{symbol.name}", **sign)
         s = sp.Symbol(f"sin_{symbol.name}", **(sign if symbol in acute else {"real": True}))
         half = symbol / q
-        replaced = []
-        for each in current:
-            each = each.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
-            each = each.replace(sp.cot, lambda a: sp.cos(a) / sp.sin(a))
-            replaced.append(trig_in(each, symbol, half, c, s))
-        current = replaced
+        current = [trig_in(in_sines(value), symbol, half, c, s) for value in current]
         pairs[symbol] = (c, s)
     # Roots and sizes of what is unknown are squared away.
     everything = set(sought) | {x for pair in pairs.values() for x in pair}

@@ -13,7 +13,7 @@ from contextlib import suppress
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.explaining.lines.derivation import FLIPPED, Link, Relation
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import evaluate
@@ -135,7 +135,7 @@ def _forms(value: sp.Expr, symbol: sp.Symbol) -> Iterator[sp.Expr]:
     cosine, sine = sp.cos(symbol), sp.sin(symbol)
     if value.has(cosine) and value.has(sine):
         for one, other in ((cosine, sine), (sine, cosine)):
-            poly = sp.expand(sp.expand(value).subs(one**2, 1 - other**2))
+            poly = in_one_ratio(value, other, one)
             yield sp.Add(*(sp.factor(c) * other**n for (n,), c in _terms(poly, other)))
     elif value.is_rational_function(symbol):
         whole = sp.apart(sp.together(value), symbol)
