@@ -97,6 +97,7 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
         ("nineteenth", 128, 52),
         ("twentieth", 134, 63),
         ("twentyfirst", 41, 19),
+        ("twentysecond", 97, 47),
     ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
