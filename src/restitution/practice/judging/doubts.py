@@ -146,6 +146,7 @@ class Doubts:
             if force[name].by not in ("declared", "agreed")
             and not self._is_of_a_letter(rival, name, number)
             and not self._is_asked_speed(name, number)
+            and not self._is_asked_share(name, number)
         )
 
     def _is_of_a_letter(self, rival: Interpretation, name: str, number: int) -> bool:
@@ -169,6 +170,13 @@ class Doubts:
             return False
         asked = (tree for tree, _ in self.bench.wanted.asked if isinstance(tree, Quantity))
         return any((x.kind, x.arguments) == (meant.kind, meant.arguments) for x in asked)
+
+    def _is_asked_share(self, name: str, number: int) -> bool:
+        """Whether words name the very share of an energy that the part asks for."""
+        meant = self.meanings.best.at(number)[name].quantity
+        if not (is_phrase(name) and is_binary(meant, "/")):
+            return False
+        return any(self._agree(meant, tree) for tree, _ in self.bench.wanted.asked)
 
     def _agree(self, first: Expression, second: Expression) -> bool:
         """Whether two quantities are equal in the first true world."""

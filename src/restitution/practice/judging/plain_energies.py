@@ -22,7 +22,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judging.claimed import has_value, meant_by
-from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.world import World
 
@@ -82,6 +82,8 @@ def is_fraction_of_line(entry: Entry, world: World) -> bool:
     match meant_by(entry):
         case Binary("/", Quantity(kind), Quantity("energy")) if kind in LOSSES:
             pass
+        case Quantity(kind) if kind in LOSSES and is_numeric(entry.claim.right):
+            pass  # lost = 1 - 4/9, where the question asks for a share
         case _:
             return False
     for number, _ in world.wall_impacts():

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judging.claimed import has_value, meant_by
 from restitution.practice.judging.entries import Entry
+from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 from restitution.problem import trees
 
@@ -51,6 +52,33 @@ def is_impulse_of_speeds(entry: Entry, world: World) -> bool:
                 if _are_near(one, wanted[0], entry, world) and _are_near(
                     other, wanted[1], entry, world
                 ):
+                    return True
+    return False
+
+
+def is_change_of_momentum(impulse: Expression, value: Expression, world: World) -> bool:
+    """Whether numbers add or subtract the momenta of one body before and after an impulse.
+
+    So do ``2 × 4 - 2 × 2`` and ``2(4 - 2)``, whatever the components are taken for.
+    """
+    if not is_quantity(impulse, "impulse"):
+        return False
+    number = impulse.stage if isinstance(impulse.stage, int) else len(world.events)
+    if number not in world.lines:
+        return False
+    entry = Entry(0, Claim(impulse, "=", value))
+    line = Quantity("line_of_centres", (), number)
+    for body in world.start:
+        mass = Quantity("mass", (Name(body),))
+        velocities = [Quantity("velocity", (Name(body),), n) for n in (number - 1, number)]
+        momenta = [
+            [Binary("*", mass, Quantity(kind, (v, line))) for kind in ("along", "across")]
+            for v in velocities
+        ]
+        for terms in _two_terms(value):
+            for one, other in permutations(terms):
+                before = any(_are_near(one, each, entry, world) for each in momenta[0])
+                if before and any(_are_near(other, each, entry, world) for each in momenta[1]):
                     return True
     return False
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import permutations
 
@@ -13,9 +13,11 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     is_binary,
+    is_quantity,
     letters,
     walk,
 )
+from restitution.practice.judging.claimed import meant_by
 from restitution.practice.judging.entries import Entry
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Given
@@ -41,6 +43,23 @@ def given_energies(world: World) -> Iterator[tuple[Quantity, Expression]]:
     for one, other in given:
         if isinstance(one, Quantity) and "energy" in one.kind:
             yield one, other
+
+
+def is_loss_of_known(entry: Entry, entries: Sequence[Entry]) -> bool:
+    """Whether a number is given for a loss of which both energies stand above, rightly."""
+    lost = meant_by(entry)
+    match lost:
+        case Quantity("energy_lost", (), int(number)) if isinstance(entry.claim.right, Number):
+            wanted = {number - 1, number}
+        case Quantity("total_energy_lost", (), int(number)) if isinstance(
+            entry.claim.right, Number
+        ):
+            wanted = {0, number}
+        case _:
+            return False
+    known = (meant_by(other) for other in entries if other.right and other.is_value)
+    stages = {x.stage for x in known if is_quantity(x, "energy") and not x.arguments}
+    return wanted <= stages
 
 
 def is_halved(entry: Entry) -> bool:

@@ -26,6 +26,7 @@ from restitution.practice.judgement import JudgedLine
 from restitution.practice.judging.entries import is_numeric
 from restitution.practice.judging.following import Following
 from restitution.practice.judging.judged_link import JudgedLink
+from restitution.practice.judging.plain_impulses import is_change_of_momentum
 from restitution.practice.reading.phrases import is_phrase
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
@@ -38,32 +39,43 @@ _TWO = Number(Fraction(2))
 class Unlabelled(Following):
     """What the last numbers of a working are, where it ends without a name for them."""
 
-    def _end_in_numbers(self, lines: Sequence[JudgedLine]) -> tuple[ScriptLine, Link, int] | None:
-        """The line whose numbers are an answer that is not true, as a relation, and its last line.
+    def _ends_in_numbers(
+        self, lines: Sequence[JudgedLine]
+    ) -> Iterator[tuple[ScriptLine, Link, int]]:
+        """The lines whose numbers may be an answer that is not true, as relations.
 
-        None where another line answers, where a line is not true, and where the number is that of
-        anything in the story. That it has a mistake with a name is still to be seen.
+        Beside each is the last line that goes on from it. None where another line answers, where
+        a line is not true, and where the number is that of anything in the story. That they have a
+        mistake with a name is still to be seen.
         """
         sound = all(line.verdict in ("true", "remark") for line in lines)
         if not lines or not sound or self.question.extreme:
-            return None
+            return
         answered = {item for entry in self.entries for item in self._support.answered_by(entry)}
         left = [item for item in self.question.wanted.asked if item not in answered]
-        if len(left) != 1:
+        if len(left) == 1 and (end := self._as_answer(*left[0], lines[-1].line)) is not None:
+            link, value = end
+            if not any(self._is_worth(x, value, link) for x in self._known_of_kind(left[0][0])):
+                first = next(line.line for line in lines if self._works_out(line.line, value))
+                yield first, link, lines[-1].line.number
+        for (tree, now), line in product(left, reversed(lines)):
+            if (end := self._as_answer(tree, now, line.line)) is not None:
+                link, value = end
+                if is_change_of_momentum(tree, value, self._base):
+                    yield line.line, link, line.line.number
+
+    def _as_answer(
+        self, tree: Expression, now: object, line: ScriptLine
+    ) -> tuple[Link, Expression] | None:
+        """The numbers of a line as the value of what is asked, if that is not true."""
+        value = _value_of(line)
+        if value is None or now != self._base.now(line.scope):
             return None
-        last = lines[-1].line
-        value = _value_of(last)
-        tree, now = left[0]
-        if value is None or now != self._base.now(last.scope):
-            return None
-        decimals = last.links[-1].decimals if last.links else ()
+        decimals = line.links[-1].decimals if line.links else ()
         link = Link((Claim(tree, "=", value),), 1, 1, decimals)
-        if not self._is_fixed_number(tree) or self._holds(link, last, self.worlds) is not None:
+        if not self._is_fixed_number(tree) or self._holds(link, line, self.worlds) is not None:
             return None
-        if any(self._is_worth(other, value, link) for other in self._known_of_kind(tree)):
-            return None
-        first = next(line.line for line in lines if self._works_out(line.line, value))
-        return first, link, last.number
+        return link, value
 
     def _without_title(self, line: ScriptLine, links: Sequence[JudgedLink]) -> ScriptLine | None:
         """A line without the words before an equation, if these only announce it.

@@ -64,6 +64,7 @@ from restitution.practice.judging.supposing import (
     speaks_of_an_extreme,
     supposed_in,
 )
+from restitution.practice.judging.typed_energies import is_loss_of_known
 from restitution.practice.judging.unlabelled import Unlabelled, followed
 from restitution.practice.judging.uses import (
     as_labelled,
@@ -127,17 +128,17 @@ class Judge(Unlabelled):
 
     def _with_end_in_numbers(self, lines: tuple[JudgedLine, ...]) -> tuple[JudgedLine, ...]:
         """The lines, of which the numbers at the end are false if their mistake has a name."""
-        at_the_end = self._end_in_numbers(lines)
-        if at_the_end is None:
-            return lines
-        line, link, last = at_the_end
-        judged = JudgedLink("false", link.readings[0])
-        self._explain(line.number, self.naming.explained(self._entry(line, link, judged), self))
-        claimed = replace(line, kind="relations", links=(link,), values=())
-        false = self._named(JudgedLine(claimed, "false", link=0))
-        mistake = false.mistake
-        named = mistake is not None and mistake.id is not None and mistake.kind == "misconception"
-        return followed(lines, false, last) if named else lines
+        for line, link, last in self._ends_in_numbers(lines):
+            entry = self._entry(line, link, JudgedLink("false", link.readings[0]))
+            explained = self.naming.explained(entry, self)
+            if self.naming.named(explained, self.stated(), frozenset()).kind != "misconception":
+                continue
+            self._explain(line.number, explained)
+            claimed = replace(line, kind="relations", links=(link,), values=())
+            false = self._named(JudgedLine(claimed, "false", link=0))
+            if false.mistake is not None and false.mistake.id is not None:
+                return followed(lines, false, last)
+        return lines
 
     def _named(self, line: JudgedLine) -> JudgedLine:
         """A false line with the name of its mistake, in the light of all lines."""
@@ -374,6 +375,13 @@ class Judge(Unlabelled):
         In ``I = m(v - u) = 2(5 - 3)`` the formula is quoted, and I has the wrong value.
         """
         entry = self._entry(line, line.links[place], links[place])
+        beside = [
+            self._entry(line, link, judged)
+            for link, judged in zip(line.links, links, strict=True)
+            if judged.verdict == "true"
+        ]
+        if is_loss_of_known(entry, [*self.entries, *beside]):
+            return Explained(slip="arithmetic", near=(Use("energy"),))
         explained = self.naming.explained(entry, self)
         start = end = place
         while start and _goes_on(links[start - 1], links[start]):

@@ -19,10 +19,21 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     is_function,
+    is_quantity,
     negated,
     walk,
 )
-from restitution.problem import Event, Impact, Kick, Part, Problem, Wall, bodies_of
+from restitution.problem import (
+    Event,
+    Find,
+    Impact,
+    Kick,
+    Part,
+    Problem,
+    Wall,
+    bodies_of,
+    trees_of_step,
+)
 from restitution.records import dataclass
 from restitution.shapes import Circle
 
@@ -134,6 +145,25 @@ def _of_places(problem: Problem, events: Sequence[Event]) -> Iterator[Candidate]
             for unit in AXES:
                 part = Quantity("along", (place, unit))
                 yield Candidate(part, "place", "scalar", sphere.name, number, unit, cost=0.3)
+    for place in _places_asked(problem):
+        (body,) = (argument.name for argument in place.arguments if isinstance(argument, Name))
+        for unit in AXES:
+            part = Quantity("along", (place, unit))
+            yield Candidate(part, "place", "scalar", body, len(events), unit, cost=0.3)
+
+
+def _places_asked(problem: Problem) -> Iterator[Quantity]:
+    """The places at a moment between or behind events for which a question asks."""
+    asked = (
+        node
+        for _, step in problem.steps()
+        if isinstance(step, Find)
+        for tree in trees_of_step(step)
+        for node in walk(tree)
+    )
+    for node in dict.fromkeys(asked):
+        if is_quantity(node, "position") and not isinstance(node.stage, int | None):
+            yield node
 
 
 def _of_free_masses(problem: Problem) -> Iterator[Candidate]:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from restitution.explaining.lines.derivation import FLIPPED
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.practice.judgement import JudgedLine, Use
-from restitution.practice.marking.grounds import LAWS, Grounds
+from restitution.practice.marking.grounds import LAWS, OF_DEFLECTION, Grounds
 from restitution.practice.marking.lines import (
     SOUND,
     continues,
@@ -21,7 +21,6 @@ from restitution.practice.marking.lines import (
 from restitution.practice.marking.marks import PointMark, State
 from restitution.practice.marking.scheme import MarkPoint
 
-_OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
 _OF_WHOLE_SPEEDS = frozenset(
     {"impulse-of-speeds", "speed-for-component", "restitution-whole-speed"}
 )
@@ -64,7 +63,7 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
 
 def _is_of_plain_mistake(line: JudgedLine, use: Use) -> bool:
     """Whether a line with a mistake about a deflection only happens to fit an altered law."""
-    named = line.mistake is not None and line.mistake.id in _OF_DEFLECTION
+    named = line.mistake is not None and line.mistake.id in OF_DEFLECTION
     return named and use.altered is not None and use.principle in LAWS
 
 
@@ -90,7 +89,7 @@ class EachPoint(Grounds):
 
     def _method(self, point: MarkPoint) -> PointMark:
         """A line that uses the principle; one with a mistake has the rule of that mistake."""
-        lost = self._of_other_energy(point)
+        lost = self._of_other_energy(point) or self._of_difference(point)
         if lost is not None:
             return lost
         for line, use in self._uses(point):
@@ -116,7 +115,7 @@ class EachPoint(Grounds):
         )
         if line_of_it is not None:
             return self._earned(point, line_of_it, "")
-        compared = self._compared(point)
+        compared = self._compared(point) or self._in_a_sum(point)
         if compared is not None:
             return self._earned(point, compared, "")
         if point.principle == "angle" and (lost is None or self._is_of_deflection(lost)):
@@ -187,7 +186,7 @@ class EachPoint(Grounds):
         """Whether a point is lost by how a deflection is put together, and not by its angles."""
         line = self._line(mark.line)
         mistake = None if line is None else line.mistake
-        return mistake is not None and mistake.id in _OF_DEFLECTION
+        return mistake is not None and mistake.id in OF_DEFLECTION
 
     def _is_denied_turn(self, point: MarkPoint, lost: PointMark | None) -> bool:
         """Whether a deflection is put together wrongly: its angles are no method for it."""
@@ -395,7 +394,14 @@ class EachPoint(Grounds):
             alike = [other for other in self.scheme.points if other.item == point.item]
             if self.values.left_out(point, sound) > len(alike) - 1 - alike.index(point):
                 last = replace(last, state="lost", why="another value is possible as well")
-        seen_alone = (self.values.is_velocity, self.values.is_direction, self.values.is_pointing)
+        if last is None and (summed := self._in_a_sum(point)) is not None:
+            last = self._earned(point, summed, "seen here")
+        seen_alone = (
+            self.values.is_velocity,
+            self.values.is_direction,
+            self.values.is_pointing,
+            self.values.is_place,
+        )
         if last is None and any(function(point) for function in seen_alone):
             seen = next((line for line in self.lines if self.values.shows(point, line)), None)
             last = None if seen is None else self._earned(point, seen, "")

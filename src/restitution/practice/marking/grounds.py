@@ -8,12 +8,13 @@ from itertools import takewhile
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.tree import walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.lines import is_plain
+from restitution.practice.marking.lines import is_plain, subtracts_squares
 from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
 
 LAWS = ("momentum", "restitution", "unchanged")
+OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
 
 
 class Grounds:
@@ -152,3 +153,32 @@ class Grounds:
             for answer in answers
             for line in self.lines
         )
+
+    def _in_a_sum(self, point: MarkPoint) -> JudgedLine | None:
+        """A line that puts angles together wrongly, with the angle of a point among them."""
+        if point.principle != "angle" or point.shown:
+            return None
+        return next(
+            (
+                line
+                for line in self.lines
+                if line.verdict == "false"
+                and line.mistake is not None
+                and line.mistake.id in OF_DEFLECTION
+                and self.values.adds_angle(point, line)
+            ),
+            None,
+        )
+
+    def _of_difference(self, point: MarkPoint) -> PointMark | None:
+        """A speed by a difference of squares, which is no theorem of Pythagoras."""
+        if point.principle != "speed":
+            return None
+        true = (line for line in self.lines if line.verdict == "true")
+        if any(self.values.matches(point, line) == "true" for line in true):
+            return None
+        wrong = next(
+            (x for x in self.lines if subtracts_squares(x) and self.values.is_of_a_speed(x)), None
+        )
+        why = "the squares of the components are added"
+        return None if wrong is None else PointMark(point, "lost", wrong.line.number, why)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import re
 
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    Apply,
     Degrees,
     Expression,
     Letter,
     Name,
     Number,
+    Pair,
     Quantity,
     Unit,
     is_binary,
@@ -46,6 +49,12 @@ def _is_sum(tree: Expression) -> bool:
     """Whether vectors are added up."""
     added = is_binary(tree, "+", "-")
     return added and any(isinstance(node, Unit) for node in walk(tree))
+
+
+def place_in(tree: Expression) -> Quantity | None:
+    """The place of which a tree is, or has a coordinate."""
+    inside = tree.arguments[0] if is_quantity(tree, "along") else tree
+    return inside if is_quantity(inside, "position") else None
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,3 +154,58 @@ class LineContents(Sides):
             and any(_is_sum_of_vectors(claim.right) for claim in chain)
             for chain in chains(line)
         )
+
+    def is_place(self, point: MarkPoint) -> bool:
+        """Whether a point is for the place of a body, or a coordinate of it."""
+        left = point.link.left if point.link is not None else None
+        return left is not None and place_in(left) is not None and not point.shown
+
+    def adds_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether the angle of a point is a term of a sum of angles in a line."""
+        link = point.link
+        if link is None:
+            return False
+        angle = link.left.argument if isinstance(link.left, Apply) else link.left
+        terms = (
+            side
+            for chain in chains(line)
+            for claim in chain
+            for node in walk(claim.right)
+            if is_binary(node, "+", "-")
+            for side in (node.left, node.right)
+        )
+        return any(self._is_angle(side, angle, line) for side in terms)
+
+    def _has_part(
+        self, vector: Expression, velocity: Quantity, point: MarkPoint, line: JudgedLine
+    ) -> bool:
+        """Whether a vector, taken for a velocity, has the component of a point."""
+        link = point.link
+        if link is None or not any(isinstance(node, Unit | Pair) for node in walk(vector)):
+            return False
+        return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+
+    def _is_in_a_tangent(self, part: Expression, line: JudgedLine) -> bool:
+        """Whether a line has a tangent of which one component is a part: ``tan β = u sin α/v``."""
+        if not any(use.principle == "angle" for use in line.uses[:1]):
+            return False
+        ratios = (
+            node
+            for chain in chains(line)
+            for claim in chain
+            for side in (claim.left, claim.right)
+            for node in walk(side)
+            if is_binary(node, "/")
+        )
+        return any(
+            self._is_worth(side, part, line) and not isinstance(side, Number)
+            for ratio in ratios
+            for side in (ratio.left, ratio.right)
+        )
+
+    def is_of_a_speed(self, line: JudgedLine) -> bool:
+        """Whether a line begins with a speed, or its square."""
+        left = line.line.links[0].readings[0].left
+        left = left.left if is_binary(left, "^") else left
+        meant = self._meanings(line).get(left.name) if isinstance(left, Letter) else left
+        return meant is not None and is_quantity(meant, "speed")

@@ -6,7 +6,17 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.expression.tree import Degrees, Letter, Number, Pair, Quantity, Unit, walk
+from restitution.expression.tree import (
+    Degrees,
+    Expression,
+    Letter,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    is_binary,
+    walk,
+)
 from restitution.practice.judgement import JudgedLine, Use
 from restitution.practice.script import Link
 from restitution.practice.worlds.principles import is_worked
@@ -80,6 +90,22 @@ def fitting_uses(line: JudgedLine) -> tuple[Use, ...]:
     return named or line.uses
 
 
+def subtracts_squares(line: JudgedLine) -> bool:
+    """Whether a false line has a difference of squares by a slip in a sign: √(3.46² - 0.25²)."""
+    if line.mistake is None or line.mistake.id != "sign":
+        return False
+    return any(
+        is_binary(node, "-") and _has_power(node.left) and _has_power(node.right)
+        for link in line.line.links
+        for side in (link.readings[0].left, link.readings[0].right)
+        for node in walk(side)
+    )
+
+
+def _has_power(tree: Expression) -> bool:
+    return any(is_binary(node, "^") for node in walk(tree))
+
+
 def without_slip(line: JudgedLine) -> JudgedLine:
     """A line as it would be without its slip; any other as it is."""
     if line.mended is None or line.link is None or line.verdict != "false":
@@ -109,6 +135,7 @@ __all__ = [
     "has_vector",
     "is_plain",
     "is_sound",
+    "subtracts_squares",
     "without_slip",
     "wrong_numbers",
 ]

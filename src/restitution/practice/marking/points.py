@@ -290,6 +290,8 @@ class _Examiner(EachPoint):
         for point in self.scheme.points:
             own, there = self.states[point.id], other.states[point.id]
             kept = point.letter == "M" or point.principle == "unchanged"
+            if self._of_difference(point) is not None:
+                continue
             if not kept or own.state != "lost" or there.line not in slips:
                 continue
             if there.state == "earned" and own.line in (None, there.line):

@@ -34,7 +34,7 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.marking.scheme import MarkPoint
-from restitution.practice.script import Claim
+from restitution.practice.script import Claim, column_of
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.student import scattered_world, told_world
 from restitution.practice.worlds.world import World
@@ -44,6 +44,7 @@ from restitution.vector import Vector
 _NEAR = 1e-7
 _LEAST = 1e-9
 _ROUNDED = 2e-3
+_FIGURES = 2
 _IMPULSE = ("I", "J")
 
 
@@ -267,6 +268,8 @@ class Sides:
                         above, ratio.left, line
                     ) and self._names(below, ratio.right, meanings, line):
                         value: Expression = other
+                    case _ if is_bare(other):
+                        continue  # KE lost = 4 is no share
                     case _ if self._is_size(one, ratio.left, line):
                         value = Binary("/", other, ratio.right)
                     case _ if self._is_size(one, ratio.right, line):
@@ -330,9 +333,25 @@ class Sides:
             worth, asked = pair
             rounded = line.line.links[-1].decimals and line.accuracy != "coarse"
             near = is_rounded if rounded else are_same
-            if near(self._base, worth, asked) and not is_zero(self._base, asked):
+            same = near(self._base, worth, asked) or self._is_typed_for(last, worth, asked, line)
+            if same and not is_zero(self._base, asked):
                 return True
         return False
+
+    def _is_typed_for(self, side: Expression, worth: Value, asked: Value, line: JudgedLine) -> bool:
+        """Whether a side is a decimal of two figures or more, and rounds what is asked."""
+        own = [
+            decimal
+            for link in line.line.links
+            for decimal in link.decimals
+            if decimal.column == column_of(side) and decimal.figures >= _FIGURES
+        ]
+        if not own or any(isinstance(value, Vector) for value in (worth, asked)):
+            return False
+        if isinstance(asked, Angle) or isinstance(worth, Angle):
+            return False
+        a, b = (np.abs(spread_of(self._base, value)) for value in (worth, asked))
+        return bool(np.all(np.abs(a - b) <= float(own[0].half_unit) * (1 + _NEAR)))
 
     def _is_nameless(
         self,

@@ -13,7 +13,6 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Link
-from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES, ENERGIES
 from restitution.expression.tree import (
     Apply,
@@ -31,7 +30,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.judgement import JudgedLine
-from restitution.practice.marking.line_contents import LineContents
+from restitution.practice.marking.line_contents import LineContents, place_in
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.marking.sides import (
     are_close,
@@ -472,8 +471,11 @@ class Values(LineContents):
             return line.verdict in ("true", "remark") and any(
                 self._is_towards(value, link, line) for value in line.line.values
             )
+        place = place_in(link.left)
         return line.verdict == "remark" and any(
-            self._is_worth(value, link.left, line) for value in line.line.values
+            self._is_worth(value, link.left, line)
+            or (place is not None and self._has_part(value, place, point, line))
+            for value in line.line.values
         )
 
     def _is_towards(self, value: Expression, link: Link, line: JudgedLine) -> bool:
@@ -596,11 +598,15 @@ class Values(LineContents):
         if link is None or point.principle not in ("unchanged", "restitution"):
             return False
         own = point.principle == "unchanged"
-        if line.verdict == "remark" and own:
-            return any(self._is_worth(value, link.right, line) for value in line.line.values)
         velocity = next(
             (quantity for quantity in quantities_in(link.left) if quantity.kind == "velocity"), None
         )
+        if line.verdict == "remark" and own:
+            return any(
+                self._is_worth(value, link.right, line)
+                or (velocity is not None and self._has_part(value, velocity, point, line))
+                for value in line.line.values
+            )
         if velocity is None or line.verdict not in ("true", "follows", "false"):
             return False
         wrong = line.verdict == "false"
@@ -611,10 +617,10 @@ class Values(LineContents):
             return True
         if not wrong and self._has_square(link.right, line):
             return True
+        if not wrong and own and self._is_in_a_tangent(link.right, line):
+            return True
         vector = self.value_of(velocity, line)
-        if vector is None:
-            return False
-        return self._is_worth(exchanged(link.left, {velocity: vector}), link.left, line)
+        return vector is not None and self._has_part(vector, velocity, point, line)
 
     def points_along(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line takes a component along the direction that a point is for."""

@@ -527,7 +527,9 @@ class _Reader(Moments):
                 yield from self.changes_of_energy_asked(gain)
                 last = Quantity("energy_lost", (), after)
                 whole = Quantity("total_energy_lost", (), after)
-                for value in (last, whole) if len(self.events) > 1 else (last,):
+                if self.features.both and len(self.events) > 1 and len(self.spheres) == 1:
+                    last = whole  # of one sphere the total is that of all impacts
+                for value in dict.fromkeys((last, whole)) if len(self.events) > 1 else (last,):
                     yield Negate(value) if gain else value
                 yield last if gain else Negate(last)
             return

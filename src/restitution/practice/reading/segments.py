@@ -222,6 +222,10 @@ def _loose_brackets(tokens: Sequence[Token]) -> set[int]:
     return loose
 
 
+# One of these alone tells which way a component is: off the wall, or towards it.
+_WAYS_OUT = (("out",), ("into",), ("in",))
+
+
 def _without_swallowed(segment: Segment) -> Segment:
     """A segment without what belongs to the prose before it: ``divide by m  2v + 3w = 6``."""
     tokens = segment.tokens
@@ -230,6 +234,8 @@ def _without_swallowed(segment: Segment) -> Segment:
         return replace(segment, tokens=tokens[2:])  # ÷ m  u = v + 2w
     if not segment.before or segment.before[-1] not in SWALLOWING or not segment.has_relation:
         return segment
+    if segment.before in _WAYS_OUT:
+        return segment  # out 3.06 tan 26 = 1.49
     end = 1
     while end < len(tokens) and tokens[end].gap == 0:
         end += 1

@@ -17,7 +17,7 @@ from restitution.expression.tree import (
     Unit,
     walk,
 )
-from restitution.practice.reading import shares
+from restitution.practice.reading import amounts, shares
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.usage import letters_of_question
 from restitution.problem import Find, Problem, trees_of_step
@@ -117,9 +117,16 @@ def with_labels(line: Plain, problem: Problem) -> Plain:
 
 
 def _replaced(line: Plain, match: re.Match[str], text: str) -> Plain:
+    """A line with another text in place of a match; what stands in both keeps its columns."""
     start, end = match.span()
-    column = line.columns[start]
-    columns = (*line.columns[:start], *(column for _ in text), *line.columns[end:])
+    own = [line.columns[start]] * len(text)
+    behind = 0
+    for number, group in enumerate(match.groups(), 1):
+        place = text.find(group, behind) if group else -1
+        if place >= 0:
+            behind = place + len(group)
+            own[place:behind] = line.columns[match.start(number) : match.end(number)]
+    columns = (*line.columns[:start], *own, *line.columns[end:])
     return Plain(line.text[:start] + text + line.text[end:], columns)
 
 
@@ -246,6 +253,14 @@ def _of_both(match: re.Match[str], problem: Problem) -> str:
 
 _ORDINALS = ("first", "second", "third", "fourth")
 _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
+    (amounts.STAGE_BEHIND, amounts.stage_behind),
+    (amounts.LISTED_ENERGY, amounts.listed_energy),
+    (amounts.WHICH_IS, amounts.which_is),
+    (amounts.LISTED_LOSS, amounts.listed_loss),
+    (amounts.LOSES, amounts.loses),
+    (amounts.KEEPS, amounts.keeps),
+    (amounts.SETS_OFF, amounts.sets_off),
+    (amounts.CHANGES_TO, amounts.changes_to),
     (_OF_A_SPEED, _component),
     (_IT_IS, lambda match, _: f"{match[1]} the velocity is "),
     (_BECOMES, _after),

@@ -59,7 +59,7 @@ _DIVIDING = frozenset(("divide", "divided", "dividing"))
 _GIVING = frozenset(("gives", "giving", "get", "leaves", "leaving", "->", ":"))
 _WAYS = frozenset(("along", "parallel", "perp", "perpendicular", "across"))
 _OPERANDS = frozenset(("number", "letter", "name", "unit", "pi", "function", "("))
-_OF_NUMBERS = frozenset(("number", "+", "-", "*", "/", "dot", "^", "(", ")"))
+_OF_NUMBERS = frozenset(("number", "+", "-", "*", "/", "dot", "times", "^", "(", ")"))
 
 
 def _ends_in_a_way(label: Token) -> bool:
@@ -215,6 +215,9 @@ class _Reader(Chains):
             return
         if self._is_of_a_time(segment):
             self.label = replace(segment.tokens[0], kind="phrase", name="the time", text="")
+        if self._is_of_a_percentage(segment):
+            name = "the percentage"
+            self.label = replace(segment.tokens[0], kind="phrase", name=name, text="")
         self.relabel(segment)
         self.carry(segment)
         parts = list(split_at_spaces(segment, self.usage.vectors))
@@ -434,11 +437,7 @@ class _Reader(Chains):
         goes_on = bool(self.links) and not set(segment.before) & _ENDING
         if not first or goes_on or words:
             return None
-        asked = any(
-            isinstance(item, Value) and (item.percentage or _is_share(item.expression))
-            for _, step in self.problem.steps()
-            for item in (step.items if isinstance(step, Find) else ())
-        )
+        asked = self._asks_percentage()
         rest = _OF_A_SHARE.fullmatch(self.line.text, segment.tokens[1].end)
         if not asked or rest is None:
             return None
@@ -461,6 +460,22 @@ class _Reader(Chains):
         numeric = bool(first) and all(token.kind in _OF_NUMBERS for token in first)
         seconds = segment.tokens[-1].kind == "measure" and segment.tokens[-1].name == "s"
         return numeric and seconds and self.label is None and _asks_time(self.problem)
+
+    def _is_of_a_percentage(self, segment: Segment) -> bool:
+        """Whether a chain works out a percentage, and nothing says what of: ``4/21.5 = 18.6%``."""
+        sides, _ = sides_of(segment.tokens)
+        numeric = bool(sides[0]) and all(token.kind in _OF_NUMBERS for token in sides[0])
+        percent = segment.tokens[-1].kind == "percent" and len(sides) > 1
+        if not (numeric and percent and self.label is None and self._asks_percentage()):
+            return False
+        return _OF_A_SHARE.fullmatch(self.line.text, segment.tokens[-1].end) is not None
+
+    def _asks_percentage(self) -> bool:
+        return any(
+            isinstance(item, Value) and (item.percentage or _is_share(item.expression))
+            for _, step in self.problem.steps()
+            for item in (step.items if isinstance(step, Find) else ())
+        )
 
     def _names_its_way(self, segment: Segment) -> bool:
         """Whether a vector alone says which way a label goes: ``A along n: (20 + 30)/5``."""

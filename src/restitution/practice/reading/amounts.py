@@ -1,0 +1,135 @@
+"""What a sentence says of amounts: ``KE before 25 KE after 13 lost 12``, ``it loses 12 J``."""
+
+from __future__ import annotations
+
+import re
+
+from restitution.problem import Problem
+
+_KE = r"(?:K\.?E\.?|Ek|(?:kinetic\s+)?energy)"
+_VALUE = r"(?:\d[\d./]*(?:\s?[a-z]{1,2}(?:\^2|²))?|[½⅓⅔¼¾])"
+_JOULES = r"(?:J|joules?)\b"
+_SO = r"(?:so|hence|therefore|thus|and|then)"
+_LISTED_AFTER = re.compile(rf"{_KE} after = ", re.IGNORECASE)
+_ENERGY = re.compile(rf"\b{_KE}(?![a-z])", re.IGNORECASE)
+_WORD = re.compile(r"[A-Za-z]{2,}")
+# Words among the energies of a list, which say nothing of another quantity.
+_LISTING = frozenset(
+    ("before", "after", "initially", "finally", "and", "so", "then", "is", "was", "total", "hence")
+    + ("joules", "joule", "the", "afterwards", "ke", "energy", "kinetic", "ek")
+)
+LISTED_ENERGY = re.compile(
+    rf"[,;]?\s*(?:{_SO}\s+)?(?:\b{_KE}\s+)?\b(before|after|initially|finally)\s+({_VALUE})"
+    rf"(?=\s*(?:{_JOULES})?\s*(?:$|[,;→]|->|(?:{_SO}|after|finally|lost|loss|{_KE})\b))",
+    re.IGNORECASE,
+)
+LISTED_LOSS = re.compile(
+    rf"[,;]?\s*(?:{_SO}\s+)?(?:(?:{_KE}\s+)?(?:lost|loss(?:\s+of)?|loses|diff(?:erence)?)\s+"
+    rf"({_VALUE})(?=\s*(?:{_JOULES})?[\s.]*$)"
+    rf"|({_VALUE})\s*(?:{_JOULES})?\s+(?:is\s+|was\s+)?lost(?=[\s.]*$))",
+    re.IGNORECASE,
+)
+LOSES = re.compile(
+    rf"(^|[,;]|\b{_SO}\b)\s*(?:(?:it|they|both|the\s+(?:ball|sphere|particle|puck|system)|([A-Z]))"
+    r"\s+)?(?:loses|lose|has\s+lost|have\s+lost)\s+(?:(?:a\s+total\s+of|about)\s+)?"
+    rf"({_VALUE})\s*({_JOULES}|%|per\s?cent\b)?(\s+of\s+(?:(?:its|the|their)\s+)?"
+    rf"(?:(?:initial|original|total)\s+)?{_KE})?(?=\s*(?:$|[.,;]|\band\b))",
+    re.IGNORECASE,
+)
+KEEPS = re.compile(
+    r"(^|[,;]|\bso\b)\s*(?:(?:it|the\s+(?:ball|sphere|particle|puck))\s+)?(?:keeps|retains)\s+"
+    rf"({_VALUE})\s*(%|per\s?cent\b)?\s+of\s+(?:(?:its|the)\s+)?(?:(?:initial|original|total)\s+)?"
+    rf"{_KE}",
+    re.IGNORECASE,
+)
+SETS_OFF = re.compile(
+    r"\b([A-Z])\s+(?:goes|moves|sets|travels|flies|shoots)(?:\s+(?:off|away|on|out))?\s+"
+    r"(?:at|with)\s+(?:an?\s+)?(speed\s+(?:of\s+)?)?"
+    r"(√?[\d(][\d.()/√]*\s?[a-z]?(?:/[\d√]+)?)(\s*m/s|\s*m\s?s\^?-1|\s*ms⁻¹)?"
+    r"(?=\s*(?:$|[.,;]|\band\b))"
+)
+WHICH_IS = re.compile(
+    r",?\s*\b(?:which\s+is|that\s+is|that's|i\.e\.|ie)\s+(\d[\d.]*)\s*%(?=[\s.]*$)", re.IGNORECASE
+)
+STAGE_BEHIND = re.compile(
+    rf"^\s*{_KE}\s+({_VALUE})\s*(?:{_JOULES})?\s+before\s*,?\s*(?:and\s+)?({_VALUE})\s*"
+    rf"(?:{_JOULES})?\s+after(?=\s*(?:$|[,;]|{_SO}\b))",
+    re.IGNORECASE,
+)
+CHANGES_TO = re.compile(
+    r"\b(?:the\s+)?(?:(?:component|comp|velocity|speed|part)\s+)?"
+    r"(along|parallel\s+to|perp(?:endicular)?\s+to)\s+(?:the\s+)?(wall|cushion|line\s+of\s+centres)\s+"
+    r"(?:changes\s+to|becomes|drops\s+to|is\s+reduced\s+to|is\s+now|stays(?:\s+at)?|remains(?:\s+at)?)"
+    r"\s+(?=[-\d√(])",
+    re.IGNORECASE,
+)
+_LOSS = re.compile(r"\b(?:lost|loss|loses)\b", re.IGNORECASE)
+
+
+def changes_to(match: re.Match[str], _: Problem) -> str:
+    """The component after an impact in a sentence about what it changes to."""
+    return f"component {match[1]} the {match[2]} after = "
+
+
+def which_is(match: re.Match[str], _: Problem) -> str:
+    """The percentage that a loss is: ``lost 0.526 which is 21%``."""
+    lost = _LOSS.search(match.string, 0, match.start())
+    return f"; percentage lost = {match[1]}%" if lost else match[0]
+
+
+def stage_behind(match: re.Match[str], _: Problem) -> str:
+    """The energies of ``KE 2.5 before, 1.97 after``."""
+    return f"KE before = {match[1]}; KE after = {match[2]}"
+
+
+def listed_energy(match: re.Match[str], _: Problem) -> str:
+    """The energy that is meant in a list: *after 13* behind *KE before 25*."""
+    known = [each[0] for each in _ENERGY.finditer(match.string, 0, match.end())]
+    if not known or not _only_lists(match.string[: match.start()]):
+        return match[0]
+    stage = {"initially": "before", "finally": "after"}.get(match[1].lower(), match[1].lower())
+    return f"; {known[-1]} {stage} = {match[2]}"
+
+
+def listed_loss(match: re.Match[str], _: Problem) -> str:
+    """The energy lost at the end of a list of energies."""
+    above = match.string[: match.start()]
+    if not _LISTED_AFTER.search(above) or not _only_lists(above):
+        return match[0]
+    return f"; KE lost = {match[1] or match[2]}"
+
+
+def _only_lists(text: str) -> bool:
+    """Whether a text has no words but those of a list of energies."""
+    return all(word.lower() in _LISTING for word in _WORD.findall(text))
+
+
+def loses(match: re.Match[str], problem: Problem) -> str:
+    """What a sentence says to be lost: an energy, or a share of one."""
+    before, body, value, unit, whole = match.groups()
+    spheres = {sphere.name for sphere in problem.spheres}
+    if body and body not in spheres:
+        return match[0]
+    start = "; " if before else ""
+    if unit and unit[0] not in "Jj":
+        return f"{start}percentage lost = {value}%"
+    if unit:
+        several = body and len(spheres) > 1
+        return f"{start}KE lost{f' by {body}' if several else ''} = {value}"
+    if whole:
+        return f"{start}fraction lost = {value}"
+    return match[0]
+
+
+def keeps(match: re.Match[str], _: Problem) -> str:
+    """What a sentence says to be kept of an energy."""
+    start = "; " if match[1] else ""
+    return f"{start}KE after/KE before = {match[2]}{'%' if match[3] else ''}"
+
+
+def sets_off(match: re.Match[str], problem: Problem) -> str:
+    """The speed with which a sphere goes on: a number alone may be an angle."""
+    body, speed, value, unit = match.groups()
+    spheres = {sphere.name for sphere in problem.spheres}
+    of_speed = bool(speed or unit) or any(each.isalpha() for each in value)
+    return f"speed of {body} after = {value}" if body in spheres and of_speed else match[0]
