@@ -26,10 +26,16 @@ S hits W
 given velocity(S) = -2i - 7/2 j
 find e
 """
-# The impulse needs the component too.
-USED_AGAIN = AT_A_WALL.replace("velocity 7i", "mass 2, velocity 7i").replace(
-    "find e", "find e, impulse"
-)
+WITH_A_MASS = AT_A_WALL.replace("velocity 7i", "mass 2, velocity 7i")
+# The component itself is asked too.
+USED_AGAIN = AT_A_WALL.replace("find e", "find e, along(velocity(S), 2i + j)")
+BY_THE_IMPULSE = """
+sphere A: mass 2, velocity 3i + a j
+sphere B: mass 1, velocity -i
+A hits B: e = 1/3
+given impulse(B) = 4i + 2j
+find a
+"""
 # The unit vector of 3𝐢 + 4𝐣 has no root.
 WITHOUT_A_ROOT = """
 wall W: along 3i + 4j
@@ -75,6 +81,24 @@ def test_the_length_of_a_vector_along_the_line_cancels(
     assert "√5" not in text
     for line in lines:
         assert line in text
+
+
+def test_an_impulse_and_a_loss_come_by_the_vectors_and_no_root_is_written() -> None:
+    text = printed(WITH_A_MASS.replace("find e", "find e, impulse, energy_lost"))
+    assert "15/2 = 15e" in text
+    assert "impulse on S = 2((−2𝐢 − (7/2)𝐣) − (7𝐢 + 𝐣))" in text
+    # 18² + 9² = 9² × 5.
+    assert "magnitude of the impulse = √(18² + 9²) = 9√5" in text
+    # 50 − 65/4 joules.
+    assert "kinetic energy lost = ½ × 2(7² + 1²) − ½ × 2(2² + (7/2)²) = 135/4" in text
+    assert "√5 m s⁻¹" not in text
+
+
+def test_a_coefficient_in_numbers_stands_beside_scalar_products() -> None:
+    text = printed(BY_THE_IMPULSE)
+    assert "𝐮_B · (2𝐢 + 𝐣) = −2" in text
+    assert "8 − (a + 1) = ⅓(a + 6 + 2)" in text
+    assert "√5" not in text
 
 
 @pytest.mark.parametrize("statement", [USED_AGAIN, WITHOUT_A_ROOT])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -27,6 +28,7 @@ from restitution.planning.formulas.angle_formulas import velocity_as_a_line
 from restitution.planning.formulas.components_of_data import before_a_wall
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.standing_vectors import change_as_vectors
 from restitution.planning.formulas.velocity_formulas import (
     body_and_stage,
     known_speed,
@@ -365,6 +367,10 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         by_speeds = _lost_by_speeds(scene, quantity, event, _plain_speed)
         if by_speeds is not None and _follows(scene, by_speeds):
             return by_speeds
+    if all(change_as_vectors(scene, body, event) for body in scene.spheres(event)):
+        by_vectors = _lost_by_squares(scene, quantity, event, partial(_square_of_vector, scene))
+        if by_vectors is not None and _follows(scene, by_vectors):
+            return by_vectors
     for known_in in (_read_off, _short_speed) if frame.is_slanted else ():
         by_speeds = _lost_by_speeds(scene, quantity, event, known_in)
         if by_speeds is not None and _follows(scene, by_speeds):
@@ -396,6 +402,13 @@ def energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
     if first is not None:
         return Formula(move, itself, quantity, first, value, pool, whole)
     return Formula(move, itself, quantity, whole, value, pool)
+
+
+def _square_of_vector(scene: Scene, body: str, stage: int) -> _Square:
+    """The square of a speed by the components of a velocity that stands as a vector."""
+    source = velocity_source(scene, body, stage)
+    tree = total(square(tree_of(part)) for part in source.value if part != 0)
+    return tree, sum(part**2 for part in source.value), source.refs
 
 
 def _lost_by_velocities(scene: Scene, quantity: Quantity, event: int) -> Formula:

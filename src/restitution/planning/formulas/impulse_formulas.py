@@ -20,6 +20,7 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.components_of_data import before_a_wall
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.impacts import in_direction
+from restitution.planning.formulas.standing_vectors import change_as_vectors
 from restitution.planning.formulas.velocity_formulas import velocity_source
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import (
@@ -48,6 +49,8 @@ def impulse_formula(scene: Scene, quantity: Quantity) -> Formula:
     if whole is None:
         _write_vector_before(scene, event)
         whole = _size_of_impulse(scene, quantity, event) or _size_by_vectors(scene, quantity, event)
+    if whole is None:
+        whole = _size_of_change(scene, quantity, event)
     if whole is not None:
         return whole
     return impulse_on(scene, quantity, body_of_impulse(scene, event), event)
@@ -205,6 +208,19 @@ def _size_by_vectors(scene: Scene, quantity: Quantity, event: int) -> Formula | 
     return None
 
 
+def _size_of_change(scene: Scene, quantity: Quantity, event: int) -> Formula | None:
+    """The size of m(**v** − **u**), where components along the line would have a root; or None."""
+    for body in scene.spheres(event):
+        if not change_as_vectors(scene, body, event):
+            continue
+        own = _by_vectors(scene, Quantity("impulse", (Name(body),), event), body, event)
+        if not any(map(scene.unknown, own.value)):
+            line = write_formula(scene, own)
+            known = Source(own.value, (line,))
+            return _size(Move("define", "size", event, (body,)), quantity, known)
+    return None
+
+
 def _comes_by_vectors(scene: Scene, body: str, event: int) -> bool:
     """Whether the impulse on a body comes by its velocities as vectors.
 
@@ -273,10 +289,13 @@ def _impulse_vector(scene: Scene, quantity: Quantity, event: int) -> Formula:
     (name,) = quantity.arguments
     assert isinstance(name, Name)
     body = name.name
-    mass = scene.mass(body)
     along = _along_the_line(scene, quantity, body, event)
-    if along is not None:
-        return along
+    return _by_vectors(scene, quantity, body, event) if along is None else along
+
+
+def _by_vectors(scene: Scene, quantity: Quantity, body: str, event: int) -> Formula:
+    """The impulse on a body as m(**v** − **u**)."""
+    mass = scene.mass(body)
     late, early = (velocity_source(scene, body, stage) for stage in (event, event - 1))
     change = Binary("-", tree_of(late.value), tree_of(early.value))
     value = Vector(*(tidy(mass.value * component) for component in late.value - early.value))

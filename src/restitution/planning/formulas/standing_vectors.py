@@ -7,9 +7,12 @@ from collections.abc import Iterable
 import sympy as sp
 
 from restitution.exact import tidy
+from restitution.explaining.lines.derivation import Relation, numbers_in
 from restitution.expression.tree import Name, Polar, Quantity
 from restitution.planning.formulas.turns import Moving
+from restitution.planning.writing.desk import Source
 from restitution.planning.writing.scene import Scene
+from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.vector import Vector
 
 
@@ -47,4 +50,48 @@ def _standing(scene: Scene, body: str, stage: int) -> Vector | None:
     return scene.put(value)[0] if isinstance(value, Vector) else None
 
 
-__all__ = ["stand_as_vectors"]
+def change_as_vectors(scene: Scene, body: str, event: int) -> bool:
+    """Whether the velocities of a body about an impact stand as vectors without roots.
+
+    Its components along the line of centres, or perpendicular to the wall, have a root then: of
+    such a direction as 4**i** − **j**. A velocity that was put together from components is none,
+    nor is one after another impact.
+    """
+    frame = scene.frame(event)
+    if not frame.is_slanted or whole_direction(frame.n)[1].is_Rational:
+        return False
+    if scene.last_event(body, event - 1):
+        return False
+    component = frame.component("along", body, event)
+    if any(getattr(line.relation, "quantity", None) == component for line in scene.desk.lines):
+        return False
+    after = scene.desk.known(Quantity("velocity", (Name(body),), event))
+    if after is not None and _rests_on(scene, after, component):
+        return False
+    vectors = [_standing(scene, body, stage) for stage in (event - 1, event)]
+    return all(
+        vector is not None
+        and not any(map(scene.unknown, vector))
+        and not any(power.exp.is_Rational and power.exp.q > 1 for power in _powers(vector))
+        for vector in vectors
+    )
+
+
+def _rests_on(scene: Scene, known: Source, component: Quantity) -> bool:
+    """Whether a velocity was put together from a component."""
+    desk = scene.desk
+    under = {ref for own in known.refs if isinstance(own, int) for ref in (own, *desk.under(own))}
+    return any(
+        isinstance(relation := desk.line(ref).relation, Relation)
+        and relation.options[0][0].left == component
+        for ref in numbers_in(under)
+    )
+
+
+def _powers(vector: Vector) -> set[sp.Pow]:
+    """The powers in the components of a vector."""
+    parts = (sp.sympify(part, strict=True) for part in vector)
+    return {power for part in parts for power in part.atoms(sp.Pow)}
+
+
+__all__ = ["change_as_vectors", "stand_as_vectors"]

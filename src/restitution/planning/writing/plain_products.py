@@ -19,9 +19,11 @@ from restitution.expression.tree import (
     Binary,
     Expression,
     Name,
+    Negate,
     Number,
     Quantity,
     letters,
+    unsigned,
 )
 from restitution.oracle import Oracle
 from restitution.planning.writing.desk import chain
@@ -90,6 +92,7 @@ def _component(line: Line) -> _Component | None:
     """The component that a line works out by a scalar product over a root."""
     if line.move.record != "component" or not isinstance(line.relation, Relation):
         return None
+    quotient: Expression | None = None
     match line.relation.options[0]:
         case (
             Link(
@@ -98,10 +101,14 @@ def _component(line: Line) -> _Component | None:
                     (Quantity("velocity", (Name(body),), int(stage)) as velocity, Quantity()),
                 ),
                 "=",
-                Binary("/", above, Apply("sqrt", Number()) as size),
+                right,
             ),
             *_,
         ):
+            quotient = unsigned(right)
+    match quotient:
+        case Binary("/", above, Apply("sqrt", Number()) as size):
+            above = negative(above) if isinstance(right, Negate) else above
             value = tidy(sp.expand(in_letters(above)))
             return _Component(line, body, stage, velocity, above, value, size)
     return None
@@ -128,8 +135,30 @@ def _product(part: _Component, parallel: Expression, axis: Ref) -> Line:
     )
 
 
+def _has_others_across(derivation: Derivation, event: int) -> bool:
+    """Whether components across the line of an impact are worked out, too."""
+    return any(
+        line.move.record == "component"
+        and line.move.event == event
+        and isinstance(line.relation, Relation)
+        and isinstance(own := line.relation.options[0][0].left, Quantity)
+        and own.kind == "across"
+        for line in derivation.lines
+    )
+
+
+def _with_its_value(derivation: Derivation, law: Line, coefficient: Expression) -> Expression:
+    """A coefficient, by its value where a fact that the law cites says that."""
+    for ref in law.premises:
+        own = derivation.cited(ref)
+        match None if own is None else own.relation:
+            case Relation(((Link(left, "=", right),),)) if left == coefficient:
+                return right
+    return coefficient
+
+
 def _law(derivation: Derivation, law: Line, parts: list[_Component]) -> Relation | None:
-    """Newton's law by the values of scalar products; None where no coefficient stands in it."""
+    """Newton's law by the values of scalar products; None where no letter stands in it."""
     event = law.move.event
     if event is None:
         return None
@@ -137,7 +166,7 @@ def _law(derivation: Derivation, law: Line, parts: list[_Component]) -> Relation
     coefficient = derivation.fact(f"e {event}")
     if coefficient is None:
         return None
-    e = coefficient.relation.only[0].right
+    e = _with_its_value(derivation, law, coefficient.relation.only[0].right)
     first, *others = law.move.bodies
     if not others:
         left = negative(values.get((first, True), ZERO))
@@ -146,8 +175,10 @@ def _law(derivation: Derivation, law: Line, parts: list[_Component]) -> Relation
         late = [values.get((body, True), ZERO) for body in (others[0], first)]
         early = [values.get((body, False), ZERO) for body in (first, others[0])]
         left, approach = difference(*late), difference(*early)
-    if not letters(e):
-        return None
+    if not letters(e) and (
+        not letters(left) | letters(approach) or _has_others_across(derivation, event)
+    ):
+        return None  # components in both directions are resolved alike
     return chain(swept(left), (swept(product(e, approach)), None))
 
 
