@@ -14,6 +14,15 @@ from restitution.workings.derived import explanation_of
 
 # A statement, and what its working says: lines, or parts of them.
 CASES = {
+    "a tangent of components of which one is 1": (
+        """
+wall W: along i
+sphere P: mass 2, velocity i - 6j
+P hits W: e = 1/2
+find angle(velocity(P), W)
+""",
+        ("tan β = 3/1 = 3",),
+    ),
     "the cosine whose square is one over a sum": (
         """
 sphere A: mass 2m, velocity u at alpha

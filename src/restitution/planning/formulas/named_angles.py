@@ -18,13 +18,14 @@ from restitution.expression.tree import (
     Negate,
     Quantity,
     has_quantity,
+    is_function,
     letters,
     walk,
 )
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.writing.angle_ratios import given_ratio
 from restitution.planning.writing.desk import chain, together
-from restitution.planning.writing.forms import in_tangents, swept, tree_of
+from restitution.planning.writing.forms import ONE, in_tangents, swept, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.same_angles import tangent_by_the_same, write_same_angle
 from restitution.planning.writing.scene import Scene
@@ -85,11 +86,14 @@ def ratio_line(
 ) -> int:
     """A ratio of an angle by components, and what that comes to.
 
-    Where the one in the denominator is negative it keeps its sign: that tells the angle.
+    Where the one in the denominator is negative it keeps its sign: that tells the angle. One that
+    is 1 stands there all the same, 4/1: so the components are seen.
     """
     first = swept(right)
     match right:
-        case Binary("/", above, below) if isinstance(swept(below), Negate):
+        case Binary("/", above, below) if isinstance(swept(below), Negate) or (
+            swept(below) == ONE and is_function(ratio, "tan")
+        ):
             first = Binary("/", swept(above), swept(below))
     final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
     ends = tuple(_over_roots(scene, first))
