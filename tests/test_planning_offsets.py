@@ -272,3 +272,11 @@ def test_what_the_impulse_leaves_is_no_scalar_product_of_the_velocity_that_it_ma
     assert follow(derivation, Oracle(roles(problem))) == ()
     text = " ".join(printed(problem, derivation).split())
     assert "the component of A in the direction of 𝐭 stays −U/2" in text.split("(b)")[1]
+
+
+def test_a_range_of_an_offset_for_a_deflection_has_each_of_its_lines() -> None:
+    problem, derivation = planned(
+        "sphere A: mass m, velocity u i, radius a\nsphere B: mass m, at rest, radius a\n"
+        "A hits B: offset d, e = 1/2\ngiven deflection(A) >= 30°\nfind range of d"
+    )
+    assert "4a⁴ − 21a²d² + 9d⁴ ≤ 0" in printed(problem, derivation)

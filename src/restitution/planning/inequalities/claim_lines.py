@@ -133,6 +133,7 @@ class ClaimLines:
             if isinstance(own, Relation):
                 names |= names_in(own)
         names |= names_in(relation)
+        names &= set(roles(self.scene.problem)) | {angle.name for angle in self.scene.kept}
         pool = [*refs, *self.judge.known(names)]
         line = bound_by_a_ratio(self, relation, pool)
         if line is not None:
