@@ -495,7 +495,7 @@ class Rows:
                     signs.append(hundred[1])
                 return
             place = self._ends.is_place(line) and line.move.id != "rearrange"
-            place = place and not (unit and self._has_vectors())
+            place = place and not self._has_vectors()
             decimals = self._measures.decimals
             added = as_answer(right, False, decimals) if links[-1].sign == "=" else ()
             for side, sign in () if place else added:

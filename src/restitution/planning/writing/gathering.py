@@ -215,6 +215,11 @@ def _in_pairs(derivation: Derivation) -> Derivation:
     return numbered_anew(derivation, order)
 
 
+def _goes_on(above: Line, line: Line) -> bool:
+    """Whether a line only works out the one above it."""
+    return line.move.id == "rearrange" and line.premises == (above.number,)
+
+
 def _letter_solved(line: Line) -> str | None:
     """The letter of which a line gives the one value; None of another line."""
     if not isinstance(line.relation, Relation) or len(line.relation.options) != 1:
@@ -304,8 +309,11 @@ class _Gathering:
         if event is None or not own:
             return
         left = any((self._event(order[n]) or 0) > event for n in near if n > own[-1])
-        if left and self._may_stand(line, own[-1] + 1):
-            order.insert(own[-1] + 1, replace(order.pop(at), item=order[own[-1]].item))
+        place = own[-1] + 1
+        while place < at and _goes_on(order[place - 1], order[place]):
+            place += 1
+        if left and self._may_stand(line, place):
+            order.insert(place, replace(order.pop(at), item=order[own[-1]].item))
 
     @staticmethod
     def _event(line: Line) -> int | None:
