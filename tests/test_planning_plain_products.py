@@ -94,6 +94,14 @@ def test_an_impulse_and_a_loss_come_by_the_vectors_and_no_root_is_written() -> N
     assert "√5 m s⁻¹" not in text
 
 
+def test_of_no_loss_no_mass_is_cited() -> None:
+    text = printed(
+        "wall W\nsphere P: mass 0.5, velocity 5i + 10j\nP hits W\n"
+        "given velocity(P) = -2i + 11j\nfind e, energy_lost"
+    )
+    assert "kinetic energy lost = ½ × 0.5(5² + 10²) − ½ × 0.5(2² + 11²) = 0" in text
+
+
 def test_a_coefficient_in_numbers_stands_beside_scalar_products() -> None:
     text = printed(BY_THE_IMPULSE)
     assert "𝐮_B · (2𝐢 + 𝐣) = −2" in text

@@ -500,7 +500,8 @@ def _lost_by_squares(
             return None
         terms.append(difference(*(half(tree_of(mass.value), each[0]) for each in (early, late))))
         values.append(mass.value * (early[1] - late[1]) / 2)
-        refs += [*mass.refs, *early[2], *late[2]]
+        own = () if tidy(expanded(values[-1])) == 0 else mass.refs  # of nothing no mass is needed
+        refs += [*own, *early[2], *late[2]]
     move = Move("define", "energy-lost", event, bodies)
     value = tidy(expanded(sum(values)))
     return Formula(move, itself, quantity, total(terms), value, together(refs))
