@@ -6,7 +6,9 @@ import math
 from fractions import Fraction
 
 import pytest
+import sympy as sp
 
+from restitution.exact.angles import tidy_angle
 from restitution.explaining.following.follower import follow
 from restitution.expression.tree import Apply, Binary, Negate, Number
 from restitution.language import parse
@@ -198,3 +200,92 @@ def test_a_decimal_that_ends_with_its_fourth_figure_is_not_rounded() -> None:
     )
     assert "= 441/20 = 22.05 J" in text
     assert "fraction lost = (441/20)/(83/2) = 441/830 ≈ 0.531" in text
+
+
+def checked(statement: str) -> str:
+    return " ".join(to_text(explain(solve(parse(statement)), check=True)).split())
+
+
+@pytest.mark.parametrize(
+    ("statement", "says"),
+    [
+        (
+            # J² + 3(1 + √3)J = 207, and the velocities 6i + 6j and 24.81i + 16.86j.
+            (
+                "wall W: along i\nsphere P: mass 1/2, velocity 6i - 8j\nP hits W: e = 3/4\n"
+                "P receives J at 30°\ngiven speed(P) = 3 speed(P, 0)\nfind J, deflection(P)"
+            ),
+            [
+                "𝐯₂ ≈ (24.81𝐢 + 16.86𝐣) m s⁻¹",
+                "speed of P after the impulse ≈ √(24.81² + 16.86²)",
+                "δ ≈ arccos 0.98228 ≈ 10.8°",
+            ],
+        ),
+        (
+            # J = 2.553: 4.209i − 4.276j comes to the wall.
+            (
+                "wall W: along i\nsphere P: mass 1, velocity 2i - 3j\nP receives J at -30°\n"
+                "given speed(P) = 6\nP hits W: e = 1/2\nfind J, velocity(P), speed(P), energy_lost"
+            ),
+            [
+                "𝐢 stays 4.209 m s⁻¹",
+                "component of 𝐯₂ along 𝐣 ≈ ½ × 4.276 ≈ 2.138 m s⁻¹",
+                "𝐯₂ ≈ (4.21𝐢 + 2.14𝐣) m s⁻¹",
+                "speed of P ≈ √(2.138² + 4.209²) ≈ 4.72 m s⁻¹",
+                "≈ ½(4.276² − 2.138²) ≈ ½(18.28 − 4.57) ≈ 6.86 J",
+            ],
+        ),
+        (
+            # J = 3.577: 4.789i − 5.098j and two walls, to within what four figures of 𝐯 tell.
+            (
+                "wall V: along i\nwall W: along j\nsphere P: mass 1, velocity 3i - 2j\n"
+                "P receives J at -60°\ngiven speed(P) = 7\nP hits V: e = 1/2\nP hits W: e = 2/3\n"
+                "find J, angle(velocity(P), i), impulse(P, 3)"
+            ),
+            [
+                "component of 𝐯₃ along 𝐢 ≈ −⅔ × 4.792 ≈ −3.194 m s⁻¹",
+                "tan β ≈ 2.552/(−3.194) ≈ −0.7988",
+                "β ≈ 180° − arctan 0.7988, as tan β < 0 ≈ 141°",
+                "≈ −7.99𝐢 N s",
+            ],
+        ),
+        (
+            # J = 8.797: A has 4.199i + 6.809j before the impact.
+            (
+                "sphere A: mass 2, velocity 2i + 3j\nsphere B: mass 1, at rest\n"
+                "A receives J at 60°\ngiven speed(A) = 8\nA hits B: along i, e = 1/2\n"
+                "find J, velocity(B), speed(A)"
+            ),
+            [
+                "2 × 4.199 ≈ 2v + w",
+                "𝐯_B = ((6 − 3√3 + √(235 + 12√3))/4)𝐢 ≈ 4.20𝐢 m s⁻¹",
+                "≈ 7.13 m s⁻¹",
+            ],
+        ),
+        (
+            # J = 9.473: (12 − J)/6 = 0.4212 and (√3 J + 30)/6 = 7.735.
+            (
+                "sphere P: mass 3, velocity 2i + 5j\nP receives J at 120°\ngiven energy(P) = 90\n"
+                "find J\nfind angle(velocity(P), i)\nfind velocity(P)"
+            ),
+            ["≈ 18.36", "β ≈ arctan 18.36 ≈ 86.9°", "𝐯_P ≈ (0.421𝐢 + 7.73𝐣) m s⁻¹"],
+        ),
+    ],
+)
+def test_a_value_with_roots_of_sums_of_roots_is_carried_in_figures(
+    statement: str, says: list[str]
+) -> None:
+    text = checked(statement)
+    for own in says:
+        assert own in text
+    assert "not written out" not in text and "does not follow" not in text
+
+
+def test_an_angle_of_roots_of_sums_of_roots_is_told_by_its_tangent() -> None:
+    """Its cosine took a minute, and nobody would read it; also beyond a right angle."""
+    root = sp.sqrt(118 + 8 * sp.sqrt(3))
+    x = 117 - 36 * sp.sqrt(3) - 9 * sp.sqrt(2) * root - 18 * sp.sqrt(6) * root
+    y = 99 - 9 * sp.sqrt(2) * root + 18 * sp.sqrt(6) * root
+    angle = tidy_angle(sp.pi + sp.atan(y / x))
+    assert angle.atoms(sp.atan) and not angle.atoms(sp.acos, sp.asin)
+    assert float(angle) == pytest.approx(math.atan2(y, x))

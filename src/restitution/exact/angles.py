@@ -47,8 +47,9 @@ def _tidy_angle(value: Expr) -> Expr:
     size = value.evalf(40)
     if value.has(sympy.CRootOf) and not _near_nice(size):
         return value  # nobody would write it out
-    if isinstance(value, sympy.atan) and is_nested(value.args[0]) and not _near_nice(size):
-        return value.func(tidy_number(value.args[0]))
+    nested = _of_nested_tangent(value)
+    if nested is not None and not _near_nice(size):
+        return nested
     if not size.is_real:
         return tidy_parts(value)
     plain_angles = has_plain_angles(value)
@@ -75,6 +76,31 @@ def _tidy_angle(value: Expr) -> Expr:
         return tidy_parts(value)
     plain = tidy_parts(value)
     return form if cost(form) <= cost(plain) + 3 else plain
+
+
+def _of_nested_tangent(value: Expr) -> Expr | None:
+    """An arctangent of roots of sums of roots, perhaps beside a half turn, by a plain tangent.
+
+    Its cosine and sine would be roots of such roots; None of any other angle.
+    """
+    turned, arc = value.as_independent(sympy.atan, as_Add=True)
+    if not isinstance(arc, sympy.atan) or not is_nested(arc.args[0]):
+        return None
+    if not (turned / sympy.pi).is_Integer:
+        return None
+    tangent = _shorter_quotient(arc.args[0])
+    if turned != 0 and not _is_positive(tangent):
+        return turned - sympy.atan(-tangent)
+    return turned + sympy.atan(tangent)
+
+
+def _shorter_quotient(value: Expr) -> Expr:
+    """A number in its usual form, or as a quotient of two such numbers where that is shorter."""
+    plain = tidy_number(value)
+    above, below = sympy.fraction(sympy.together(value))
+    (first, above), (second, below) = (tidy_number(e).as_coeff_Mul() for e in (above, below))
+    quotient = first / second * above / below
+    return quotient if cost(quotient) < cost(plain) else plain
 
 
 def _candidates(cosine: Expr, sine: Expr) -> list[tuple[float, Expr]]:

@@ -45,7 +45,9 @@ from restitution.workings.naming.figures import (
     FIGURES_BETWEEN,
     Figures,
     has_plain_angles,
+    has_sums_of_nested_roots,
     in_letters_with_figures,
+    is_of_nested_roots,
     of_plain_angles,
 )
 from restitution.workings.naming.measured import (
@@ -65,6 +67,9 @@ from restitution.workings.naming.measured import (
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.row_sides import (
     are_values,
+    has_decimals,
+    has_long_root,
+    is_vector_of_short_decimals,
     root_but_for_sign,
     turned_side,
     without_doubles,
@@ -78,8 +83,9 @@ from restitution.workings.rendering.steps import REQUIRED, Row
 _GOES_ON = frozenset({"rearrange", "put", "identity", "value", "cancel"})
 # So many lines after a letter was introduced a reader still knows what it stands for.
 _REMEMBERED = 3
-# Whole numbers from here on are too long to stand under a root.
-_LONG = 1000
+# The root of an equation is told exactly, and so are answers of at most so many signs.
+_EXACTLY = frozenset({"roots", "reject"})
+_LONGEST_ANSWER = 40
 _TANGENTS = frozenset({"tan", "tan-direction"})
 # What is divided by the length of a direction: a reader sees its root below the line.
 _BY_A_LENGTH = frozenset({"scalar-angle", "component"})
@@ -99,6 +105,8 @@ class Rows:
         self._measures = measures
         self._ends = ends
         self._figures = Figures()
+        # The left sides of lines with figures in place of roots of sums of roots.
+        self._in_figures_above: set[Expression] = set()
         # The left side of the row above, and the item to which it belongs.
         self._left: tuple[Expression, str | None] | None = None
         self._single = True
@@ -273,15 +281,20 @@ class Rows:
         match links[0]:
             case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
                 trees[1:] = [unit_vector(tree) or tree for tree in trees[1:]]
+        nested = any(map(has_sums_of_nested_roots, trees))
         in_figures = self._in_figures(line, links, trees)
         sides = [self._naming.layout(tree) for tree in trees]
         idle = {
             n: sides[n]
             for n, tree in enumerate(trees)
-            if n not in in_figures and n > min(in_figures, default=n) and has_plain_angles(tree)
+            if n not in in_figures
+            and n > min(in_figures, default=n)
+            and (has_plain_angles(tree) or has_sums_of_nested_roots(tree))
         }
         # With figures put in, and still to be worked out.
-        worked = [sides[n] for n in in_figures if of_plain_angles(trees[n])]
+        worked = [
+            sides[n] for n in in_figures if of_plain_angles(trees[n]) or (nested and n < len(links))
+        ]
         match trees:
             case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
                 # A quotient of two numbers stands as it is before its decimal.
@@ -297,13 +310,14 @@ class Rows:
             if link.sign == "≈":
                 sides[n] = to_three_figures(trees[n]) or sides[n]
         signs = ["≈" if n in in_figures else _sign(link) for n, link in enumerate(links, 1)]
+        signs[:1] = ["≈"] if 0 in in_figures else signs[:1]
         if (angle := self._tangent_of(line, links[0])) is not None:
             sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
         match links[0].right:
             case Binary("/") | Negate(Binary("/")) if (
                 line.move.record in _BY_A_LENGTH and len(links) > 1
             ):
-                sides[1] = self._unrationalised(links[0].right)
+                sides[1] = self._unrationalised(trees[1] if 1 in in_figures else links[0].right)
             case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
                 line.move.record in _TANGENTS
                 and len(links) > 1
@@ -344,7 +358,7 @@ class Rows:
             if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and sides[-2] not in worked:
                 del sides[-2], signs[-2]  # an answer has three figures at once
             rounded_next = self._measures.decimals and signs[-1] == "≈" and len(sides) > 3
-            if rounded_next and _has_long_root(trees[-1]):
+            if rounded_next and has_long_root(trees[-1]):
                 del sides[-2], signs[-2]
         elif last and self._ends.of(line) is not None:
             self._bounded(trees, sides)
@@ -358,20 +372,41 @@ class Rows:
         last = trees[-1]
         # Some come to an exact number.
         plain = len(links) > 1 and not (
-            has_quantity(last) or letters(last) or of_plain_angles(last)
+            has_quantity(last)
+            or letters(last)
+            or of_plain_angles(last)
+            or has_sums_of_nested_roots(last)
         )
+        plain = plain or self._stays_exact(line, last)
+        if not plain and has_sums_of_nested_roots(trees[0]) and links[0].sign == "=":
+            trees[0] = self._figures.put(trees[0])
         for n, link in enumerate(() if plain else links, 1):
             if link.sign not in ("=", "≈"):
                 continue
-            trees[n] = self._figures.put(trees[n])
+            outcome = n == len(links) > 1 and not isinstance(trees[n], Apply)
+            trees[n] = self._figures.put(trees[n], outcome)
             if is_vector(links[0].left) and self._ends.of(line) is None:
                 trees[n] = self._figures.vector(trees[n])
-        if line.move.record == "scalar-angle" and len(links) > 1 and _has_long_root(trees[-1]):
+        if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])
         if isinstance(links[0].left, Apply) and trees[-1] != exact[-1]:
             self._figures.stands_for(exact[-1], trees[-1])  # of the angle itself, next
-        return frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
+        put = frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
+        if put and any(map(has_sums_of_nested_roots, exact)):
+            self._in_figures_above.add(exact[0])
+        return put
+
+    def _stays_exact(self, line: Line, last: Expression) -> bool:
+        """Whether a value with roots of sums of roots stays exact: a root, a short answer."""
+        if not has_sums_of_nested_roots(last):
+            return False
+        if line.move.id in _EXACTLY:
+            return True
+        answer = self._ends.of(line) is not None and not isinstance(last, Apply)
+        if line.relation.trees[0] in self._in_figures_above:
+            return False
+        return answer and len(to_text(self._naming.layout(last))) <= _LONGEST_ANSWER
 
     def _unrationalised(self, ratio: Expression) -> lay.Layout:
         """A quotient by a root as it stands, where its layout would have a whole number below."""
@@ -489,7 +524,7 @@ class Rows:
                 if hundred is not None:
                     if sides[0] == operand(say("derived.fraction-lost")):
                         sides[0] = operand(say("derived.percentage-lost"))
-                    if len(sides) > 2 and _has_decimals(sides[-2]) and is_long_quotient(right):
+                    if len(sides) > 2 and has_decimals(sides[-2]) and is_long_quotient(right):
                         del sides[-1], signs[-1]  # the decimals above it say more
                     sides.append(hundred[0])
                     signs.append(hundred[1])
@@ -499,9 +534,9 @@ class Rows:
             decimals = self._measures.decimals
             added = as_answer(right, False, decimals) if links[-1].sign == "=" else ()
             for side, sign in () if place else added:
-                if sign == "≈" and _is_vector_of_short_decimals(sides[-1]):
+                if sign == "≈" and is_vector_of_short_decimals(sides[-1]):
                     continue  # one component alone would be rounded
-                if side != sides[-1] and not (sign == "=" and _has_decimals(sides[-1])):
+                if side != sides[-1] and not (sign == "=" and has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
         in_letters = in_letters_with_figures(right) if end is None and not unit else None
@@ -510,7 +545,12 @@ class Rows:
             sides.append(self._naming.layout(in_letters_with_figures(printed) or in_letters))
             signs.append("≈")
             self._figures.note(right)
-        elif end is None and unit and links[-1].sign == "=" and of_plain_angles(right):
+        elif (
+            end is None
+            and (unit or is_of_nested_roots(right))
+            and links[-1].sign == "="
+            and (of_plain_angles(right) or self._is_carried(line, links[-1]))
+        ):
             tree = self._as_printed(right, sides[-1])
             figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
             if figures is not None:
@@ -521,6 +561,14 @@ class Rows:
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
             sides[-1] = with_unit(sides[-1], unit)
+
+    def _is_carried(self, line: Line, link: Link) -> bool:
+        """Whether a value with roots of sums of roots is used from here, and told no plainer."""
+        later = self._derivation.lines[self._derivation.lines.index(line) + 1 :]
+        return is_of_nested_roots(link.right) and not any(
+            isinstance(own.relation, Relation) and own.relation.options[0][0].left == link.left
+            for own in later
+        )
 
     def _as_printed(self, right: Expression, side: lay.Layout) -> Expression | None:
         """A side as it is printed: that of a component away from a wall has the other sign.
@@ -633,15 +681,6 @@ class Rows:
         return lay.Relation(tuple(sides), tuple(signs))
 
 
-def _has_long_root(tree: Expression) -> bool:
-    """Whether a number of four figures or more stands under a root, which nobody reads."""
-    return any(
-        is_function(node, "sqrt")
-        and any(isinstance(e, Number) and e.value >= _LONG for e in walk(node.argument))
-        for node in walk(tree)
-    )
-
-
 def _has_function(tree: Expression) -> bool:
     """Whether there are roots or angles of which only a calculator knows the value."""
     return any(isinstance(node, Apply) for node in walk(tree))
@@ -651,27 +690,6 @@ def _without_subject(relation: lay.Relation) -> lay.Layout:
     """The right sides of an equation."""
     sides, signs = relation.operands[1:], relation.signs[1:]
     return sides[0] if len(sides) == 1 else lay.Relation(sides, signs)
-
-
-def _is_vector_of_short_decimals(value: lay.Layout) -> bool:
-    """Whether a vector has two components of numbers with at most two decimals, one or more."""
-    if not isinstance(value, lay.Sum) or len(value.terms) != 2 or not is_plain(value):
-        return False
-    digits: list[str] = []
-    for _, term in value.terms:
-        match term:
-            case lay.Product((lay.Number(size), lay.Bold())):
-                digits.append(size)
-            case lay.Bold():
-                pass
-            case _:
-                return False
-    return any("." in e for e in digits) and all(len(e.partition(".")[2]) <= 2 for e in digits)
-
-
-def _has_decimals(side: lay.Layout) -> bool:
-    """Whether a side is written in decimals, to which no zeros need be added."""
-    return "." in to_text(side)
 
 
 def _is_value(tree: Expression) -> bool:

@@ -83,8 +83,15 @@ def write_formula(scene: Scene, own: Formula) -> int:
     right = swept(own.right)
     between: tuple[tuple[Expression, MoveId | None], ...] = ()
     if _depth_of_roots(right) > _MOST_ROOTS and not _trivial(own.right, final):
-        squares = root_of_a_square(scene, final)
-        between = (*_with_squares(scene, right), *((square, "rearrange") for square in squares))
+        squared = _with_squares(scene, right)
+        if squared is not None:
+            roots = (squared, *root_of_a_square(scene, final))
+            between = tuple((root, "rearrange") for root in roots)
+        elif getattr(own.value, "is_number", False):
+            # A decimal comes next: nobody multiplies such sums out.
+            right = final = final if _is_root_of_one_square(right) else right
+        else:
+            raise NotPlannedError("a root of sums of roots")
     else:
         between = tuple((term, "rearrange") for term in terms_between(scene, right, final))
     if isinstance(own.value, Vector):
@@ -155,21 +162,19 @@ def _by_coordinates(scene: Scene, right: Expression) -> Expression | None:
     return vector(*(total(tree_of(e, as_it_is=kept) for e in part) for part in parts))
 
 
-def _with_squares(scene: Scene, root: Expression) -> tuple[tuple[Expression, MoveId | None], ...]:
-    """The root of a sum of squares in which what is squared holds roots: with the squares.
+def _with_squares(scene: Scene, root: Expression) -> Expression | None:
+    """The root of a sum of squares in which what is squared holds roots, with the squares.
 
-    Raises NotPlannedError for another one.
+    None of another one, and where roots of sums of roots would be left.
     """
     match root:
         case Apply("sqrt", Binary("+", Binary("^"), Binary("^")) as sum_):
             terms = (sum_.left, sum_.right)
         case _:
-            raise NotPlannedError("a root of sums of roots")
+            return None
     squares = [tidy(sp.expand(scene.scalar(term))) for term in terms]
     tree = Apply("sqrt", Binary("+", *map(tree_of, squares)))
-    if _depth_of_roots(tree) > _MOST_ROOTS:
-        raise NotPlannedError("a root of sums of roots")
-    return ((tree, "rearrange"),)
+    return tree if _depth_of_roots(tree) <= _MOST_ROOTS else None
 
 
 def _has_roots_of_letters(tree: Expression) -> bool:
@@ -199,6 +204,13 @@ def _trivial(right: Expression, final: Expression) -> bool:
     match right:
         case Apply("sqrt", Binary("^", base, _)):
             return base == final
+    return False
+
+
+def _is_root_of_one_square(tree: Expression) -> bool:
+    match tree:
+        case Apply("sqrt", Binary("^")):
+            return True
     return False
 
 

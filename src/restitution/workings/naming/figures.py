@@ -1,7 +1,8 @@
 """Values of whole degrees and decimals to four figures, once they are on paper.
 
 Exactly ``v = (61/76) cos 35° − (319/190) sin 25°`` is long, and stands once, with ``≈ −0.05208``
-behind it; where it comes again, its figures are printed. What the lines say stays exact.
+behind it; where it comes again, its figures are printed. Sums with roots of sums of roots have
+figures everywhere but where the root of an equation is told. What the lines say stays exact.
 """
 
 from __future__ import annotations
@@ -18,8 +19,10 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Negate,
     Number,
+    Quantity,
     Unit,
     has_quantity,
     is_function,
@@ -33,6 +36,7 @@ from restitution.workings.naming.measured import rounded, worth
 # Of a value on the way, so that three are right in the end.
 FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
+_FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 _RATIOS = frozenset({"sin", "cos", "tan"})
 # Values beyond these would need a power of ten.
 _LONG_PRODUCT = 3  # of so many ratios
@@ -48,6 +52,61 @@ def of_plain_angles(tree: Expression) -> bool:
 def has_plain_angles(tree: Expression) -> bool:
     """Whether ratios of such angles stand in a value."""
     return bool(_ratios_of_numbers(tree))
+
+
+def has_sums_of_nested_roots(tree: Expression) -> bool:
+    """Whether a value in it is a sum with roots of sums of roots, or the root of such a sum."""
+    return any(map(is_of_nested_roots, walk(tree)))
+
+
+def is_of_nested_roots(tree: Expression) -> bool:
+    """Whether a value as it comes out is a sum with roots of sums of roots, or the root of one.
+
+    A sum of products of such values is still to be worked out.
+    """
+    match tree:
+        case Binary("*", Number(), Binary("/")):
+            return False
+        case Binary("/", above, Number()) | Binary("*", Number(), above) | Negate(above):
+            return is_of_nested_roots(above)
+        case Binary("+" | "-"):
+            return _is_sum_of_roots(tree) and any(map(_is_nested_root, walk(tree)))
+        case Apply("sqrt", inside):
+            return is_of_nested_roots(inside)
+    return False
+
+
+def _is_sum_of_roots(tree: Expression) -> bool:
+    match tree:
+        case Binary("+" | "-", left, right):
+            return _is_sum_of_roots(left) and _is_sum_of_roots(right)
+    return _is_term(tree)
+
+
+def _is_term(tree: Expression) -> bool:
+    """Whether a number is a product of roots and rational numbers."""
+    match tree:
+        case Number():
+            return True
+        case Apply("sqrt", inside):
+            return not any(map(_is_open, walk(inside)))
+        case Negate(inside):
+            return _is_term(inside)
+        case Binary("*" | "/", left, right):
+            return _is_term(left) and _is_term(right)
+    return False
+
+
+def _is_open(tree: Expression) -> bool:
+    """Whether a node is a letter or a quantity, or a power that is still to be worked out."""
+    power = isinstance(tree, Binary) and tree.op == "^"
+    return power or isinstance(tree, Letter | Quantity)
+
+
+def _is_nested_root(tree: Expression) -> bool:
+    return is_function(tree, "sqrt") and any(
+        is_function(node, "sqrt") for node in walk(tree.argument)
+    )
 
 
 def _ratios_of_numbers(tree: Expression) -> list[Apply]:
@@ -113,7 +172,8 @@ class Figures:
         if isinstance(tree, Negate):
             put = self.instead_of(tree.operand)
             return tree if put == tree.operand else swept(Negate(put))
-        return self._known.get(tree, tree)
+        own = _in_figures(tree) if is_of_nested_roots(tree) else None
+        return self._known.get(tree, own or tree)
 
     def cosine(self, tree: Expression) -> Expression:
         """The figures of a cosine that is not written exactly; they stand for it from then.
@@ -130,17 +190,27 @@ class Figures:
         self._known[own] = number
         return tree if own is tree and number == own else exchanged(tree, {own: number})
 
-    def put(self, tree: Expression) -> Expression:
-        """A side of a line with figures for the values in it that are on paper."""
+    def put(self, tree: Expression, outcome: bool = False) -> Expression:
+        """A side of a line with figures for the values in it that are on paper.
+
+        An ``outcome`` with roots of sums of roots is one number.
+        """
         own = unsigned(tree)
         if own in self._known:
             return tree
-        put = rebuilt(exchanged(tree, self._known), self._arctangent)
-        if put == tree:
-            return tree
-        put = swept(rebuilt(swept(put), _sign_outside))
-        # Figures that lead to others in the end would make the line false.
-        return tree if _differ(tree, put) else put
+        for figures in _FIGURES_BEFORE_A_ROUNDING:
+            nested = _nested_in_figures(tree, figures, outcome and has_sums_of_nested_roots(tree))
+            put = rebuilt(exchanged(tree, nested | self._known), self._arctangent)
+            if put == tree:
+                return tree
+            if not (nested and _is_quotient_of_numbers(put)):
+                put = swept(rebuilt(swept(put), _sign_outside))
+            # Figures that lead to others in the end would make the line false.
+            if not _differ(tree, put):
+                return put
+            if not nested:
+                return tree
+        return tree
 
     def _arctangent(self, tree: Expression) -> Expression:
         """An arctangent of the other sign of what is on paper: in 180° − β, with β known."""
@@ -160,6 +230,27 @@ class Figures:
         return self.put(tree)
 
 
+def _is_quotient_of_numbers(tree: Expression) -> bool:
+    match tree:
+        case Binary("/", above, below):
+            return isinstance(unsigned(above), Number) and isinstance(unsigned(below), Number)
+    return False
+
+
+def _nested_in_figures(tree: Expression, figures: int, whole: bool) -> dict[Expression, Expression]:
+    """The sums with roots of sums of roots in a tree, each with its figures."""
+    parts = [node for node in walk(tree) if is_of_nested_roots(node)]
+    parts += [
+        node.argument
+        for node in walk(tree)
+        if is_function(node, "arctan") and has_sums_of_nested_roots(node)
+    ]
+    if whole and not has_quantity(tree):
+        parts.append(tree)
+    values = {part: _in_figures(part, figures) for part in parts if not letters(part)}
+    return {node: number for node, number in values.items() if number is not None}
+
+
 def _sign_outside(tree: Expression) -> Expression:
     """An arctangent without a sign inside: 180° − arctan 1.374."""
     match tree:
@@ -169,7 +260,12 @@ def _sign_outside(tree: Expression) -> Expression:
 
 
 def _is_long(tree: Expression) -> bool:
-    """Whether a value is a sum with ratios of plain angles in it, or has the root of one."""
+    """Whether a value is a sum with ratios of plain angles in it, or has the root of one.
+
+    So is one with roots of sums of roots.
+    """
+    if is_of_nested_roots(tree):
+        return True
     match tree:
         case Binary("+" | "-"):
             return of_plain_angles(tree)

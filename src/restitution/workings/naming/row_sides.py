@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from restitution.explaining.lines.derivation import Link, Relation
-from restitution.expression.tree import Negate
+from restitution.expression.tree import Expression, Negate, Number, is_function, walk
 from restitution.render import layout as lay
+from restitution.render.text import to_text
+from restitution.workings.naming.measured import is_plain
 from restitution.workings.naming.sources import is_vector
+
+# Whole numbers from here on are too long to stand under a root.
+_LONG_BELOW_A_ROOT = 1000
 
 
 def turned_side(side: lay.Layout) -> lay.Layout | None:
@@ -44,3 +49,35 @@ def are_values(relation: Relation) -> bool:
 
 
 __all__ = ["are_values", "root_but_for_sign", "turned_side", "without_doubles"]
+
+
+def has_long_root(tree: Expression) -> bool:
+    """Whether a number of four figures or more stands under a root, which nobody reads."""
+    return any(
+        is_function(node, "sqrt")
+        and any(
+            isinstance(e, Number) and e.value >= _LONG_BELOW_A_ROOT for e in walk(node.argument)
+        )
+        for node in walk(tree)
+    )
+
+
+def is_vector_of_short_decimals(value: lay.Layout) -> bool:
+    """Whether a vector has two components of numbers with at most two decimals, one or more."""
+    if not isinstance(value, lay.Sum) or len(value.terms) != 2 or not is_plain(value):
+        return False
+    digits: list[str] = []
+    for _, term in value.terms:
+        match term:
+            case lay.Product((lay.Number(size), lay.Bold())):
+                digits.append(size)
+            case lay.Bold():
+                pass
+            case _:
+                return False
+    return any("." in e for e in digits) and all(len(e.partition(".")[2]) <= 2 for e in digits)
+
+
+def has_decimals(side: lay.Layout) -> bool:
+    """Whether a side is written in decimals, to which no zeros need be added."""
+    return "." in to_text(side)
