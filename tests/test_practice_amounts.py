@@ -82,6 +82,7 @@ def test_the_total_lost_by_one_sphere_is_that_of_all_impacts() -> None:
 def test_a_component_changes_in_a_sentence() -> None:
     assert verdicts(SPEED, "the component along the wall changes to 1.5") == ["false"]
     assert verdicts(SPEED, "the component along the wall stays 3") == ["true"]
+    assert verdicts(SPEED, "3 along the wall stays 3") != ["false"]
 
 
 def test_a_word_for_the_way_out_takes_no_factor_with_it() -> None:

@@ -57,7 +57,7 @@ STAGE_BEHIND = re.compile(
     re.IGNORECASE,
 )
 CHANGES_TO = re.compile(
-    r"\b(?:the\s+)?(?:(?:component|comp|velocity|speed|part)\s+)?"
+    r"(?:^|[,;]|\bso\b)\s*(?:the\s+)?(?:(?:component|comp|velocity|speed|part)\s+)?"
     r"(along|parallel\s+to|perp(?:endicular)?\s+to)\s+(?:the\s+)?(wall|cushion|line\s+of\s+centres)\s+"
     r"(?:changes\s+to|becomes|drops\s+to|is\s+reduced\s+to|is\s+now|stays(?:\s+at)?|remains(?:\s+at)?)"
     r"\s+(?=[-\d√(])",
@@ -68,7 +68,8 @@ _LOSS = re.compile(r"\b(?:lost|loss|loses)\b", re.IGNORECASE)
 
 def changes_to(match: re.Match[str], _: Problem) -> str:
     """The component after an impact in a sentence about what it changes to."""
-    return f"component {match[1]} the {match[2]} after = "
+    start = match[0][:1] if match[0][:1] in ",;" else ""
+    return f"{start} component {match[1]} the {match[2]} after = "
 
 
 def which_is(match: re.Match[str], _: Problem) -> str:
