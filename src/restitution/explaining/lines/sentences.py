@@ -627,6 +627,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "axes.against": "opposite to the direction",
     "sense.approach": "{one} and {other} approach each other along {vector}:",
     "sense.approach-as": "As {reason}, {one} and {other} approach each other along {vector}:",
+    "sense.into": "As {reason}, {vector} is towards {wall}.",
+    "sense.turned-into": "As {reason}, the opposite sense is towards {wall}:",
     "sense.opposite": (
         "The impulse on {body} acts away from {other}, and the direction from {body} to {other} is "
         "opposite to it:"
@@ -722,6 +724,7 @@ SENTENCES: Mapping[SentenceId, str] = {
     ),
     "restitution.none": "Newton's experimental law, as the coefficient of restitution is 0",
     "restitution.products": "Newton's experimental law, by scalar products with this vector",
+    "restitution.products-with": "Newton's experimental law, by scalar products with {vector}:",
     "moves-along.title": "{body} moves along the line of centres",
     "moves-along.from-rest": "{body} was at rest, so it moves along the line of centres",
     "moves-along.why": (
@@ -1262,6 +1265,8 @@ SENTENCES: Mapping[SentenceId, str] = {
     "distance.coordinates": "Distance, from the coordinates",
     "flight.several-ways": "Time = distance ÷ {speed}, which no impact in between changes",
     "flight.whole-way": "Time = distance ÷ {speed}, which no impact changes",
+    "flight.between-impacts": "As {times}, {body} is then between {one} and {other}:",
+    "flight.past-one": "Time = distance ÷ {speed}, which the impact with {other} does not change",
     "flight.closing": "Time = gap ÷ speed at which it closes",
     "flight.time": "Time = distance ÷ {speed}",
     "flight.time-of": "Time = distance ÷ {speed}, for {body}",

@@ -237,9 +237,11 @@ def _tangent(scene: Scene, number: int, angle: sp.Symbol, change: Vector, axis: 
     tangent = Apply("tan", Letter(angle.name))
     value = tidy(sp.radsimp(y / x))
     move = Move("define", "parallel", number)
-    line = scene.judge.write(
-        (move,), (axis, f"axis {number}"), chain(tangent, (tree_of(value), None))
-    )
+    if scene.model.sign(x) < 0:
+        x, y = -x, -y
+    quotient = swept(Binary("/", tree_of(y), tree_of(x)))
+    relation = chain(tangent, (quotient, None), (tree_of(value), "rearrange"))
+    line = scene.judge.write((move,), (axis, f"axis {number}"), relation)
     if line is None:
         return False
     scene.desk.know(tangent, value, (line,))

@@ -231,7 +231,7 @@ def sides_but_for_sign(
     if all(is_not_negative(scene, tree) for tree in (left, right)):
         return None
     sides = (sp.sympify(scene_value(scene, tree), strict=True) for tree in (left, right))
-    one, other = _side_by_side(*sides)
+    one, other = side_by_side(*sides)
     for value in (one, other):
         if not value.is_polynomial(symbol) or sp.degree(value, symbol) != 1:
             return None
@@ -276,7 +276,7 @@ def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
 
 
 @remembered(512)
-def _side_by_side(one: sp.Expr, other: sp.Expr) -> tuple[sp.Expr, ...]:
+def side_by_side(one: sp.Expr, other: sp.Expr) -> tuple[sp.Expr, ...]:
     """Two sides without what is below a line, and without a common factor."""
     (a, b), (c, d) = (sp.fraction(sp.together(value)) for value in (one, other))
     if any(

@@ -45,6 +45,7 @@ from restitution.planning.inequalities.bounds_by_cotangents import write_by_cota
 from restitution.planning.inequalities.bounds_with_roots import collected
 from restitution.planning.inequalities.coming_to_walls import is_of_a_wall, write_towards
 from restitution.planning.inequalities.conditions_shown import write_shown
+from restitution.planning.inequalities.multiplied_out import multiplied_out
 from restitution.planning.inequalities.squares import (
     both_squared,
     solve_in_squares,
@@ -499,6 +500,8 @@ class Conditions:
                     if x.has(sp.sin) and x.has(sp.cos):
                         line = self._square_of_ratio(line)
                     line = in_factors(self.worths, line, known)
+                    if solved is not None:
+                        line = multiplied_out(self.worths, line, relation_sign, values, solved)
                     for each in (solved, relation.only[0]):
                         if each is None:
                             continue

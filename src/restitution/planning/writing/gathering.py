@@ -247,6 +247,8 @@ class _Gathering:
         self._order = self._in_order_of_the_story(self._derivation.lines)
         for line in tuple(self._order):
             self._raise_to_its_event(line)
+        for line in tuple(self._order):
+            self._raise_a_speed(line)
         for kind in (self._letter, self._component, self._stays):
             for line in tuple(self._order):
                 if line.item in self._parts:
@@ -314,6 +316,24 @@ class _Gathering:
             place += 1
         if left and self._may_stand(line, place):
             order.insert(place, replace(order.pop(at), item=order[own[-1]].item))
+
+    def _raise_a_speed(self, line: Line) -> None:
+        """Puts a speed that is asked after one impact before the lines of the next one."""
+        event = line.move.event
+        if (line.move.id, line.move.record) != ("define", "speed") or event is None:
+            return
+        if line.number not in self._ended:
+            return
+        order, at = self._order, self._order.index(line)
+        later = (
+            n
+            for n in range(at)
+            if self._place(order[n]) == self._place(line)
+            and max(order[n].move.event or 0, self._event(order[n]) or 0) > event
+        )
+        to = next(later, at)
+        if self._may_stand(line, to):
+            order.insert(to, order.pop(at))
 
     @staticmethod
     def _event(line: Line) -> int | None:

@@ -332,6 +332,9 @@ def meeting_time(state: State, number: int) -> Scalar | None:
     return None
 
 
+_TIME = sp.Symbol("t")
+
+
 def _apart(state: State, start: Scalar, gap: Vector, approach: Vector) -> str:
     """When two spheres have equal coordinates, where that is never at once; empty with letters."""
     numbers = [sp.sympify(value, strict=True) for value in (start, *gap, *approach)]
@@ -343,8 +346,14 @@ def _apart(state: State, start: Scalar, gap: Vector, approach: Vector) -> str:
             never = distance != 0
             return f": their {name}-coordinates are never equal" if never else ""
         time = tidy(sp.sympify(start + distance / speed, strict=True))
-        when.append(f"their {name}-coordinates are equal only at t = {to_text(from_sympy(time))}")
-    return f": {when[0]}, and {when[1]}"
+        apart = sp.expand(distance - speed * (_TIME - start))
+        if sp.sign(apart.subs(_TIME, 0) or apart.coeff(_TIME)) < 0:
+            apart = -apart
+        gap_then, instant = (to_text(from_sympy(value)) for value in (apart, time))
+        when.append(
+            f"their {name}-coordinates differ by {gap_then}, which is 0 only at t = {instant}"
+        )
+    return f": at time t {when[0]}, and {when[1]}"
 
 
 def meeting(

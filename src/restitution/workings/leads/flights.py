@@ -164,11 +164,19 @@ def _several_ways(
         case _:
             return None
     body = line.move.bodies[0]
-    if not any(body in impact.bodies and early < impact.number < late for impact in naming.impacts):
+    own = [impact for impact in naming.impacts if body in impact.bodies]
+    between = [impact for impact in own if early < impact.number < late]
+    if not between:
         return None
-    if early or late < derivation.events[-1].number:
-        return say("flight.several-ways", speed=speed_of_a_flight(derivation, naming, line))
-    return say("flight.whole-way", speed=speed_of_a_flight(derivation, naming, line))
+    speed = speed_of_a_flight(derivation, naming, line)
+    # The impact at its end may well change it.
+    ends_in_impact = any(impact.number == late for impact in own)
+    if not early and ends_in_impact and len(between) == 1:
+        (other,) = (name for name in between[0].bodies if name != body)
+        return say("flight.past-one", speed=speed, other=other)
+    if early or ends_in_impact or late < derivation.events[-1].number:
+        return say("flight.several-ways", speed=speed)
+    return say("flight.whole-way", speed=speed)
 
 
 def chord_title(derivation: Derivation, line: Line, wall: str) -> Sentence:

@@ -46,6 +46,7 @@ from restitution.workings.leads.scalar_products import slope_title
 from restitution.workings.naming.bold_letters import unit_vector
 from restitution.workings.naming.facts import fact_in_words, velocity_given
 from restitution.workings.naming.sources import is_vector
+from restitution.workings.reasons.later_times import between_impacts
 
 # The sign of a component along **i**, of a direction beyond 90°.
 _BEHIND: Mapping[str, SentenceId] = {"<": "given.behind", "<=": "given.not-ahead"}
@@ -432,12 +433,23 @@ class GivenLeads(Leads):
         return None
 
     def given_before(self, line: Line) -> tuple[Sentence, ...]:
-        """The given fact that says a velocity, before a law or components that take it."""
+        """The given fact that says a velocity, before a law or components that take it.
+
+        Before a place at a time, between which impacts that is.
+        """
+        between = between_impacts(self._derivation, self._naming, line)
+        if between is not None:
+            return (between,)
         velocities = self._velocities_read(line)
         if velocities:
             self._given |= {fact.id for fact in velocities}
             facts = tuple(velocity_given(self._naming, fact) for fact in velocities)
             return (say("given.velocities", facts=facts),)
+        put = self._lengths_put(line) if line.move.record == "straight-line" else []
+        if put:
+            self._given |= {fact.id for fact in put}
+            words = (fact_in_words(self._naming, fact) for fact in put)
+            return tuple(say("given.and", fact=e) for e in words)
         for ref in line.premises if line.move.id == "law" else ():
             fact = self._derivation.fact(ref)
             if fact is None or fact.kind != "given" or fact.id in self._given:
@@ -467,6 +479,17 @@ class GivenLeads(Leads):
                     self._given.add(fact.id)
                     return (say("given.rest", body=body),)
         return ()
+
+    def _lengths_put(self, line: Line) -> list[Fact]:
+        """The given facts of which a line has the value of a letter in its place, unsaid so far."""
+        facts = self._derivation.facts_in(line.premises)
+        return [
+            fact
+            for fact in facts
+            if fact.kind == "given" and fact.id not in self._given
+            if isinstance(fact.relation.options[0][0].left, Letter)
+            and fact.relation.options[0][0].sign == "="
+        ]
 
     def _velocities_read(self, line: Line) -> list[Fact]:
         """The velocities that are given as vectors, of which lines of an impact read components.

@@ -14,7 +14,7 @@ from restitution.expression.tree import Apply, Binary, Expression, Letter, Negat
 from restitution.planning.writing.forms import tree_of
 from restitution.render import layout as lay
 from restitution.wording.scene import is_mirrored, scene_of
-from restitution.workings.naming.measured import vector_worth, with_its_unit, worth
+from restitution.workings.naming.measured import vector_worth, with_unit, worth
 from restitution.workings.naming.quantities import Naming
 
 
@@ -94,8 +94,8 @@ def offset_sentence(fact: Fact, naming: Naming, given: bool, letter: str | None 
 
 
 def _length(naming: Naming, tree: Expression) -> lay.Layout:
-    """A length, with its unit where it is a number."""
-    return with_its_unit(naming.layout(tree), naming.unit(Quantity("distance", ())))
+    """A length with its unit, where numbers of the statement fix the scale."""
+    return with_unit(naming.layout(tree), naming.unit(Quantity("distance", ())))
 
 
 def _path(naming: Naming, one: str, other: str, origin: Expression | None) -> Sentence:

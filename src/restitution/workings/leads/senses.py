@@ -14,6 +14,7 @@ from restitution.vector import Vector
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.towards_walls import normal_towards
 
 
 def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sentence | None:
@@ -40,6 +41,10 @@ def sense_of_a_change(derivation: Derivation, naming: Naming, line: Line) -> Sen
         sides = _approaching(derivation, event, one)
         if sides is not None:
             return _approach(derivation, naming, event, sides, own)
+    if event.wall:
+        into = normal_towards(derivation, event, one, naming.layout, turned=True)
+        if into is not None:
+            return into
     opposite = "sense.opposite-wall" if event.wall else "sense.opposite"
     name = opposite if towards else "sense.away"
     return say(name, body=pushed, other=from_)

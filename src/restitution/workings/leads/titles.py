@@ -104,9 +104,14 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         )
 
     def _about_directions(self, line: Line) -> Sentence | None:
-        """How an angle is made, between what it is, or along which line a body moves."""
+        """How an angle is made, between what it is, or along which line a body moves.
+
+        And with which vector the scalar products of a law are.
+        """
         if line.move.record == "scalar-angle":
             return product_title(self._derivation, self._naming, line)
+        if (vector := self._by_products_with(line)) is not None:
+            return say("restitution.products-with", vector=self._naming.layout(vector))
         slope = slope_title(self._naming, line)
         return slope or self._turned(line) or self._along_the_line(line)
 
@@ -399,6 +404,20 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             for e in links
         )
         return vectors and axes
+
+    def _by_products_with(self, line: Line) -> Expression | None:
+        """The vector in numbers, of two components, with which a law of restitution is multiplied.
+
+        None where components along it stand before the law.
+        """
+        if line.move.record not in ("restitution", "restitution-wall"):
+            return None
+        cited = [self._cited(ref) for ref in numbers_in(line.premises)]
+        own = [e.relation.only for e in cited if e and isinstance(e.relation, Relation)]
+        if self._by_components(line) or not any(is_quantity(e[0].left, "velocity") for e in own):
+            return None
+        vectors = [links[-1].right for links in own if links[-1].sign == "parallel to"]
+        return next((e for e in vectors if not _has_one_component(e)), None)
 
     def _squares(self, line: Line) -> bool:
         """Whether a line rests on a right angle between a velocity and a fixed direction."""

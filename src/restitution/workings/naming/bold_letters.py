@@ -51,6 +51,7 @@ from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.vector import Vector
 from restitution.workings.naming.in_force import inequalities
+from restitution.workings.naming.towards_walls import normal_towards
 
 # What introduces unit vectors, at a wall and elsewhere: along its normal, across it, or both.
 _UNITS = {
@@ -353,6 +354,10 @@ class BoldLetters:
             kept = (*kinds, "wall") if event.wall else kinds
             slots = {each: own for each, own in slots.items() if each in kept}
             slots["along"] = self._units[number, "along"]
+        if event.wall and name == _UNITS[True, which] and "along" in kinds:
+            normal = _whole(direction)[0]
+            towards = normal_towards(self.derivation, event, normal, self.layout)
+            self._pending += [] if towards is None else [towards]
         self._pending.append(say(name, **slots))
 
     def _is_a_line(self, number: int, direction: Vector) -> bool:

@@ -309,7 +309,7 @@ class Naming(Moments):
                 return say("derived.impulse-given", of=(body,))
             case Quantity("energy", bodies, stage):
                 words = self._energy(bodies)
-                if isinstance(stage, int) and stage and self._of_other_times(tree):
+                if isinstance(stage, int) and stage and self._is_beside_other_times(tree):
                     return say("derived.when", quantity=words, when=self._plain_when(stage))
                 return self._after(words, tree, None)
             case Quantity("total_energy_lost", _, _):
@@ -375,6 +375,15 @@ class Naming(Moments):
                 or (quantity.kind == tree.kind and quantity.stage != tree.stage)
             )
             for quantity in self.terms.often
+        )
+
+    def _is_beside_other_times(self, tree: Quantity) -> bool:
+        """Whether the working speaks of an energy at another time, or so of one of another body."""
+        return any(
+            self._of_other_times(quantity)
+            for quantity in (tree, *self.terms.often)
+            if (quantity.kind, quantity.stage) == (tree.kind, tree.stage)
+            and bool(quantity.arguments) == bool(tree.arguments)
         )
 
     def of_letter(self, meaning: Meaning) -> Sentence:

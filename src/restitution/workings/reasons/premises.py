@@ -57,7 +57,7 @@ from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
 from restitution.workings.reasons.together import with_acute_angles_together
 
-_REASONED = frozenset({"reject", "sign", "compare", "cancel", "monotone", "inverse"})
+_REASONED = frozenset({"reject", "sign", "compare", "cancel", "divide", "monotone", "inverse"})
 _BEHIND = {"derived.fact-equal": 1, "derived.it-is": 2}
 _OF_SQUARES = frozenset({"speed", "size", "energy", "energy-ratio", "total", "tan-deflection"})
 _OF_VALUES = frozenset({"put", "rearrange", "square-add"})
