@@ -71,7 +71,7 @@ find theta, e
         (
             "away from B, so A is turned clockwise:",
             "𝐯_A = (u/2) cos 45° 𝐢 − (u/2) sin 45° 𝐣 = (√2 u/4)𝐢 − (√2 u/4)𝐣",
-            "tan θ = (1 + 2√2)/7",
+            "tan θ = 1/(2√2 − 1) = (1 + 2√2)/((2√2 − 1)(1 + 2√2)) = (1 + 2√2)/7",
             "= (20 − 9√2)/28",
         ),
     ),
@@ -102,7 +102,7 @@ P hits W
 given deflection(P) = 90°, speed(P) = 26/3
 find velocity(P), direction(W), e, impulse
 """,
-        ("s² = (26/3)²", "W is parallel to 3𝐢 + 2𝐣", "W is parallel to 9𝐢 − 46𝐣", "e = 4/9"),
+        ("s = ±26/3", "W is parallel to 3𝐢 + 2𝐣", "W is parallel to 9𝐢 − 46𝐣", "e = 4/9"),
     ),
     "a letter of the statement times a vector": (
         """

@@ -177,3 +177,26 @@ find range of k
 def test_an_inequality_between_fractions_is_multiplied_out_before_it_is_solved() -> None:
     words = printed(FURTHER)
     assert "as 1 + k > 0 k ≤ " in words
+
+
+SPEED = """
+sphere P: mass m, velocity w i
+sphere Q: mass 2m, at rest
+P hits Q: along i
+given speed(P) = w/4
+find e
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (SPEED, "(1 − 2e)w/3 = ±w/4 DM1 4 − 8e = ±3 e = ⅞ = 0.875 or e = ⅛ = 0.125"),
+        (
+            SPEED.replace("2m", "k m").replace("along i", "along i, e = 1/2").replace("e\n", "k\n"),
+            "(2 − k)w/(2(1 + k)) = ±w/4 DM1 1 + k = ±2(2 − k) k = 5 or k = 1",
+        ),
+    ],
+)
+def test_a_speed_of_one_component_is_that_with_either_sign(text: str, lines: str) -> None:
+    assert lines in printed(text)

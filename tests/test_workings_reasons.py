@@ -222,7 +222,7 @@ show angle(velocity(P), W) <= alpha
             "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
             "A hits B: along i, e = 1/2\ngiven speed(A) = u/3\nfind k"
         ),
-        ["(u/3)² = ((2 − k)u/(2(1 + k)))²", "2(1 + k) = ±3(2 − k)", "k = 8 or k = ⅘"],
+        ["(2 − k)u/(2(1 + k)) = ±u/3", "2(1 + k) = ±3(2 − k)", "k = 8 or k = ⅘"],
     ),
     # The ratio is 27(1 − e²)/100.
     "a percentage with which a ratio of energies is compared makes no decimals": (

@@ -31,6 +31,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
 )
 from restitution.explaining.lines.marks import Mark, Marks, reasoned
+from restitution.explaining.lines.opposite_roots import root_but_for_sign
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import trees_of
@@ -56,7 +57,6 @@ from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
 from restitution.workings.naming.quantities import Naming
-from restitution.workings.naming.row_sides import root_but_for_sign
 from restitution.workings.naming.sources import Sources
 from restitution.workings.noted import Notes
 from restitution.workings.reasons.premises import Reasons

@@ -9,6 +9,7 @@ import sympy as sp
 
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
 from restitution.explaining.lines.layouts import chains
+from restitution.explaining.lines.opposite_roots import root_but_for_sign
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import rebuilt
@@ -70,7 +71,6 @@ from restitution.workings.naming.row_sides import (
     has_decimals,
     has_long_root,
     is_vector_of_short_decimals,
-    root_but_for_sign,
     turned_side,
     without_doubles,
 )

@@ -9,6 +9,7 @@ from fractions import Fraction
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.definitions.common import ZERO
 from restitution.explaining.lines.derivation import FLIPPED, Link, MoveId, Relation, whole_of
+from restitution.explaining.lines.opposite_roots import as_squares
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.moves.angles import in_radians, is_inverse, is_triangle
 from restitution.explaining.moves.bases import IDENTITIES, base_of, bases_of, condition, with_base
@@ -41,6 +42,8 @@ def follows(step: Step, relation: Relation) -> bool:
     """
     if step.move.record == "either-side":
         return _on_either_side(step, relation)
+    if (step.move.id, step.move.record) == ("define", "speed"):
+        relation = as_squares(relation) or relation
     if step.move.id == "put" and (case := condition(relation)) is not None:
         return _under_condition(step, *case)
     whole = _WHOLE.get(step.move.id)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -31,6 +32,7 @@ from restitution.planning.closing.square_roots import (
     is_square_of_sum,
     linear_factors,
     sides_but_for_sign,
+    speed_of_one_component,
 )
 from restitution.planning.closing.squares_in_degrees import square_in_degrees
 from restitution.planning.formulas.impacts import (
@@ -113,6 +115,7 @@ def by_roots(
     alternatives = Relation(tuple(option(subject, root) for root in roots))
     names = symbol_names(above)
     known = background(scene, names)
+    of_squares = scene.desk.line(number)
     signed = None if sides is None else _but_for_sign(scene, number, sides, roots, symbol)
     move = Move("roots" if signed is None else "rearrange")
     number = number if signed is None else signed
@@ -128,6 +131,7 @@ def by_roots(
     else:
         line = None
     if line is None:
+        scene.desk.lines[of_squares.number - 1] = of_squares
         return None
     if dropped:
         standing = line
@@ -153,17 +157,38 @@ def _but_for_sign(
 
     The two equations stand in the order of the roots that they have.
     """
-    one, other = sides
+    one, other = sides if symbol in sides[0].free_symbols else sides[::-1]
     ends = [other if tidy((one - other).subs(symbol, e)) == 0 else -other for e in roots]
     if len(ends) != 2 or ends[0] == ends[1]:
         return None
-    left, right = (tree_of(sp.factor_terms(side)) for side in sides)
+    left, right = (tree_of(sp.factor_terms(side)) for side in (one, other))
     relation = Relation(
         tuple((Link(left, "=", right if end == other else negative(right)),) for end in ends)
     )
     known = background(scene, symbol_names(residual(scene, number)))
-    refs = scene.judge.enough(_ROOTS, (number,), relation, known)
-    return None if refs is None else scene.desk.write(_ROOTS, refs, relation)
+    move = Move("rearrange") if _of_one_component(scene, number, symbol, roots) else _ROOTS
+    if scene.desk.line(number).relation == relation:
+        return number
+    refs = scene.judge.enough(move, (number,), relation, known)
+    return None if refs is None else scene.desk.write(move, refs, relation)
+
+
+def _of_one_component(
+    scene: Scene, number: int, symbol: sp.Symbol, roots: Sequence[sp.Expr]
+) -> bool:
+    """Whether a speed is that of one component: ``v = ±u/3`` stands in the place of squares."""
+    pair = speed_of_one_component(scene, number, symbol)
+    if pair is None:
+        return False
+    component, speed = pair
+    value = scene_value(scene, component) - scene_value(scene, speed)
+    ends = [speed if tidy(value.subs(symbol, e)) == 0 else negative(speed) for e in roots]
+    relation = Relation(tuple((Link(component, "=", end),) for end in ends))
+    line = scene.desk.line(number)
+    if not scene.judge.follows(line.move, line.premises, relation):
+        return False
+    scene.desk.lines[number - 1] = replace(line, relation=relation)
+    return True
 
 
 def _by_the_formula(

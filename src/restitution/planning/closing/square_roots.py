@@ -81,6 +81,8 @@ def without_equal_squares(scene: Scene, line: int) -> int:
 
 def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     """The unknown stands in the square of one sum: that is made the subject, and its root taken."""
+    if speed_of_one_component(scene, number, symbol) is not None:
+        return None
     link = scene.desk.last_link(number)
     sums = {base for side in (link.left, link.right) for base in _sums(side, symbol.name)}
     if len(sums) != 1:
@@ -233,11 +235,40 @@ def sides_but_for_sign(
     sides = (sp.sympify(scene_value(scene, tree), strict=True) for tree in (left, right))
     one, other = side_by_side(*sides)
     for value in (one, other):
-        if not value.is_polynomial(symbol) or sp.degree(value, symbol) != 1:
+        if not value.is_polynomial(symbol) or sp.degree(value, symbol) > 1:
+            return None
+        if symbol not in value.free_symbols and _speeds_of_one_component(scene, number) is None:
             return None
     # Equal and opposite sides are two equations of the first degree.
     ends = (sp.expand(one - other), sp.expand(one + other))
     return (one, other) if all(sp.degree(end, symbol) == 1 for end in ends) else None
+
+
+def speed_of_one_component(
+    scene: Scene, number: int, symbol: sp.Symbol
+) -> tuple[Expression, Expression] | None:
+    """The component with the unknown of who moves along a line, and the speed that is given.
+
+    None of a line that says no square of a speed, and where it is known which of the two signs
+    the component has.
+    """
+    pair = _speeds_of_one_component(scene, number)
+    if pair is None or sides_but_for_sign(scene, number, symbol) is None:
+        return None
+    pair = pair if symbol.name in letters(pair[0]) else pair[::-1]
+    return None if symbol.name in letters(pair[1]) else pair
+
+
+def _speeds_of_one_component(scene: Scene, number: int) -> tuple[Expression, Expression] | None:
+    """The two sides of which a line says that their squares are equal, as both are a speed."""
+    line = scene.desk.line(number)
+    match line.relation:
+        case Relation(((Link(Binary("^", one, power), "=", Binary("^", other, exponent)),),)) if (
+            line.move.id,
+            line.move.record,
+        ) == ("define", "speed") and power == exponent == TWO:
+            return one, other
+    return None
 
 
 def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:

@@ -217,7 +217,7 @@ class GivenLeads(Leads):
         """A component that a fact gives by its letter, by a right angle or by a turn."""
         assert isinstance(line.relation, Relation)
         record = line.move.record
-        match fact.relation.options[0][0], line.relation.only:
+        match fact.relation.options[0][0], line.relation.options[0]:
             case Link(Quantity("velocity"), "perpendicular to", Unit() as unit), (link,) if (
                 record == "perpendicular" and is_zero(link.right)
             ):
@@ -448,8 +448,7 @@ class GivenLeads(Leads):
         put = self._lengths_put(line) if line.move.record == "straight-line" else []
         if put:
             self._given |= {fact.id for fact in put}
-            words = (fact_in_words(self._naming, fact) for fact in put)
-            return tuple(say("given.and", fact=e) for e in words)
+            return tuple(say("given.and", fact=fact_in_words(self._naming, fact)) for fact in put)
         for ref in line.premises if line.move.id == "law" else ():
             fact = self._derivation.fact(ref)
             if fact is None or fact.kind != "given" or fact.id in self._given:

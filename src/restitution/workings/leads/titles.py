@@ -410,7 +410,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
 
         None where components along it stand before the law.
         """
-        if line.move.record not in ("restitution", "restitution-wall"):
+        if line.move.record not in ("restitution", "restitution-wall") or self._by_products(line):
             return None
         cited = [self._cited(ref) for ref in numbers_in(line.premises)]
         own = [e.relation.only for e in cited if e and isinstance(e.relation, Relation)]

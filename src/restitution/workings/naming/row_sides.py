@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from restitution.explaining.lines.derivation import Link, Relation
-from restitution.expression.tree import Expression, Negate, Number, is_function, walk
+from restitution.explaining.lines.derivation import Relation
+from restitution.expression.tree import Expression, Number, is_function, walk
 from restitution.render import layout as lay
 from restitution.render.text import to_text
 from restitution.workings.naming.measured import is_plain
@@ -27,18 +27,6 @@ def without_doubles(sides: list[lay.Layout], signs: list[str]) -> None:
             del sides[n], signs[n - 1]
 
 
-def root_but_for_sign(options: tuple[tuple[Link, ...], ...]) -> Link | None:
-    """The positive one of two roots that differ in their sign alone."""
-    if len(options) != 2 or any(len(option) != 1 or option[0].sign != "=" for option in options):
-        return None
-    (one,), (two,) = options
-    if one.left != two.left:
-        return None
-    if two.right == Negate(one.right):
-        return one
-    return two if one.right == Negate(two.right) else None
-
-
 def are_values(relation: Relation) -> bool:
     """Whether a line gives several values of one scalar or angle."""
     lefts = {links[0].left for links in relation.options}
@@ -48,7 +36,7 @@ def are_values(relation: Relation) -> bool:
     )
 
 
-__all__ = ["are_values", "root_but_for_sign", "turned_side", "without_doubles"]
+__all__ = ["are_values", "turned_side", "without_doubles"]
 
 
 def has_long_root(tree: Expression) -> bool:

@@ -32,7 +32,8 @@ def normal_towards(
     body, wall = event.bodies
     data = derivation.fact(" ".join(("velocity", body)))
     earlier = any(e.number < event.number and body in e.bodies for e in derivation.events)
-    given = next(filter(None, (_given(derivation, event, e) for e in derivation.lines)), None)
+    vectors = (_given(derivation, event, line) for line in derivation.lines)
+    given = next((vector for vector in vectors if vector is not None), None)
     if data is None or earlier or given is None:
         return None
     velocity = data.relation.only[-1].right
@@ -57,8 +58,10 @@ def _given(derivation: Derivation, event: Event, line: Line) -> Expression | Non
     if (line.move.record, line.move.event) != ("across-the-impulse", event.number):
         return None
     given = (fact for fact in derivation.facts_in(line.premises) if fact.kind == "given")
-    links = (fact.relation.options[0][0] for fact in given)
-    return next((link.right for link in links if link.sign == "parallel to"), None)
+    for link in (fact.relation.options[0][0] for fact in given):
+        if link.sign == "parallel to":
+            return link.right
+    return None
 
 
 __all__ = ["normal_towards"]
