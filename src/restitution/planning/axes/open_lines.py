@@ -239,7 +239,8 @@ def _tangent(scene: Scene, number: int, angle: sp.Symbol, change: Vector, axis: 
     move = Move("define", "parallel", number)
     if scene.model.sign(x) < 0:
         x, y = -x, -y
-    quotient = swept(Binary("/", tree_of(y), tree_of(x)))
+    # A quotient of whole numbers is one itself.
+    quotient = tree_of(value) if value.is_Rational else swept(Binary("/", tree_of(y), tree_of(x)))
     relation = chain(tangent, (quotient, None), (tree_of(value), "rearrange"))
     line = scene.judge.write((move,), (axis, f"axis {number}"), relation)
     if line is None:
