@@ -455,7 +455,7 @@ def test_a_place_between_that_is_asked_gives_the_time_of_the_last_way() -> None:
     assert "time(2) - time(1) = (9 - 3)/3 = 2 [rearrange]" in lines
 
 
-def test_a_time_of_three_ways_is_that_of_the_whole_way_where_one_of_them_has_no_line() -> None:
+def test_a_time_of_three_ways_that_is_asked_is_their_sum_where_places_rest_on_them() -> None:
     lines = said(
         working(
             """
@@ -469,5 +469,6 @@ def test_a_time_of_three_ways_is_that_of_the_whole_way_where_one_of_them_has_no_
             """
         )
     )
-    assert "time(3) = 75/2/3 = 25/2 [rearrange]" in lines
+    assert "along(position(P, 3), i) = 27/2 + 3*8 = 75/2 [rearrange]" in lines
+    assert "time(3) = 1/2 + 4 + 8 = 25/2 [rearrange]" in lines
     assert not any("time(3) - time(1)" in line for line in lines)

@@ -100,7 +100,7 @@ def test_a_tangent_that_stands_takes_the_angle_that_is_given() -> None:
 
 def test_a_speed_comes_of_the_line_of_its_square() -> None:
     printed = worked(SQUARED)
-    assert "From (1), as sin²α + cos²α = 1:\n(ii) speed of P = u√((2 − sin²α)/2)" in printed
+    assert "From (1), as sin²α + cos²α = 1:\n(ii) speed of P = u√(1 − ½ sin²α)" in printed
     assert printed.count("Speed, from its components") == 1
 
 

@@ -289,3 +289,12 @@ def test_an_angle_of_roots_of_sums_of_roots_is_told_by_its_tangent() -> None:
     angle = tidy_angle(sp.pi + sp.atan(y / x))
     assert angle.atoms(sp.atan) and not angle.atoms(sp.acos, sp.asin)
     assert float(angle) == pytest.approx(math.atan2(y, x))
+
+
+def test_a_value_that_stands_rounded_is_shown_by_more_figures() -> None:
+    shown = printed(
+        "wall W: along i\nsphere P: mass m, velocity 3u i - 4u j\nP hits W: e = 1/3\n"
+        "find speed(P)\nshow speed(P) = 3.28u to 3 s.f."
+    )
+    assert "(i) speed of P = √((4u/3)² + (3u)²) = √97 u/3 ≈ 3.28u" in shown
+    assert "(ii) speed of P ≈ 3.283u ≈ 3.28u (as required)" in shown

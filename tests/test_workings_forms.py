@@ -243,3 +243,138 @@ def test_the_fraction_lost_has_its_name() -> None:
         "find range of energy_lost/energy(0)"
     )
     assert "0 ≤ fraction lost ≤ ⅜" in shown
+
+
+@pytest.mark.parametrize(
+    ("e", "speed"),
+    [("1/sqrt(2)", "V√(1 − ½ sin²θ)"), ("1/sqrt(3)", "V√(1 − ⅔ sin²θ)")],
+)
+def test_a_sum_that_begins_with_its_divisor_is_divided(e: str, speed: str) -> None:
+    """And the square of a claim is what it was under its root."""
+    shown = working(
+        f"wall W: along i\nsphere P: mass m, velocity V at theta to W\nP hits W: e = {e}\n"
+        "show speed(P) = V sqrt(1 - sin^2 theta)"
+    )
+    square = speed.replace("√", "²")
+    assert f"it is {speed}, and {square} − V²(1 − sin²θ) = " in shown
+
+
+def test_a_long_root_of_a_value_in_letters_is_not_written() -> None:
+    """35² + 204² is 42 841, and no square."""
+    shown = working(
+        "sphere A: mass m, velocity 13V at arctan(12/5)\nsphere B: mass m, velocity -V j\n"
+        "A hits B: along i, e = 3/17\nfind speed(A)"
+    )
+    assert "speed of A = √((35V/17)² + (12V)²) ≈ 12.2V" in shown
+
+
+def test_two_squares_stand_before_the_cosine_is_taken_out() -> None:
+    shown = working(
+        "wall X: along i\nwall Y: along j\nsphere P: velocity 3V at theta to X\n"
+        "P hits X: e = 1/4\nP hits Y: e = 2/3\nfind speed(P)"
+    )
+    assert (
+        "speed of P = √((2V cos θ)² + (¾V sin θ)²) = V√(64 cos²θ + 9 sin²θ)/4 "
+        "= V√(9 + 55 cos²θ)/4, as sin²θ + cos²θ = 1 M1 A1"
+    ) in shown
+
+
+def test_a_letter_that_the_question_has_for_a_speed_is_introduced() -> None:
+    """And what a letter is since comes of the last line that says it."""
+    shown = working(
+        "sphere A: mass 3m, velocity p i\nsphere B: mass 2m, velocity -q i\n"
+        "A hits B: along i, e = 1/4\nfind range of q/p\ngiven velocity(A) opposite to i\n"
+        "part b\ngiven velocity(A) = -1/2 velocity(A, 0)\nfind q/p, speed(B)/q"
+    )
+    assert "v = −p/2 (4)" in shown
+    assert "Substituting in (4): v = −q/4" in shown
+    assert "Let V be the speed of B after the impact. V = q/8 (ii) V/q = ⅛" in shown
+
+
+def test_a_component_in_numbers_shows_its_cosine_in_the_laws() -> None:
+    shown = working(
+        "sphere A: mass 2, velocity 10 at alpha\nsphere B: mass 3, velocity 4j\n"
+        "given cos(alpha) = 3/5\nA hits B: along i, e = 1/2\nfind velocity(B)"
+    )
+    assert "2 × 10 × ⅗ = 2v + 3w (1)" in shown
+    assert "w − v = ½ × 10 × ⅗ (2)" in shown
+
+
+def test_a_component_that_is_minus_another_has_its_value() -> None:
+    shown = working(
+        "sphere A, B: mass m\nsphere A: velocity u at beta\nsphere B: velocity u at 180° - beta\n"
+        "A hits B: along i\ngiven tan(beta) = 1/3\nfind speed(A) in terms of e, u\n"
+        "given velocity(A) perpendicular to velocity(B)\nfind e"
+    )
+    assert "w = −v (3)" in shown
+    assert "Substituting for v in (3): w = 3√10 eu/10" in shown
+
+
+def test_a_multiple_of_a_velocity_told_by_an_angle_has_its_components() -> None:
+    shown = working(
+        "wall AB: along i\nwall BC: along j\nsphere S: mass 3m, velocity V at theta to AB\n"
+        "S hits AB: e = k\nS hits BC: e = k\nshow velocity(S) = -k velocity(S, 0)"
+    )
+    assert "Let 𝐮 be the velocity of S at the start. 𝐮 = V cos θ 𝐢 − V sin θ 𝐣" in shown
+    assert "= −k(V cos θ 𝐢 − V sin θ 𝐣)" in shown
+
+
+def test_components_beside_an_offset_have_their_sense_and_their_unit() -> None:
+    statement = (
+        "sphere A: mass m, velocity u i, radius r\nsphere B: mass m, at rest, radius r\n"
+        "A hits B: offset d, e = 1\ngiven angle(velocity(A), i) = 60°\nfind d, speed(A)"
+    )
+    sense = "at 90° anticlockwise from the sense from A to B: component of 𝐮_A along"
+    assert f"those perpendicular to the line of centres {sense}" in working(statement)
+    shown = working(
+        "sphere A: mass 2m, velocity 3u i, radius 5\nsphere B: mass m, velocity u i, radius 5\n"
+        "A hits B: offset d, e = 1/4\ngiven angle(line_of_centres, i) = arcsin(3/5), d > 0\nfind d"
+    )
+    assert "the centres are 10 m apart, and the centre of B is d m to the left" in shown
+
+
+def test_the_side_to_which_a_blow_turns_a_velocity_has_its_reason() -> None:
+    shown = working(
+        "sphere Q: mass 3m, velocity 2V i\nQ receives K at phi\n"
+        "given 180° < phi < 270°, deflection(Q) = 60°, speed(Q) = V\nfind K, phi"
+    )
+    assert "It is given that the speed of Q is V and the angle of deflection of Q is 60°." in shown
+    assert (
+        "𝐯_Q = V cos 60° 𝐢 − V sin 60° 𝐣 = (V/2)𝐢 − (√3 V/2)𝐣 as the impulse has a component "
+        "in the direction of −𝐣, since 180° < φ < 270°"
+    ) in shown
+
+
+def test_a_cosine_is_worked_out_before_it_is_squared() -> None:
+    shown = working(
+        "sphere A: mass m, velocity u i + 3u j\nsphere B: mass m, velocity -5u i\n"
+        "A hits B: along i\ngiven cos(deflection(A)) = 1/sqrt(5)\nfind e"
+    )
+    cosine = "(9u + v)/(√10√(9u² + v²))"
+    assert f"1/√5 = (uv + 3u × 3u)/(√(u² + (3u)²)√(v² + (3u)²)) M1 A1 = {cosine}" in shown
+
+
+def test_a_time_that_is_asked_stands_before_the_place() -> None:
+    shown = working(
+        "wall W: along i, through (0, 0)\nwall X: along i, through (0, h)\n"
+        "sphere P: at (0, 0), velocity u at alpha\nP hits X\nP hits W\n"
+        "find position(P, 2), time(2) in terms of u, alpha, h, e"
+    )
+    assert "t₂ − t₁ = h/(eu sin α)" in shown
+    assert "= (u cos α)((1 + e)h/(eu sin α)) = (1 + e)h/(e tan α)" in shown
+
+
+def test_what_binds_an_acute_angle_ends_at_90_degrees() -> None:
+    shown = working(
+        "sphere S: mass 2m, velocity V i\nS receives K at phi\ngiven direction(S) = 30°\n"
+        "find K in terms of phi, m, V"
+    )
+    assert "As K > 0 and φ is acute, this holds for 30° < φ < 90° only." in shown
+
+
+def test_one_fact_of_a_coefficient_and_a_direction_fixes_neither() -> None:
+    shown = working(
+        "sphere A: mass 2m, velocity 3u i\nsphere B: mass m, at rest\nA hits B\n"
+        "given speed(A) = 2u\nfind e"
+    )
+    assert "That the speed of A is 2u is one equation for two unknowns." in shown

@@ -327,9 +327,9 @@ def test_walls_that_are_hit_in_the_whole_range_are_named() -> None:
 
 def test_a_velocity_of_one_component_is_told_before_it_is_resolved() -> None:
     text = working(BALL_TO_BALL)
-    told = "B was at rest, so it moved off along the line of centres of that impact, at {} to this"
-    resolved = "one. Component before the impact: 𝐯_B · 𝐧 = ((1 + e)u/2) cos {} ="
-    both = f"{told} {resolved}"
+    told = "B was at rest before the first impact, so it moved off along the line of centres"
+    resolved = "Component before the impact: 𝐯_B · 𝐧 = ((1 + e)u/2) cos {} ="
+    both = f"{told} of that impact, at {{}} to this one. {resolved}"
     assert both.format("60°", "60°") in text
     assert both.format("30°", "30°") in working(UPWARDS)
     told = "A moves perpendicular to the line of centres of its last impact, at 30° to this"

@@ -63,7 +63,11 @@ CASES = {
             "show velocity(P) = -e velocity(P, 0)\n"
             "show velocity(P) opposite to velocity(P, 0)\nfind speed(P)"
         ),
-        ("(i) 𝐯₂ = −eu", "(ii) So 𝐯₂ is opposite to 𝐮, since e > 0, as required.", "(iii) speed"),
+        (
+            "(i) 𝐯₂ = −e𝐮 (as required)",
+            "(ii) So 𝐯₂ is opposite to 𝐮, since e > 0, as required.",
+            "(iii) speed",
+        ),
         ("(i), (ii)",),
     ),
     "a speed by a kinetic energy": (

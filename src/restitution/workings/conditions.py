@@ -28,7 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import All, BeyondError, Formula, Oracle, compared
 from restitution.oracle import Relation as Claim
-from restitution.oracle.roles import ACUTE
+from restitution.oracle.roles import ACUTE, Role
 from restitution.planning.inequalities.forms_of_ranges import relation_of_condition
 from restitution.planning.inequalities.ranges import general_answer
 from restitution.planning.writing.forms import tree_of
@@ -355,8 +355,26 @@ def _sentence(
     reasons = reasons or _bound_alike(solution, answer, known.bounds)
     reasons = reasons or _motion_alike(own, answer)
     if reasons and condition not in reasons:
-        return say("answer.only-as", reasons=reasons, condition=condition)
+        by_angle, condition = _below_a_right_angle(part.roles, condition)
+        return say("answer.only-as", reasons=(*reasons, *by_angle), condition=condition)
     return _at_the_end(solution, part, item, answer)
+
+
+def _below_a_right_angle(
+    known: Mapping[str, Role], condition: Layout
+) -> tuple[tuple[Sentence, ...], Layout]:
+    """A condition θ > 60° of an acute angle as 60° < θ < 90°, and that the angle is acute."""
+    match condition:
+        case lay.Relation((angle, lay.Degrees() as least), (">",)):
+            pass
+        case _:
+            return (), condition
+    for name, role in known.items():
+        if role == ACUTE and lay.from_sympy(sp.Symbol(name)) == angle:
+            right_angle = lay.Degrees(lay.Number("90"))
+            both = lay.Relation((least, angle, right_angle), ("<", "<"))
+            return (say("derived.acute", angle=angle),), both
+    return (), condition
 
 
 def _at_the_end(

@@ -29,8 +29,9 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.problem import Extremum, Show
+from restitution.problem import Arrival, Extremum, Impact, Kick, Problem, Show, Value
 from restitution.render import layout as lay
+from restitution.shapes import Line
 from restitution.solving.equations.coefficients import COEFFICIENTS
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.ends import Ends
@@ -40,6 +41,17 @@ from restitution.workings.reasons.no_root import reason_of_no_root
 
 # These notes are of one item each.
 _ALONE = frozenset({"unbounded", "refuted", "undecided", "unwritten", "standing", "agreeing"})
+
+
+def _has_an_open_direction(problem: Problem) -> bool:
+    """Whether neither the coefficient nor the direction of the one impact is given."""
+    steps = [step for _, step in problem.steps() if isinstance(step, Arrival | Impact | Kick)]
+    match steps:
+        case [Impact(_, struck, e, along, offset)] if e is None or isinstance(e, Letter):
+            walls = [wall for wall in problem.walls if wall.name == struck]
+            straight = all(wall.shape == Line(None, wall.through) for wall in walls)
+            return straight and along is None and offset is None
+    return False
 
 
 class Notes:
@@ -143,7 +155,26 @@ class Notes:
             return say("note.impossible", reason=first.reason)
         if first.premises:
             return say("note.idle", fact=self._given_fact(first), items=items)
+        told = self._told_beside(first)
+        if told is not None:
+            return say("note.none-of-two", items=items, reason=first.reason, fact=told)
         return say("note.none", items=items, reason=first.reason)
+
+    def _told_beside(self, note: Note) -> Sentence | lay.Layout | None:
+        """The one fact that is given of a letter and of a direction that is not given either."""
+        item = self._ends.item(note.item)
+        if not isinstance(item, Value) or not isinstance(item.expression, Letter):
+            return None
+        if note.kind != "missing" or not _has_an_open_direction(self._naming.problem):
+            return None
+        facts = [
+            fact
+            for fact in self._derivation.facts
+            if fact.kind == "given"
+            and fact.part in (None, note.part)
+            and fact.relation.options[0][0].sign == "="
+        ]
+        return fact_in_words(self._naming, facts[0]) if len(facts) == 1 else None
 
     def _given_fact(self, note: Note) -> Sentence | lay.Layout:
         """The given fact among the premises of a note."""

@@ -15,9 +15,18 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.trees import rebuilt, trees_of
 from restitution.expression.evaluate import evaluate, in_letters
-from restitution.expression.tree import Expression, Negate, Quantity, has_quantity, letters
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Negate,
+    Number,
+    Quantity,
+    has_quantity,
+    letters,
+)
 from restitution.oracle import REAL, Oracle, compared
-from restitution.planning.writing.forms import ZERO, difference, product, tree_of
+from restitution.planning.writing.forms import ZERO, difference, product, square, tree_of
 from restitution.problem import Aligned, AtRest, Compare, Extremum, Meets, Show
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -380,6 +389,20 @@ def _in_letters(
     return tuple(evaluate(tree, symbol) for tree in trees), Oracle(known, bounds)
 
 
+def _squared(tree: Expression) -> Expression:
+    """The square of a value as it stands: what is under a root, factor by factor."""
+    match tree:
+        case Negate(operand):
+            return _squared(operand)
+        case Apply("sqrt", inside):
+            return inside
+        case Binary("*" | "/" as op, left, right):
+            return Binary(op, _squared(left), _squared(right))
+        case Number(value):
+            return Number(value**2)
+    return square(tree)
+
+
 def difference_of(
     claimed: Expression, value: Expression, naming: Naming, facts: tuple[Link, ...]
 ) -> Relation | None:
@@ -398,7 +421,7 @@ def difference_of(
         gap = min(_as_factors(sides[0] - sides[1]), key=sp.count_ops)
         signs: tuple[Sign, ...] = (">", "<")
         sign = next((e for e in signs if oracle.proves(compared(gap, e, sp.Integer(0)))), None)
-        trees = [tree_of(tidy(end)) for end in sides] if has_root else [value, claimed]
+        trees = [_squared(end) for end in (value, claimed)] if has_root else [value, claimed]
         whole = tree_of(tidy(gap))
     except (RestitutionError, ArithmeticError, TypeError, ValueError):
         return None

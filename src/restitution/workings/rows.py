@@ -57,6 +57,7 @@ from restitution.workings.naming.measured import (
     as_decimal,
     is_long_quotient,
     is_plain,
+    multiple_in_figures,
     percentage,
     rounded,
     terms_as_decimals,
@@ -86,6 +87,8 @@ _REMEMBERED = 3
 # The root of an equation is told exactly, and so are answers of at most so many signs.
 _EXACTLY = frozenset({"roots", "reject"})
 _LONGEST_ANSWER = 40
+# No number from here on stands under a root; where data are decimals, none of four figures.
+_NEVER_READ = 10000
 _TANGENTS = frozenset({"tan", "tan-direction"})
 # What is divided by the length of a direction: a reader sees its root below the line.
 _BY_A_LENGTH = frozenset({"scalar-angle", "component"})
@@ -357,12 +360,25 @@ class Rows:
                 self._figures.stands_for(trees[n], trees[min(in_figures)])
             if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and sides[-2] not in worked:
                 del sides[-2], signs[-2]  # an answer has three figures at once
-            rounded_next = self._measures.decimals and signs[-1] == "≈" and len(sides) > 3
-            if rounded_next and has_long_root(trees[-1]):
+            shortest = 1000 if self._measures.decimals else _NEVER_READ
+            if signs[-1] == "≈" and len(sides) > 3 and has_long_root(trees[-1], shortest):
                 del sides[-2], signs[-2]
+            more = self._one_figure_more(line)
+            if more is not None:
+                sides.insert(1, more)
+                signs.insert(0, "≈")
         elif last and self._ends.of(line) is not None:
             self._bounded(trees, sides)
         return Row(tuple(sides), tuple(signs))
+
+    def _one_figure_more(self, line: Line) -> lay.Layout | None:
+        """A value by its figures before it is rounded; None where it was not yet rounded above."""
+        (first, *_) = line.premises if line.move.id == "value" else (None,)
+        above = self._derivation.line(first) if isinstance(first, int) else None
+        end = None if above is None else self._ends.of(above)
+        if above is None or end is None or end.shown or not isinstance(above.relation, Relation):
+            return None
+        return multiple_in_figures(above.relation.only[-1].right, FIGURES_BETWEEN)
 
     def _in_figures(
         self, line: Line, links: tuple[Link, ...], trees: list[Expression]

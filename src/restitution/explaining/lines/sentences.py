@@ -134,6 +134,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "Components before the impact, those perpendicular to the line of centres in the direction "
         "of {axis}:"
     ),
+    "resolved-spheres.before-left": (
+        "Components before the impact, those perpendicular to the line of centres at 90° "
+        "anticlockwise from the sense from {first} to {second}:"
+    ),
     "resolved-wall.before-sense": (
         "Components before the impact, those parallel to {wall} in the direction of {axis}:"
     ),
@@ -168,15 +172,15 @@ SENTENCES: Mapping[SentenceId, str] = {
         "{wall}. {components:capital} before the impact:"
     ),
     "resolved.before-off-at-centres": (
-        "{body} was at rest, so it moved off along the line of centres of that impact, at {angle} "
-        "to this one. {components:capital} before the impact:"
+        "{body} was at rest before {struck}, so it moved off along the line of centres of that "
+        "impact, at {angle} to this one. {components:capital} before the impact:"
     ),
     "resolved.before-off-at-wall": (
-        "{body} was at rest, so it moved off along the line of centres, at {angle} to {wall}. "
-        "{components:capital} before the impact:"
+        "{body} was at rest before {struck}, so it moved off along the line of centres, at {angle} "
+        "to {wall}. {components:capital} before the impact:"
     ),
     "resolved.before-moved-off": (
-        "{body} was at rest, so it moved off along the line of centres: {vector}. "
+        "{body} was at rest before {struck}, so it moved off along the line of centres: {vector}. "
         "{components:capital} before the impact:"
     ),
     "resolved-axes.wall": "Components along {wall} and perpendicular to it:",
@@ -585,6 +589,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",
     "given.and": "It is given that {fact}.",
     "given.velocities": "It is given that {facts:and}.",
+    "given.turned": (
+        "It is given that {facts:and}. The velocity, from its magnitude and direction:"
+    ),
     "given.by-what-changes": "By the component that changes:",
     "given.by-those-that-change": "By the components that change:",
     "given.agrees": "It is also given that {fact}, which agrees with this.",
@@ -880,6 +887,10 @@ SENTENCES: Mapping[SentenceId, str] = {
         "were tried, but that proves nothing."
     ),
     # --- answers ----------------------------------------------------------------------------------
+    "note.none-of-two": (
+        "{items:capital} cannot be found, as {reason}. That {fact} is one equation for two "
+        "unknowns."
+    ),
     "note.none": "{items:capital} cannot be found, as {reason}.",
     "note.idle": (
         "It is given that {fact}. That is so for all values of {items}, so {items} cannot be found."
@@ -1071,6 +1082,9 @@ SENTENCES: Mapping[SentenceId, str] = {
     "derived.above-zero": "the {component} is positive",
     "derived.along-unit": "{velocity} is in the direction of {unit}",
     "derived.negative-part": "{velocity} has a negative {axis}-component",
+    "derived.side-of-blow": (
+        "the impulse has a component in the direction of {axis}, since {bounds:and}"
+    ),
     "derived.positive-part": "{velocity} has a positive {axis}-component",
     "derived.divide": "Dividing {first} by {second}:",
     "derived.square-add": "Squaring and adding {equations:and}:",

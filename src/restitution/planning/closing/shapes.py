@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields
+from functools import partial
 
 import sympy as sp
 
@@ -21,7 +22,6 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     equality,
-    numbers_in,
 )
 from restitution.explaining.lines.trees import rebuilt, statement_of
 from restitution.expression.tree import (
@@ -52,6 +52,7 @@ from restitution.planning.closing.ratios import (
     without_sums,
 )
 from restitution.planning.closing.roots import by_roots, known_as
+from restitution.planning.closing.settled_letters import settled_letter
 from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
@@ -300,7 +301,7 @@ def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Sou
                 return None
             value, refs = scene.put(known.value)
             if value != known.value and not value.free_symbols & scene.model.final.keys():
-                return _settled_letter(scene, tree, known, Source(value, refs))
+                return settled_letter(scene, tree, known, Source(value, refs))
             return Source(value, together(known.refs, refs))
         case Apply("sin" | "cos" | "tan" as kind, Letter(name)):
             if symbol is not None and name == symbol.name:
@@ -314,22 +315,6 @@ def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Sou
     return None
 
 
-def _settled_letter(scene: Scene, letter: Letter, known: Source, final: Source) -> Source:
-    """What a letter is by now, in a line of its own before that is put in."""
-    whole = together(known.refs, final.refs)
-    lines = numbers_in(known.refs)
-    relation = chain(letter, (tree_of(final.value), None))
-    if len(lines) != 1 or scene.desk.last_link(lines[0]).left != letter:
-        return Source(final.value, whole)
-    # Where it comes to 0, nothing tells which line is put into but that it stands first.
-    pools = (whole, (*lines, *(ref for ref in whole if ref not in lines)))
-    line = next(filter(None, (scene.judge.write((Move("put"),), e, relation) for e in pools)), None)
-    if line is None:
-        return Source(final.value, whole)
-    scene.desk.know(letter, final.value, (line,))
-    return Source(final.value, (line,))
-
-
 def _unknown_of(scene: Scene, number: int, symbol: sp.Symbol) -> sp.Symbol:
     """The unknown of a line; it may be another than that of the equation behind it."""
     own = scene.unknown(residual(scene, number))
@@ -337,6 +322,10 @@ def _unknown_of(scene: Scene, number: int, symbol: sp.Symbol) -> sp.Symbol:
         return symbol
     (other,) = own
     return other
+
+
+# A side is worked out before it is squared where that leaves at most two thirds of it.
+_SHORTER = 1.5
 
 
 # --- shapes -------------------------------------------------------------------------------------
@@ -362,10 +351,10 @@ def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
 
 def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """Roots on both sides, or one that is a number: both sides are squared."""
-    link = scene.desk.last_link(number)
-    sides = [link.left, link.right]
-    if not any(_has_root(side, symbol) for side in sides):
+    if not any(map(partial(_has_root, symbol=symbol), _sides_of(scene, number))):
         return None
+    number = _quotient_worked_out(scene, number)
+    sides = _sides_of(scene, number)
     squares = [_square_of(scene, side) for side in sides]
     if any(tree is None for tree in squares):
         return None
@@ -375,6 +364,27 @@ def _squared(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if refs is None:
         return None
     return close(scene, scene.desk.write(move, refs, relation), symbol)
+
+
+def _sides_of(scene: Scene, number: int) -> tuple[Expression, Expression]:
+    """The sides of the last equation of a line."""
+    link = scene.desk.last_link(number)
+    return link.left, link.right
+
+
+def _quotient_worked_out(scene: Scene, number: int) -> int:
+    """The line with a quotient of sums over roots worked out: (4u + v)/(√5√(4u² + v²)).
+
+    The line itself where that is not shorter.
+    """
+    link = scene.desk.last_link(number)
+    if letters(link.left) or not is_binary(link.right, "/"):
+        return number
+    shorter = tree_of(tidy(scene_value(scene, link.right)))
+    if len(walk(shorter)) * _SHORTER > len(walk(link.right)):
+        return number
+    line = scene.judge.write((Move("rearrange"),), (number,), equality(link.left, shorter))
+    return number if line is None else line
 
 
 def _by_one_root(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:

@@ -28,8 +28,9 @@ def settled(scene: Scene, tree: Expression) -> Source | None:
         return None
     own = known.value if known.value.is_Symbol else -known.value
     if own.is_Symbol:
-        settled(scene, Letter(own.name))
-        return known
+        last = settled(scene, Letter(own.name))
+        if last is None or own == known.value or not isinstance(tree, Letter):
+            return known  # w = v says it; of w = −v the value is a line
     value, refs = scene.put(known.value)
     lines = numbers_in(known.refs)
     if value == known.value or len(lines) != 1:

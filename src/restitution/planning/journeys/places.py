@@ -236,6 +236,8 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
     if any(scene.desk.known(tree) is not None for tree in (*stands, time_tree(stage))):
         return None
     beside = value_of_velocity(scene, body, since, other)
+    if scene.speaks_of_times and scene.unknown(beside):
+        beside = velocity(scene, body, since, other).value  # with its law written
     if scene.speaks_of_times and not scene.unknown(beside):
         return None
     start_, end = (coordinate(scene, body, number, other) for number in (since, stage))
@@ -442,6 +444,8 @@ def flight_time(
         if before == since:
             return tree_of(own.value), own.value, own.refs
     known = standing(scene, time_tree(stage)) if since == first else None
+    if known is None and since == first and time_tree(stage) in scene.asked_alone:
+        known = time_of(scene, stage)  # it is asked: what rests on it comes after it
     if known is not None:
         return tree_of(known.value), known.value, together(begin, known.refs)
     late, early = _legs(scene, stage), _legs(scene, since)

@@ -53,7 +53,11 @@ from restitution.planning.shows.shown_ratios import (
     ratio_by_a_tangent,
     shown_by_squares,
 )
-from restitution.planning.shows.shown_speeds import multiple_of_data, speed_by_a_tie
+from restitution.planning.shows.shown_speeds import (
+    components_of_data,
+    multiple_of_data,
+    speed_by_a_tie,
+)
 from restitution.planning.shows.values_put_in import by_numbers, with_values
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
@@ -535,11 +539,12 @@ class ShownEquation(ShownAngles):
         scene, claims = self.scene, self.claims
         lines: list[int] = []
         facts: list[Ref] = []
+        for quantity in filter(claims.worths.is_data, quantities):
+            own = components_of_data(scene, quantity)
+            facts += claims.worths.data_of(quantity) if own is None else own
         for quantity in quantities:
-            if claims.worths.is_data(quantity):
-                facts += claims.worths.data_of(quantity)
-                continue
-            lines.append(claims.worths.quantity(quantity))
+            if not claims.worths.is_data(quantity):
+                lines.append(claims.worths.quantity(quantity))
         names = letters(self.link.left) | letters(self.link.right)
         known = self._known(names)
         if len(lines) == 3:

@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    Polar,
     Quantity,
     is_function,
     is_quantity,
@@ -25,10 +26,12 @@ from restitution.expression.tree import (
 )
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.squared_ratios import keeping
+from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import outer_terms, square, swept, total, tree_of, vector
+from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
 _FORMS = (Move("rearrange"), Move("cancel"), Move("identity", "pythagoras"))
@@ -139,6 +142,19 @@ def multiple_of_data(claims: Claims, link: Link, line: int) -> int | None:
     whole = exchanged(link.right, {early[0]: vector(*map(tree_of, given))})
     pool = [line, *claims.judge.known(letters(whole))]
     return claims.judge.write((Move("rearrange"),), pool, chain(link.left, (whole, None)))
+
+
+def components_of_data(scene: Scene, quantity: Quantity) -> tuple[Ref, ...] | None:
+    """The line of a velocity of the data in components, where it is given by its angle to a wall.
+
+    None of another one, and of one along an axis.
+    """
+    body, stage = body_and_stage(scene, quantity)
+    fact = scene.facts.get(f"velocity {body}")
+    match fact and fact.relation.only[0].right:
+        case Polar(wall=wall) if wall is not None and 0 not in scene.velocity(body, stage):
+            return (write_formula(scene, formula(scene, quantity)),)
+    return None
 
 
 _COMPLEMENTS = {"sin": "cos", "cos": "sin", "tan": "cot", "cot": "tan"}

@@ -61,6 +61,9 @@ def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[E
     """The lines between a definition and its value; none where that is one step."""
     if _keeps_squares(scene, right, final):
         return ()
+    both = _of_both_squares(scene, right, final)
+    if both is not None:
+        return (both,)
     match right, final:
         case Apply("sqrt", inside), Apply("sqrt", value):
             return tuple(Apply("sqrt", term) for term in terms_between(scene, inside, value))
@@ -90,6 +93,36 @@ def _keeps_squares(scene: Scene, right: Expression, final: Expression) -> bool:
     own = [_primitive(scene, node.left) for node in walk(right) if _is_square_of_sum(node)]
     kept = [_primitive(scene, node.left) for node in walk(final) if _is_square_of_sum(node)]
     return bool(own) and all(value in kept or sp.expand(-value) in kept for value in own)
+
+
+def _of_both_squares(scene: Scene, root: Expression, final: Expression) -> Expression | None:
+    """u√(64 cos²α + 9 sin²α)/24 for √((⅛u sin α)² + (⅓u cos α)²), before sin² + cos² = 1 is used.
+
+    None where there is nothing to take out, or a root of it.
+    """
+    match root:
+        case Apply("sqrt", Binary("+", Binary("^"), Binary("^")) as inside) if not (
+            has_quantity(inside) or len(_ratios(inside)) <= len(_ratios(final))
+        ):
+            terms = [scene.scalar(inside.left), scene.scalar(inside.right)]
+        case _:
+            return None
+    (one, first), (other, second) = (
+        term.as_independent(sp.sin, sp.cos, as_Add=False) for term in terms
+    )
+    ratio = sp.cancel(one / other)
+    if not ratio.is_Rational or ratio == 1:
+        return None
+    outside = sp.sqrt(sp.cancel(one / ratio.p))
+    if outside == 1 or not all(power.exp.is_Integer for power in outside.atoms(sp.Pow)):
+        return None
+    both = sp.sqrt(ratio.p * first + ratio.q * second)
+    return tree_of(outside * both, as_it_is=True)
+
+
+def _ratios(tree: Expression) -> set[Expression]:
+    """The sines and cosines of letters in a tree."""
+    return {node for node in walk(tree) if is_function(node, "sin", "cos") and letters(node)}
 
 
 def root_of_a_square(scene: Scene, value: Expression) -> tuple[Expression, ...]:

@@ -359,7 +359,11 @@ def _from_product(value: Expr) -> Layout:
     if rational.p < 0:
         rational = -rational
         sign = 1 if _turn_a_difference(above) or _turn_a_difference(below) else -1
+    if not below and not roots_below:
+        rational = _with_ones(rational, surds, above, roots_above)
     layout = _assemble(rational, surds, above, below, roots_above, roots_below, other)
+    if isinstance(layout, Brackets) and layout.kind == "()":
+        layout = layout.inside  # (4 − 3 sin²α)/4 is the sum 1 − ¾ sin²α
     return negative(layout) if sign < 0 else layout
 
 
@@ -371,6 +375,44 @@ def _cubes_in_quotients(
         if base.is_Symbol and (base, S.One) in above and any(e.is_Add for e in roots_below):
             above.remove((base, S.One))
             roots_above[place] = base**3
+
+
+def _with_ones(
+    rational: Rational,
+    surds: list[Integer],
+    above: list[tuple[Expr, Expr]],
+    roots: list[Expr],
+) -> Rational:
+    """1 − ¾ sin²α for (4 − 3 sin²α)/4, u√(1 − ½ sin²α) for u√((2 − sin²α)/2); what is left over.
+
+    The sums change where they stand.
+    """
+    if rational.p != 1 or rational.q == 1:
+        return rational
+    divisor = Integer(rational.q)
+    for place, (base, exponent) in enumerate(above):
+        if exponent == 1 and _has_own_number(base, divisor):
+            above[place] = (_divided(base, divisor), exponent)
+            return S.One
+    if surds == [divisor] and len(roots) == 1 and _has_own_number(roots[0], divisor):
+        roots[0] = _divided(roots[0], divisor)
+        surds.clear()
+        return S.One
+    return rational
+
+
+def _has_own_number(base: Expr, divisor: Integer) -> bool:
+    """Whether a sum is a number and a multiple of the square of a sine or a cosine: 4 − 3 sin²α."""
+    if not isinstance(base, Add) or len(base.args) != 2 or divisor not in base.args:
+        return False
+    (other,) = (term for term in base.args if term != divisor)
+    number, power = other.as_coeff_Mul()
+    ratio, exponent = power.as_base_exp()
+    return bool(number.is_Rational and isinstance(ratio, sympy.sin | sympy.cos) and exponent == 2)
+
+
+def _divided(total: Expr, divisor: Integer) -> Expr:
+    return Add(*(term / divisor for term in total.args))
 
 
 def _turn_a_difference(factors: list[tuple[Expr, Expr]]) -> bool:

@@ -144,8 +144,17 @@ class ComponentLeads(LinesAround):
         vector = vector_resolved(self._derivation, self._naming, line, event)
         if vector is not None:
             if struck is not None:
-                return _components("resolved.before-moved-off", body=struck, vector=vector)
+                slots = {"body": struck, "vector": vector, "struck": self._that_struck(line)}
+                return _components("resolved.before-moved-off", **slots)
             return _components("resolved.before-vector", vector=vector)
+        if (
+            not event.wall
+            and stage < event.number
+            and not bold.has_unit(event.number)
+            and self._has_across(line, axis)
+        ):
+            first, second = event.bodies
+            return say("resolved-spheres.before-left", first=first, second=second)
         return _components(_RESOLVED[event.wall, stage < event.number])
 
     def _products(self, line: Line, stage: int, along: lay.Layout) -> Sentence:
@@ -177,7 +186,7 @@ class ComponentLeads(LinesAround):
                 case Relation(((Link(Quantity("time"), "="), *_),)) if (
                     own.shown == "line"
                     and (own.move.record, own.move.event) == ("chord", event.number)
-                    and f"position {event.bodies[0]}" in own.premises
+                    and " ".join(("position", event.bodies[0])) in own.premises
                 ):
                     return True
         return False
@@ -195,8 +204,20 @@ class ComponentLeads(LinesAround):
                 name = _ACROSS[event.wall]
             case _:
                 name = _AT[event.wall] if struck is None else _OFF_AT[event.wall]
-        slots = {"wall": event.bodies[1]} if event.wall else {}
+        slots: dict[str, Any] = {"wall": event.bodies[1]} if event.wall else {}
+        if name in _OFF_AT.values():
+            slots["struck"] = self._that_struck(line)
         return _components(name, body=body, angle=layout, **slots)
+
+    def _that_struck(self, line: Line) -> Sentence:
+        """What the impact is called after which a line has a component."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.options[0][0].left
+        assert isinstance(left, Quantity)
+        vector = left.arguments[0]
+        assert isinstance(vector, Quantity)
+        assert isinstance(vector.stage, int)
+        return self._naming.called(self._naming.events[vector.stage])
 
     def _since_nothing(self, line: Line) -> Sentence | None:
         """That a component is zero, by which a direction is what it is."""

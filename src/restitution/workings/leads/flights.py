@@ -145,8 +145,8 @@ def _touched(derivation: Derivation, line: Line) -> str | None:
     if len(line.relation.only) < 2:
         return None  # where it is stands in a line
     for ref in line.premises:
-        number = str(ref).removeprefix("contact ")
-        if number != str(ref):
+        kind, _, number = str(ref).partition(" ")
+        if kind == "contact":
             event = next(e for e in derivation.events if str(e.number) == number)
             return next((body for body in event.bodies if body != line.move.bodies[0]), None)
     return None

@@ -83,12 +83,22 @@ def _is_without_component(line: Line) -> bool:
     return line.move.record == "parallel" and is_zero(line.relation.options[0][-1].right)
 
 
+def _tells_a_turn(fact: Fact) -> bool:
+    """Whether a fact gives an angle of deflection."""
+    return is_quantity(fact.relation.options[0][0].left, "deflection")
+
+
 class GivenLeads(Leads):
     """All words before lines, those that take what is given among them."""
 
     def given(self, line: Line) -> tuple[Sentence, ...]:
         """The given fact that a definition turns into an equation."""
         facts = self._facts_turned(line) if line.move.id == "define" else []
+        if line.move.record == "turned" and any(_tells_a_turn(fact) for fact in facts):
+            self._given.update(fact.id for fact in facts)
+            values = [fact for fact in facts if fact.relation.options[0][0].sign == "="]
+            words = tuple(fact_in_words(self._naming, fact) for fact in values)
+            return (say("given.turned", facts=words),)
         if len(facts) != 1:
             return ()
         (fact,) = facts

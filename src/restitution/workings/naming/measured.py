@@ -319,6 +319,16 @@ def to_figures(tree: Expression, figures: int) -> lay.Layout | None:
     return lay.decimal_number(value, figures) if value.is_real else None
 
 
+def multiple_in_figures(tree: Expression, figures: int) -> lay.Layout | None:
+    """A number, or a multiple of letters by one, to so many figures: 0.6343u; None of a sum."""
+    value = worth(tree)
+    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    if not number.is_real or rest.is_Add or number.has(sp.pi, sp.asin, sp.acos, sp.atan):
+        return None  # no angle in radians
+    size = lay.decimal_number(number, figures)
+    return size if rest == 1 else lay.product(size, lay.from_sympy(rest))
+
+
 def to_three_figures(tree: Expression) -> lay.Layout | None:
     """A rounded number with the zeros at its end: 76.0°; None for what is no such number."""
     match tree:

@@ -230,10 +230,12 @@ class Naming(Moments):
             name = self._of_the_question[tree]
             if name in self._used:
                 return operand(self.quantity(tree))
-            # The question says what it stands for.
             self._used.add(name)
-            self._own[tree] = lay.letter(name)
-            return self._own[tree]
+            noun, number = self._noun(tree), self._settled(tree)
+            words = self.quantity(tree)
+            if noun is not None and number is not None:
+                words = say("derived.when", quantity=noun, when=self._plain_when(number))
+            return self._introduced(tree, lay.letter(name), words)
         return operand(self.quantity(tree))
 
     def has_letter_of_the_question(self, tree: Expression) -> bool:
@@ -252,10 +254,13 @@ class Naming(Moments):
     def _early(self, tree: Quantity) -> lay.Layout:
         """The letter that a later line has for an angle of which a sine or the like stands here."""
         letter = self._letters[tree]
-        symbol = lay.letter(letter)
-        meaning = say("derived.meaning", letter=symbol, quantity=self.quantity(tree))
-        self._own[tree] = symbol
         self.introduced_early.add(letter)
+        return self._introduced(tree, lay.letter(letter), self.quantity(tree))
+
+    def _introduced(self, tree: Quantity, symbol: lay.Layout, words: Sentence) -> lay.Layout:
+        """A letter that stands for a quantity from here on, which is said before the line."""
+        meaning = say("derived.meaning", letter=symbol, quantity=words)
+        self._own[tree] = symbol
         self._pending.append(say("derived.let", meanings=(meaning,)))
         return symbol
 

@@ -39,13 +39,11 @@ def are_values(relation: Relation) -> bool:
 __all__ = ["are_values", "turned_side", "without_doubles"]
 
 
-def has_long_root(tree: Expression) -> bool:
+def has_long_root(tree: Expression, longest: int = _LONG_BELOW_A_ROOT) -> bool:
     """Whether a number of four figures or more stands under a root, which nobody reads."""
     return any(
         is_function(node, "sqrt")
-        and any(
-            isinstance(e, Number) and e.value >= _LONG_BELOW_A_ROOT for e in walk(node.argument)
-        )
+        and any(isinstance(e, Number) and e.value >= longest for e in walk(node.argument))
         for node in walk(tree)
     )
 

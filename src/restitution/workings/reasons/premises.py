@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     is_function,
     walk,
 )
+from restitution.planning.writing.forms import coordinates
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import Measures
@@ -115,6 +116,7 @@ class Reasons(PositiveReasons):
             return alone
         grounds = tuple(map(self._ground, grounds_of(self._derivation, self._roles, line)))
         if line.move.record == "turned":
+            grounds = grounds or tuple(self._side_of_a_blow(line))
             return (say("derived.as", reasons=grounds),) if grounds else ()
         multipliers = map(self._layout, multipliers_of(self._derivation, self._roles, line))
         if multiplied := tuple(multipliers):
@@ -134,6 +136,19 @@ class Reasons(PositiveReasons):
             return (say("derived.as", reasons=(would,)),)
         reasons = self._with_what_no_premise_says(line, self._of_premises(line, cited), grounds)
         return self._in_words(line, (*(e for e in grounds if e not in reasons), *reasons))
+
+    def _side_of_a_blow(self, line: Line) -> Iterator[Sentence]:
+        """To which side of **i** an impulse, and so the velocity after it, is by its angle."""
+        bounds = self.known(line)
+        match line.relation:
+            case Relation(((*_, Link(right=velocity)),)) if (
+                bounds and " ".join(("impulse", str(line.move.event))) in line.premises
+            ):
+                parts = coordinates(velocity)
+                down = parts is not None and isinstance(parts[1], Negate)
+                axis = Negate(Unit("j")) if down else Unit("j")
+                side = self._naming.layout(axis)
+                yield say("derived.side-of-blow", axis=side, bounds=tuple(bounds))
 
     def _alone(self, line: Line) -> tuple[Sentence, ...] | None:
         """A reason beside which no other is given: an identity, a right angle, or an order."""
