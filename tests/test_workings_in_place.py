@@ -200,3 +200,8 @@ find e
 )
 def test_a_speed_of_one_component_is_that_with_either_sign(text: str, lines: str) -> None:
     assert lines in printed(text)
+
+
+def test_of_a_speed_with_either_sign_a_later_speed_excludes_a_root() -> None:
+    text = SPEED.replace("w/4", "w/6, speed(Q) > w/2")
+    assert "(1 − 2e)w/3 = ±w/6 DM1 2 − 4e = ±1 e = ¾ or e = ¼" in printed(text)

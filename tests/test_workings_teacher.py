@@ -434,7 +434,7 @@ find maximum of deflection(A) over alpha
             "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\n"
             "A hits B: along i, e = 1/2\ngiven speed(A) = u/4\nfind k"
         ),
-        ["1 + k = ±2(2 − k)", "k = 5 or k = 1   (both are possible, as both are positive)"],
+        ["1 + k = ±2(2 − k)", "k = 5 or k = 1\n", "(both are possible, as both are positive)"],
     ),
     # mu²/2 - 3mu²/16 is 5mu²/16; of all 37.5 % is lost.
     "a percentage is called so, and what is left is what was there less what is lost": (

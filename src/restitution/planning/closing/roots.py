@@ -39,7 +39,7 @@ from restitution.planning.formulas.impacts import (
     residual,
     scene_value,
 )
-from restitution.planning.writing.desk import Source, chain
+from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import (
     ZERO,
     negative,
@@ -135,7 +135,11 @@ def by_roots(
         return None
     if dropped:
         standing = line
-        line = rejected(scene, line, symbol, subject, kept)
+        try:
+            line = rejected(scene, line, symbol, subject, kept)
+        except NotPlannedError:
+            scene.desk.lines[of_squares.number - 1] = of_squares  # another way may begin there
+            raise
         if signed is None:
             put_in_order_last(scene, standing, line)
     if len(kept) > 1:

@@ -384,9 +384,9 @@ class Naming(Moments):
 
     def _is_beside_other_times(self, tree: Quantity) -> bool:
         """Whether the working speaks of an energy at another time, or so of one of another body."""
-        return any(
+        return self._of_other_times(tree) or any(
             self._of_other_times(quantity)
-            for quantity in (tree, *self.terms.often)
+            for quantity in (() if self.several else self.terms.often)
             if (quantity.kind, quantity.stage) == (tree.kind, tree.stage)
             and bool(quantity.arguments) == bool(tree.arguments)
         )
