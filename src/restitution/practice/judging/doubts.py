@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
 from restitution.expression.evaluate import Angle
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
@@ -130,11 +131,26 @@ class Doubts:
             )
             lines = tuple(
                 line
-                if breaks and is_named(line) and not self._is_exchanged(line, lines)
+                if (breaks and is_named(line) and not self._is_exchanged(line, lines))
+                or self._follows_from_a_result(other, lines)
                 else self._doubted(line, other, doubtful[line.line.number], asks)
                 for line, other in zip(lines, others, strict=True)
             )
         return lines
+
+    def _follows_from_a_result(self, other: JudgedLine, lines: Sequence[JudgedLine]) -> bool:
+        """Whether a line of a rival rests on a wrong result alone, which alters no motion."""
+        above = [line for line in lines if line.line.number in other.sources]
+        return (
+            other.verdict == "follows"
+            and bool(above)
+            and all(
+                line.mistake is not None
+                and (named := MISCONCEPTIONS.get(line.mistake.id or "")) is not None
+                and named.world == "result"
+                for line in above
+            )
+        )
 
     def _doubtful(self, rival: Interpretation, line: JudgedLine) -> tuple[str, ...]:
         """The letters that mean something else in a rival, and were not declared."""

@@ -659,11 +659,17 @@ class EachPoint(Grounds):
         """
         if name != "sine-cosine" or use.principle != "restitution":
             return False
+        # Of spheres a component across the line of centres may be called one along it.
+        at_a_wall = any(
+            point.principle == "restitution" and point.event == use.event
+            for point in self.scheme.points
+            if self.values.is_at_a_wall(point)
+        )
         return any(
             line.verdict == "true"
             and own.altered is None
             and own.event == use.event
-            and own.principle in ("momentum", "unchanged")
+            and own.principle == ("unchanged" if at_a_wall else "momentum")
             and line.uses[0] == own
             for line in self.lines
             for own in line.uses

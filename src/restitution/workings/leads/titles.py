@@ -413,7 +413,8 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         if line.move.record not in ("restitution", "restitution-wall") or self._by_products(line):
             return None
         cited = [self._cited(ref) for ref in numbers_in(line.premises)]
-        own = [e.relation.only for e in cited if e and isinstance(e.relation, Relation)]
+        relations = [e.relation for e in cited if e and isinstance(e.relation, Relation)]
+        own = [relation.only for relation in relations if len(relation.options) == 1]
         if self._by_components(line) or not any(is_quantity(e[0].left, "velocity") for e in own):
             return None
         vectors = [links[-1].right for links in own if links[-1].sign == "parallel to"]
