@@ -36,7 +36,7 @@ def test_numbers_for_letters_tell_a_wrong_condition(monkeypatch, tmp_path):
         (
             "speed(A) = 1/4 u",
             [
-                "e = (5 + k)/(4k) or e = (3 − k)/(4k) DM1 A1 A1",
+                "4(1 − ek) = ±(1 + k) e = (5 + k)/(4k) or e = (3 − k)/(4k) A1 A1",
                 "As e ≤ 1, e = (5 + k)/(4k) holds for k ≥ 5/3 only.",
                 "As 0 ≤ e ≤ 1, e = (3 − k)/(4k) holds for ⅗ ≤ k ≤ 3 only.",
             ],

@@ -95,8 +95,9 @@ A hits B: offset d, e = 1/2
 find maximum of deflection(A) over d
 """,
         (
-            "tan δ = (4d/√(4a² − d²) − d/√(4a² − d²))/(1 + 4d²/(4a² − d²))",
-            "tan δ ≤ ¾, as (4a² − 5d²)² ≥ 0",
+            "tan δ = (4 tan φ − tan φ)/(1 + 4 tan²φ)",
+            "tan δ ≤ ¾",
+            "so tan φ = ½, sin φ = √5/5 and d = 2√5 a/5",
         ),
     ),
     "bounds of a square, and what it is the square of": (

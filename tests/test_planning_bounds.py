@@ -188,7 +188,7 @@ SAYS = {
             "A hits B: along i, e = e1\nB hits W: e = e2\ngiven speed(B) = 1/4 u\n"
             "find e2 in terms of e1\nfind range of e1"
         ),
-        ["e₂ ≤ 1, as", "So every value of e₁ is possible: (ii) 0 ≤ e₁ ≤ 1"],
+        ["e₂ ≤ ½ < 1, as", "So every value of e₁ is possible: (ii) 0 ≤ e₁ ≤ 1"],
     ),
     "a coefficient by one that is tied to it": (
         (

@@ -72,7 +72,7 @@ def test_one_term_of_each_square_is_not_written_twice() -> None:
     )
     own = rows(text)
     assert sum("sin²θ =" in each for each in own) == 1
-    assert before(text, "tan²θ = ") == "(1 + k) sin²θ = (k − 1) cos²θ"
+    assert before(text, "tan²θ = ") == "(k + 1) sin²θ = (k − 1) cos²θ"
 
 
 def test_a_right_angle_that_is_shown_has_its_scalar_product() -> None:

@@ -94,7 +94,7 @@ def test_a_given_angle_in_degrees_is_a_term_of_the_deflection(line: str) -> None
 @pytest.mark.parametrize(
     ("text", "in_letters"),
     [
-        (RATIO, "= (9 − 5 sin²θ)/9"),
+        (RATIO, "= 1 − (5/9) sin²θ"),
         (SPEED, "= u√(9 − 5 sin²θ)/3"),
     ],
 )

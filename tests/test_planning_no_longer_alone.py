@@ -58,7 +58,7 @@ P hits Q: offset h, e = 1/3
 find range of h
 find maximum of deflection(P) over h
 """,
-        ("P does not pass by Q:\n    h < 2b", "0 < h < 2b", "tan δ > 0"),
+        ("0 < h < 2b, as 2b sin φ increases with φ and φ is acute", "tan δ > 0", "h = b"),
     ),
     "an angle and a coefficient by a deflection and a loss": (
         """

@@ -53,11 +53,11 @@ given velocity(A) = -u j
 find theta, e, velocity(B), impulse
 """,
         (
-            "the line of centres is parallel to 2u𝐢 + u𝐣 + u𝐣",
+            "the line of centres is parallel to (2u𝐢 + u𝐣) + u𝐣",
             "The line of centres is at θ to 𝐢:",
             "tan θ = 1",
             "u + u = e(2u + u + u)",
-            "magnitude of the impulse = 2m(√2 u/2 + √2 u/2)",
+            "magnitude of the impulse = 2mu√(1² + 1²)",
         ),
     ),
     "a velocity that is turned away from who is struck": (

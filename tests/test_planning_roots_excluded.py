@@ -54,7 +54,7 @@ def printed(text: str) -> str:
 def test_a_given_speed_excludes_a_root() -> None:
     working = printed(BY_ANOTHER_SPEED)
     assert "e = ¾ or e = ¼" in working
-    assert "e = ¾, as speed of Q = (1 + e)u/3 and speed of Q > ½u" in working
+    assert "e = ¾, as the speed of Q is more than ½u and speed of Q = (1 + e)u/3" in working
 
 
 def test_two_senses_exclude_a_root() -> None:

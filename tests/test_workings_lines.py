@@ -294,8 +294,8 @@ def test_an_angle_to_a_wall_by_a_direction_has_its_sign(sign: str, right: str | 
 
 def test_unit_vectors_stand_above_cases() -> None:
     text = working(TWO_SLANTS)
-    assert "𝐧 = (2𝐢 − 𝐣)/√5 be the unit vector along the line of centres, from A to B" in text
-    assert "𝐮_A · 𝐧 = (2a − b)/√5" in text
+    assert "Scalar products with 2𝐢 − 𝐣, along the line of centres, before the impact:" in text
+    assert "𝐮_A · (2𝐢 − 𝐣) = 2a − b" in text
 
 
 def test_a_wall_between_points_has_unit_vectors() -> None:

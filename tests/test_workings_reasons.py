@@ -244,13 +244,13 @@ show angle(velocity(P), W) <= alpha
         ],
     ),
     # tan δ = 3d√(4a² − d²)/(4a² + 3d²), of which the square leaves (3(4a² − 5d²)/(4(…)))² to 9/16.
-    "a tangent with a root is bounded by its square": (
+    "a tangent over an offset is bounded by the angle of the line of centres": (
         OFFSET + "find maximum of deflection(A) over d",
         [
-            "tan δ > 0",
-            "tan²δ = 9d²(4a² − d²)/(4a² + 3d²)²",
-            "9/16 − tan²δ = 9(4a² − 5d²)²/(16(4a² + 3d²)²)",
-            "tan δ ≤ ¾, as (4a² − 5d²)² ≥ 0",
+            "tan δ = 3/(1/tan φ + 4 tan φ)",
+            "S = (1 − 2 tan φ)²/tan φ + 4",
+            "S ≥ 4, as (1 − 2 tan φ)² ≥ 0 and φ is acute",
+            "tan δ ≤ ¾",
         ],
     ),
     # v = √2(1 − 2e)u/6 along the line, u/√2 across it.
@@ -787,7 +787,7 @@ show angle(velocity(P), W) <= alpha
             "sphere A: mass m, velocity u i + 2u j\nsphere B: mass m, velocity -3u i\n"
             "A hits B: along i\ngiven cos(deflection(A)) = 1/sqrt(10)\nfind e"
         ),
-        ["(u² + (2u)²)(v² + (2u)²) = 10(uv + 2u × 2u)²", "v² + 16uv + 28u² = 0"],
+        ["5(4u² + v²) = 10(4u + v)²", "v² + 16uv + 28u² = 0"],
     ),
     # tan 2α = tan β, where tan β = (1 + k) tan α/(1 − ek).
     "tangents stay tangents where an equation is multiplied out": (

@@ -378,6 +378,8 @@ class Rows:
         end = None if above is None else self._ends.of(above)
         if above is None or end is None or end.shown or not isinstance(above.relation, Relation):
             return None
+        if len(above.relation.options) > 1:
+            return None
         return multiple_in_figures(above.relation.only[-1].right, FIGURES_BETWEEN)
 
     def _in_figures(

@@ -64,6 +64,8 @@ class OffsetOver:
 def write_by_offset(scene: Scene, name: str) -> None:
     """The answer of an item in which the ratios of such an angle are put in by the offset."""
     end = scene.desk.ends[-1]
+    if len(end.answer.options) > 1:
+        return  # of several values each stands as it is
     link = end.answer.only[-1]
     value = scene.value(link.right)
     angles = value.free_symbols & scene.kept if isinstance(value, sp.Expr) else frozenset()

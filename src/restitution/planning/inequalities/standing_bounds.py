@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Relation
 from restitution.explaining.lines.trees import trees_of
-from restitution.expression.tree import has_quantity, letters
+from restitution.expression.tree import Apply, Quantity, has_quantity, letters, walk
 from restitution.planning.inequalities.comparing import Comparing
 
 
@@ -27,12 +27,17 @@ def write_by_a_standing_bound(claims: Comparing, relation: Relation) -> int | No
 
 
 def _standing(claims: Comparing) -> Iterator[tuple[int, frozenset[str]]]:
-    """The single inequalities of letters that stand, the last first, each with its letters."""
+    """The single inequalities of letters that stand, the last first, each with its letters.
+
+    None of a sine, cosine or tangent: what its square bounds has a line of its own.
+    """
     desk = claims.scene.desk
     for line in reversed(desk.lines):
         match line.relation:
             case Relation(((Link(left, sign, right),),)) if sign in FLIPPED:
-                if desk.holds(line.number) and not has_quantity(left) and not has_quantity(right):
+                nodes = (node for side in (left, right) for node in walk(side))
+                plain = not any(isinstance(node, Apply | Quantity) for node in nodes)
+                if plain and desk.holds(line.number):
                     yield line.number, letters(left) | letters(right)
 
 

@@ -98,6 +98,9 @@ class GivenLeads(Leads):
             self._given.update(fact.id for fact in facts)
             values = [fact for fact in facts if fact.relation.options[0][0].sign == "="]
             words = tuple(fact_in_words(self._naming, fact) for fact in values)
+            side = slope_title(self._naming, line)
+            if side is not None:
+                return (say("given.velocities", facts=words), side)
             return (say("given.turned", facts=words),)
         if len(facts) != 1:
             return ()

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
     Quantity,
+    is_binary,
     is_zero,
     letters,
     walk,
@@ -247,11 +248,12 @@ class SourceLeads(LinesAround):
         return with_article(self._naming.layout(tree))
 
     def _replaced(self, tree: Expression, line: Line) -> Expression:
-        """What an equation is used for: of tan²α = e that may be e, where the line has tan²α."""
+        """What an equation is used for: of tan²α = e that may be e, where the line has tan α."""
         if isinstance(line.relation, Meaning):
             return tree
         inside = {node for tree in trees_of(line.relation) for node in walk(tree)}
-        for own in map(self._cited, line.premises) if tree in inside else ():
+        base = tree.left if is_binary(tree, "^") else tree
+        for own in map(self._cited, line.premises) if base in inside else ():
             match own.relation if own is not None else None:
                 case Relation(((Link(left, "=", Letter() as other),),)) if left == tree:
                     return tree if other in inside else other
