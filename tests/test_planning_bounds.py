@@ -211,7 +211,7 @@ SAYS = {
             "sphere B: mass m, velocity 2u at 90° - alpha from -i\nA hits B: along i\n"
             "find maximum of impulse over alpha"
         ),
-        ["as (cos α + 2 sin α)² = 5 − (2 cos α − sin α)² ≤ 5"],
+        ["as cos α + 2 sin α = √5 cos(α − arctan 2) ≤ √5"],
     ),
 }
 

@@ -443,7 +443,8 @@ def test_the_component_that_stays_is_taken_from_both_sides_of_squares() -> None:
     ],
 )
 def test_alternatives_are_all_factors_of_the_equation(alternatives: str, follows: bool) -> None:
-    text = DIRECT.format(u="u i", v="0i", fact="speed(A) = u/3")
+    # ((2 − k)u/(2(1 + k)))² = u²/9
+    text = DIRECT.format(u="u i", v="0i", fact="energy(A) = 1/9 energy(A, 0)")
     _, derivation = planned(text)
     (number,) = (each.number for each in lines(derivation, "roots"))
     changed = replace(

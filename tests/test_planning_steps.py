@@ -368,7 +368,7 @@ def test_a_component_of_a_speed_and_an_angle_stands_as_a_product_first() -> None
         "given cos(alpha) = 3/5\nP hits W: e = 1/4\nfind speed(P)"
     )
     assert "stays 10 cos α = 6 m s⁻¹" in " ".join(text.split())
-    assert "= ¼ × 10 sin α = 2 m s⁻¹" in text
+    assert "= ¼ × 10 × ⅘ = 2 m s⁻¹" in text
 
 
 def test_an_angle_is_the_inverse_of_the_ratio_that_stands() -> None:

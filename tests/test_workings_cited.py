@@ -200,7 +200,7 @@ def test_a_unit_vector_to_a_wall_that_was_found_is_not_written_again() -> None:
         "wall W\nsphere P: mass 2, velocity 7i + j\nP hits W\ngiven velocity(P) = 3i + 5j\n"
         "find line_of_centres, e, impulse\n"
     )
-    assert "Let 𝐧 be that unit vector perpendicular to W." in said
+    assert "𝐮_P · (𝐢 − 𝐣) = 7 − 1 = 6" in said
     assert said.count("(𝐢 − 𝐣)/√2") == 1
 
 

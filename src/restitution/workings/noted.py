@@ -155,12 +155,12 @@ class Notes:
             return say("note.impossible", reason=first.reason)
         if first.premises:
             return say("note.idle", fact=self._given_fact(first), items=items)
-        told = self._told_beside(first)
-        if told is not None:
-            return say("note.none-of-two", items=items, reason=first.reason, fact=told)
+        fact = self._fact_of_two(first)
+        if fact is not None:
+            return say("note.none-of-two", items=items, reason=first.reason, fact=fact)
         return say("note.none", items=items, reason=first.reason)
 
-    def _told_beside(self, note: Note) -> Sentence | lay.Layout | None:
+    def _fact_of_two(self, note: Note) -> Sentence | lay.Layout | None:
         """The one fact that is given of a letter and of a direction that is not given either."""
         item = self._ends.item(note.item)
         if not isinstance(item, Value) or not isinstance(item.expression, Letter):

@@ -374,7 +374,7 @@ class Rows:
     def _one_figure_more(self, line: Line) -> lay.Layout | None:
         """A value by its figures before it is rounded; None where it was not yet rounded above."""
         (first, *_) = line.premises if line.move.id == "value" else (None,)
-        above = self._derivation.line(first) if isinstance(first, int) else None
+        above = self._derivation.line(first)
         end = None if above is None else self._ends.of(above)
         if above is None or end is None or end.shown or not isinstance(above.relation, Relation):
             return None
@@ -582,10 +582,11 @@ class Rows:
 
     def _is_carried(self, line: Line, link: Link) -> bool:
         """Whether a value with roots of sums of roots is used from here, and told no plainer."""
-        later = self._derivation.lines[self._derivation.lines.index(line) + 1 :]
         return is_of_nested_roots(link.right) and not any(
-            isinstance(own.relation, Relation) and own.relation.options[0][0].left == link.left
-            for own in later
+            own.number > line.number
+            and isinstance(own.relation, Relation)
+            and own.relation.options[0][0].left == link.left
+            for own in self._derivation.lines
         )
 
     def _as_printed(self, right: Expression, side: lay.Layout) -> Expression | None:

@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_binary,
     is_function,
     letters,
     unsigned,
@@ -99,8 +100,7 @@ def _is_term(tree: Expression) -> bool:
 
 def _is_open(tree: Expression) -> bool:
     """Whether a node is a letter or a quantity, or a power that is still to be worked out."""
-    power = isinstance(tree, Binary) and tree.op == "^"
-    return power or isinstance(tree, Letter | Quantity)
+    return is_binary(tree, "^") or isinstance(tree, Letter | Quantity)
 
 
 def _is_nested_root(tree: Expression) -> bool:
