@@ -1327,7 +1327,7 @@ SENTENCES: Mapping[SentenceId, str] = {
         "component across the line divided by the component along it."
     ),
     "derived-speed.title": "Speed, from its components",
-    "speed.by-energy": "Speed, from the kinetic energy",
+    "derived-energy.speed": "Speed, from the kinetic energy",
     "derived-speed.title-of": "Speed of {body}, from its components",
     "derived-speed.why": (
         "The components are the two shorter sides of a right-angled triangle, of which the "

@@ -190,7 +190,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             case "energy-ratio" | "energy-lost" | "total-lost", _:
                 return self._of_energy(record, line, event)
             case "energy" | "total", Binary("^", Quantity("speed")):
-                return "speed.by-energy"
+                return "derived-energy.speed"
             case "tan-deflection", Apply("cot"):
                 return "turned.products-over"
             case "perpendicular", _ if not is_zero(last.right) or self._squares(line):
