@@ -109,7 +109,7 @@ def sheet(
     time_limit: TimeLimit = TIME_LIMIT,
 ) -> None:
     """Set the questions of all files on one sheet."""
-    from restitution.export.sheet import Options
+    from restitution.export.sheet import DEFAULT_TITLE, Options
 
     form = form_of(output, form, SheetFormat, SheetFormat.pdf)
     if experiment:
@@ -154,7 +154,7 @@ def sheet(
             entries = entries_of(replace(options, scheme=True), seed + number - 1)
             if not entries:
                 raise typer.Exit(worst)
-            named = f"{title or _TITLE}, version {number}"
+            named = f"{title or DEFAULT_TITLE}, version {number}"
             plain = replace(options, scheme=False)
             _write_sheet(_numbered(output, f"-{number}"), entries, named, plain, form, files)
             named, path = f"{named}: mark scheme", _numbered(output, f"-{number}-scheme")
@@ -174,9 +174,6 @@ def _write_worksheet(
     except StatementError as error:
         raise typer.BadParameter(error.message, param_hint="--trials") from None
     _write(output, document, form, [])
-
-
-_TITLE = "Oblique impacts"
 
 
 def _numbered(output: str, ending: str) -> str:

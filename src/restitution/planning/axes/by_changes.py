@@ -388,10 +388,7 @@ def take_known_impulse(scene: Scene, body: str, event: int) -> bool:
 
 def rests_on_vectors(scene: Scene, impulse: Source) -> bool:
     """Whether an impulse comes by changes of velocities as vectors, with no component under it."""
-    under = (
-        other for ref in impulse.refs if isinstance(ref, int) for other in scene.desk.under(ref)
-    )
-    records = {scene.desk.line(ref).move.record for ref in under if isinstance(ref, int)}
+    records = {line.move.record for line in scene.desk.lines_under(impulse)}
     return records <= {None, "impulse-vector", "opposite-impulses"}
 
 

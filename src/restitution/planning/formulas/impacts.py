@@ -403,12 +403,7 @@ def _is_by_momentum(scene: Scene, velocity: Source, frame: Frame) -> bool:
 
 def _rests_on(scene: Scene, velocity: Source, record: str) -> bool:
     """Whether a line of this record is among those from which a velocity comes."""
-    return any(
-        isinstance(other, int) and scene.desk.line(other).move.record == record
-        for ref in velocity.refs
-        if isinstance(ref, int)
-        for other in scene.desk.under(ref)
-    )
+    return any(line.move.record == record for line in scene.desk.lines_under(velocity))
 
 
 def _of_vector(

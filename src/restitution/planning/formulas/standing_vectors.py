@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Relation, numbers_in
+from restitution.explaining.lines.derivation import Relation
 from restitution.expression.tree import Name, Polar, Quantity
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.writing.desk import Source
@@ -66,7 +66,7 @@ def change_as_vectors(scene: Scene, body: str, event: int) -> bool:
     if any(getattr(line.relation, "quantity", None) == component for line in scene.desk.lines):
         return False
     after = scene.desk.known(Quantity("velocity", (Name(body),), event))
-    if after is not None and _rests_on(scene, after, component):
+    if after is not None and _is_made_of(scene, after, component):
         return False
     vectors = [_standing(scene, body, stage) for stage in (event - 1, event)]
     return all(
@@ -77,14 +77,12 @@ def change_as_vectors(scene: Scene, body: str, event: int) -> bool:
     )
 
 
-def _rests_on(scene: Scene, known: Source, component: Quantity) -> bool:
+def _is_made_of(scene: Scene, velocity: Source, component: Quantity) -> bool:
     """Whether a velocity was put together from a component."""
-    desk = scene.desk
-    under = {ref for own in known.refs if isinstance(own, int) for ref in (own, *desk.under(own))}
+    relations = (line.relation for line in scene.desk.lines_under(velocity))
     return any(
-        isinstance(relation := desk.line(ref).relation, Relation)
-        and relation.options[0][0].left == component
-        for ref in numbers_in(under)
+        isinstance(relation, Relation) and relation.options[0][0].left == component
+        for relation in relations
     )
 
 

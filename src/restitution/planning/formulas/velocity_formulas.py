@@ -199,8 +199,7 @@ def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool
     """Whether a speed is known, or its square has no root of what is open."""
     if not any(scene.unknown(component.value) for component in components):
         return True
-    under = (own for ref in speed.refs if isinstance(ref, int) for own in scene.desk.under(ref))
-    if any(str(ref).startswith("given ") for ref in (*speed.refs, *under)):
+    if any(str(ref).startswith("given ") for ref in scene.desk.under(*speed.refs)):
         return False  # the fact that gives the speed is still to tell the components
     squared = sp.sympify(tidy(speed.value**2), strict=True)
     return all(power.exp.is_Integer or not power.free_symbols for power in squared.atoms(sp.Pow))

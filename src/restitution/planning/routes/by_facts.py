@@ -74,11 +74,8 @@ class ByFacts(Course):
                         return tuple(each for each in left if each.id in known[2])
                     if known is not None and self._is_blow_to_take(body, event):
                         take_blow(self.scene, body, event)
-                        desk = self.scene.desk
-                        under = {
-                            e for ref in known[2] if isinstance(ref, int) for e in desk.under(ref)
-                        }
-                        return tuple(each for each in left if each.id in {*known[2], *under})
+                        under = self.scene.desk.under(*known[2])
+                        return tuple(each for each in left if each.id in under)
                 case Quantity("momentum"):
                     if take_momentum(self.scene, given):
                         self._take_all_components()

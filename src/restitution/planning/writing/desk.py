@@ -263,16 +263,20 @@ class Desk:
         links = self.relation(number).only
         return Link(links[0].left, links[0].sign, links[-1].right)
 
-    def under(self, number: int) -> frozenset[Ref]:
-        """A line, and all that it rests on."""
+    def under(self, *cited: Ref) -> frozenset[Ref]:
+        """Lines or facts, and all that they rest on."""
         refs: set[Ref] = set()
-        pending: list[Ref] = [number]
+        pending: list[Ref] = [*cited]
         while pending:
             ref = pending.pop()
             if ref not in refs:
                 refs.add(ref)
                 pending += self.line(ref).premises if isinstance(ref, int) else ()
         return frozenset(refs)
+
+    def lines_under(self, source: Source) -> list[Line]:
+        """The lines from which a value comes."""
+        return [self.line(number) for number in numbers_in(self.under(*source.refs))]
 
     def _scope(self, ref: Ref) -> Scope:
         return self._scopes.get(ref)
