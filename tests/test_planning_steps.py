@@ -489,6 +489,18 @@ find energy_lost
     assert "½(1 − e)km((1 + e)(u cos α + v cos β)/(1 + k))(u cos α + v cos β)" in working
 
 
+def test_of_a_loss_by_products_each_law_says_what_a_whole_factor_is() -> None:
+    text = """
+sphere A: mass M, velocity a i + b j
+sphere B: mass m, velocity -c i + d j
+A hits B: along i, e = 1/2
+show energy_lost = 3 m M (a + c)^2/(8(m + M))
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "From (1): M(a − v) = m(w + c) Substituting in (3):" in working
+    assert "lost = ½m(w + c)(a + v − (w − c)) (4) From (2): a + v − (w − c) = ½(a + c)" in working
+
+
 def test_why_a_place_is_on_an_axis_is_said_where_no_line_has_the_other_coordinate() -> None:
     text = """
 sphere A: mass 1 kg, at (-4, -3), velocity 4i + 3j

@@ -31,6 +31,8 @@ class Rules:
     substitutions: list[tuple[int, int, Quotient]] = field(default_factory=list)
     apart: frozenset[str] = frozenset()
     """Letters of components: the difference of two of them, as it is cited, tells one of them."""
+    factors: frozenset[str] = frozenset()
+    """Letters of components: a product of sums of them, as it is cited, tells one of them."""
 
     def add(self, left: Expression, right: Expression, sense: int = 1) -> None:
         """Takes up ``left = right`` (times the sense) where the left side is a subject."""
@@ -113,6 +115,10 @@ class Rules:
         single = len(own.above) == 1
         if len(keys) == 2 and all(k[0] == "letter" and k[1] in self.apart for k in keys.values()):
             return (max(keys), 1) if all(each == {1} for each in powers.values()) else None
+        within = [n for n, key in keys.items() if key[0] == "letter" and key[1] in self.factors]
+        if within and not single:
+            last = max(within)
+            return (last, 1) if powers[last] == {1} else None
         for n, key in keys.items():
             if n not in powers or len(powers[n]) != 1:
                 continue

@@ -53,7 +53,8 @@ class Step(Premises):
         """What is cited as values: of a letter or a quantity by a number or other letters."""
         if cited is None:
             return self._rules
-        rules = Rules(self.world, apart=self._letters_apart)
+        factors = frozenset(self.setting.meanings if self.move.record == "factors" else ())
+        rules = Rules(self.world, apart=self._letters_apart, factors=factors)
         self._put_together(cited, rules)
         for premise in cited:
             if isinstance(premise.relation, Meaning):

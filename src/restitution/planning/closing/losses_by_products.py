@@ -113,13 +113,12 @@ class _Loss:
         )
         start = chain(self.quantity, (swept(total(squares)), None), (total(parts), "rearrange"))
         line = self._written((move,), refs, start)
-        ratio = tidy(masses[1].value / masses[0].value)
-        by_momentum = chain(w, (difference(first, product(tree_of(ratio), change)), None))
+        by_momentum = chain(product(one, difference(first, w)), (product(other, change), None))
         rest = difference(total((first, w)), total((x, second)))
         line = self._put(line, laws[0], by_momentum, product(half(other, change), rest))
         e = scene.coefficient(self.event).value
-        by_restitution = chain(w, (difference(x, product(tree_of(e), tree_of(approach))), None))
         less = tree_of(tidy(1 - e))
+        by_restitution = chain(rest, (product(less, tree_of(approach)), None))
         share = product(_HALF, less, other, change, tree_of(approach))
         line = self._put(line, laws[1], by_restitution, share)
         if line is None:
@@ -137,12 +136,12 @@ class _Loss:
         return line
 
     def _put(self, line: int | None, law: int, relation: Relation, right: Expression) -> int | None:
-        """The loss with a component put in, as a law gives it."""
-        component = None if line is None else self._written((Move("rearrange"),), (law,), relation)
-        if line is None or component is None:
+        """The loss with a factor put in, as a law gives it."""
+        factor = None if line is None else self._written((Move("rearrange"),), (law,), relation)
+        if line is None or factor is None:
             return None
         put = chain(self.quantity, (right, None))
-        return self._written((Move("put"),), (line, component), put)
+        return self._written((Move("put", "factors"),), (line, factor), put)
 
     def _written(
         self, moves: tuple[Move, ...], refs: tuple[Ref, ...], relation: Relation
