@@ -64,6 +64,34 @@ find e, velocity(A)
 """,
         ("6mu𝐢 = m(𝐯_B − (−u𝐢 + u𝐣))", "𝐯_B = 5u𝐢 + u𝐣", "e = ⅘"),
     ),
+    "from a velocity in a letter, at a wall that is to be found": (
+        """
+wall W
+sphere P: velocity a i + j
+P hits W: e = 1/2
+given velocity(P) = -i + 3j
+find a
+""",
+        (
+            "the normal to W is parallel to (−a − 1)𝐢 + 2𝐣",
+            "a + 1 + 3 × 2 = ½(a(a + 1) − 2)",
+            "a = (1 + √65)/2 ≈ 4.53 or a = (1 − √65)/2 ≈ −3.53",
+        ),
+    ),
+    "from a velocity in a letter, of two spheres": (
+        """
+sphere A: mass m, velocity 3i + k j
+sphere B: mass 2m, velocity -i
+A hits B: e = 1/3
+given velocity(A) = i + j
+find k
+""",
+        (
+            "the line of centres is parallel to 2𝐢 + (k − 1)𝐣",
+            "−2 + ((k − 1)/2 − 1)(k − 1) = ⅓(2(3 + 1) + k(k − 1))",
+            "k = 5 + 2√11 ≈ 11.6 or k = 5 − 2√11 ≈ −1.63",
+        ),
+    ),
 }
 
 

@@ -514,3 +514,17 @@ find time(2) - time(1), distance(A, B), position(B)
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
     assert "B moves parallel to the x-axis:" in working
     assert "position of B when B reaches W = 6𝐢 m" in working
+
+
+def test_roots_of_roots_of_which_one_is_a_multiple_of_the_other_are_compared() -> None:
+    text = """
+sphere A: mass 2, velocity 5 at 30°
+sphere B: mass 1, velocity -2i
+A hits B: along i, e = e
+given energy_lost = 9
+find e, speed(A)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "e = √(4320√3 − 6347)/59 ≈ 0.571" in working
+    assert "v ≈ 1.015 m s⁻¹" in working
+    assert "does not follow" not in working

@@ -86,8 +86,26 @@ class Roots(Generators):
             rest, free = -rest, -free
         plain = self._denested(rest * free)
         if plain is None:
+            plain = self._by_another(rest * free)
+        if plain is None:
             plain = self._root_of_number(Fraction(free)) * self._root_generator(rest)
         return outside * plain
+
+    def _by_another(self, inside: PolyElement) -> Quotient | None:
+        """√(a + b√c) by another such root, where their product has no root below its root."""
+        if self._surd(inside) is None:
+            return None
+        for _, other in [key for key in self._keys if key[0] == "root"]:
+            if other.is_ground or self._surd(other) is None:
+                continue
+            both = self.reduced(Quotient(product(inside, other), one()))
+            if both.below != 1:
+                continue
+            number = _fraction(both.above.coeff(1)) if both.above.is_ground else None
+            plain = self._denested(both.above) if number is None else self._root_of_number(number)
+            if plain is not None:
+                return plain / Quotient(other, one()) * self.generator(("root", other))
+        return None
 
     def _denested(self, inside: PolyElement) -> Quotient | None:
         """√(a + b√c) as √((a + d)/2) ± √((a − d)/2), where d² = a² − b²c has a rational d."""

@@ -79,7 +79,8 @@ def write_open_lines(scene: Scene) -> None:
             scene.frame(number)
         except NotPlannedError:
             scene.desk.back(standing)
-            if not tried(scene, partial(_by_a_ray, scene, number)):
+            ways = (_by_a_ray, _by_a_letter_before)
+            if not any(tried(scene, partial(way, scene, number)) for way in ways):
                 scene.frames.pop(number, None)
 
 
@@ -145,6 +146,33 @@ def _is_coefficient_known(scene: Scene, number: int) -> bool:
     return not scene.unknown(scene.coefficient(number).value)
 
 
+def _by_a_letter_before(scene: Scene, number: int) -> bool:
+    """Whether a velocity that is given leads to the line where one before it has a letter.
+
+    Newton's law, by scalar products with the change of velocity, is an equation for the letter.
+    """
+    spheres = scene.spheres(number)
+    if any(scene.last_event(sphere, number - 1) for sphere in spheres):
+        return False
+    if not (_are_masses_known(scene, number) and _is_coefficient_known(scene, number)):
+        return False
+    early = [value for sphere in spheres for value in scene.initial(sphere).value]
+    names = frozenset().union(*map(scene.unknown, early))
+    for body in spheres:
+        own = velocity_given(scene, body, number)
+        if own is None or len(own[2]) != 1 or len(names) != 1 or set(scene.unknown(own[1])) - names:
+            continue
+        (symbol,) = names
+        late, lines = {body: own[1]}, {body: own[2][0]}
+        _add_others(scene, number, body, late, lines)
+        change, axis = _axis(scene, number, late, lines)
+        law, short = _restitution(scene, number, late, lines, change, axis)
+        close(scene, _shortened(scene, law, short), symbol)
+        _settle(scene, number, late, lines, change, axis)
+        return True
+    return False
+
+
 @dataclass(frozen=True)
 class _Law:
     """Newton's law along a change of velocity in a letter, and what it is made of."""
@@ -159,15 +187,20 @@ class _Law:
 
     def shortened(self, scene: Scene) -> int:
         """The law with the relative velocities worked out, as a line."""
-        if scene.desk.relation(self.law) == self.short:
-            return self.law
-        return scene.desk.write(Move("rearrange"), (self.law,), self.short)
+        return _shortened(scene, self.law, self.short)
+
+
+def _shortened(scene: Scene, law: int, short: Relation) -> int:
+    """A law with the relative velocities worked out, as a line."""
+    if scene.desk.relation(law) == short:
+        return law
+    return scene.desk.write(Move("rearrange"), (law,), short)
 
 
 def _law_along_the_change(scene: Scene, number: int, ray: Ray) -> _Law:
     ray = without_root(ray)
     symbol, late, lines = _ray_line(scene, number, ray)
-    _others(scene, number, ray, late, lines)
+    _add_others(scene, number, ray.body, late, lines)
     change, axis = _axis(scene, number, late, lines)
     law, short = _restitution(scene, number, late, lines, change, axis)
     return _Law(symbol, late, lines, change, axis, law, short)
@@ -255,7 +288,7 @@ def _in_either_sense(scene: Scene, number: int, ray: Ray) -> bool:
     symbol, late, lines = _ray_line(scene, number, ray)
     late[ray.body], lines[ray.body] = _by_speed(scene, number, ray, symbol, lines)
     if not any(scene.unknown(scene.mass(sphere).value) for sphere in scene.spheres(number)):
-        _others(scene, number, ray, late, lines)
+        _add_others(scene, number, ray.body, late, lines)
     _settle(scene, number, late, lines, *_axis(scene, number, late, lines))
     return True
 
@@ -281,13 +314,13 @@ def _ray_line(
     return symbol, {ray.body: ray.direction * symbol + ray.rest}, {ray.body: line}
 
 
-def _others(
-    scene: Scene, number: int, ray: Ray, late: dict[str, Vector], lines: dict[str, Ref]
+def _add_others(
+    scene: Scene, number: int, body: str, late: dict[str, Vector], lines: dict[str, Ref]
 ) -> None:
     """Adds the velocity of the other sphere, by the momentum of both."""
     for other in scene.spheres(number):
-        if other != ray.body:
-            late[other], lines[other] = _by_momentum(scene, number, ray.body, late, lines, other)
+        if other != body:
+            late[other], lines[other] = _by_momentum(scene, number, body, late, lines, other)
 
 
 def ray_of(scene: Scene, body: str, number: int) -> Ray | None:
