@@ -170,7 +170,7 @@ def test_a_condition_that_holds_by_one_law_earns_its_method():
     ] == ["earned"]
 
 
-def test_a_scheme_names_what_each_point_is_for():
+def test_a_scheme_names_what_single_points_is_for():
     scheme, *_ = schemes(solution(PAIR))
     assert [point.kind for point in scheme.points] == [
         "B1",

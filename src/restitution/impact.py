@@ -447,14 +447,14 @@ def _one_kind(values: dict[str, Any]) -> dict[str, Any]:
     inexact = any(_is_inexact(leaf) for leaf in leaves)
     convert = _as_float if inexact and not symbols else _as_exact
 
-    def each(value: Any, what: str) -> Any:
+    def converted(value: Any, what: str) -> Any:
         if isinstance(value, tuple):
-            return Vector(*(each(part, what) for part in value))
+            return Vector(*(converted(part, what) for part in value))
         if value is None or _is_inexact(value):
             return value
         return convert(value, what)
 
-    return {what: each(value, what) for what, value in values.items()}
+    return {what: converted(value, what) for what, value in values.items()}
 
 
 def _as_float(value: Any, what: str) -> float:

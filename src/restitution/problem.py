@@ -51,17 +51,17 @@ def _exact(value: Any, *, place: bool = False) -> Any:
 
 
 def _convert(body: Any, quantities: tuple[str, ...], places: tuple[str, ...]) -> None:
-    for each in (*quantities, *places):
-        value = getattr(body, each)
+    for quantity in (*quantities, *places):
+        value = getattr(body, quantity)
         if isinstance(value, Expression):
             continue
         try:
-            exact = _exact(value, place=each in places)
+            exact = _exact(value, place=quantity in places)
         except StatementError as error:
             where = "" if error.column is None else f" (column {error.column})"
-            message = f"the {each} of {body.name}{where}: {error.message}"
+            message = f"the {quantity} of {body.name}{where}: {error.message}"
             raise StatementError(message) from error
-        object.__setattr__(body, each, exact)
+        object.__setattr__(body, quantity, exact)
 
 
 # --- bodies -----------------------------------------------------------------------------------
@@ -389,7 +389,9 @@ class Problem:
 
     def altered_at(self, number: int) -> AlteredImpact | None:
         """What is altered at an impact; None where the laws hold."""
-        return next((each for each in self.altered if each.number == number), None)
+        return next(
+            (alteration for alteration in self.altered if alteration.number == number), None
+        )
 
     def steps(self) -> Iterator[tuple[Part, Step]]:
         """Every step of the story with its part, in order."""
@@ -408,16 +410,16 @@ class Problem:
         last = len(self.parts) - 1 if part is None else self.parts.index(part)
         earlier = () if part is None else self._names_used(last)
         events = 0
-        for number, each in enumerate(self.parts[: last + 1]):
+        for number, current in enumerate(self.parts[: last + 1]):
             own = part is None or number == last
-            for step in each.steps:
+            for step in current.steps:
                 if isinstance(step, Event):
                     events += 1
                 elif own or any(step is name for name in earlier):
                     pass
-                elif each.label is not None or isinstance(step, Find | Show):
+                elif current.label is not None or isinstance(step, Find | Show):
                     continue
-                yield Moment(step, events, each)
+                yield Moment(step, events, current)
 
     def _names_used(self, last: int) -> tuple[Let, ...]:
         """The names that earlier labelled parts gave and this one uses, without naming anew."""

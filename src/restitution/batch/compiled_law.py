@@ -62,5 +62,5 @@ def as_it_stands(function: Callable[..., Any]) -> None:
     overload(function, strict=False)(lambda *_: function)
 
 
-for _each in (law.impulse, law.impact, law.after_impulse):
-    as_it_stands(_each)
+for _law in (law.impulse, law.impact, law.after_impulse):
+    as_it_stands(_law)

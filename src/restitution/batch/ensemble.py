@@ -264,7 +264,11 @@ class _Run:
 
     def result(self, total: int | None) -> Ensemble[Any]:
         """What came of it so far; ``total`` is how many cases there are, if known."""
-        for future in [each for each in self._under_way if each.done() and not each.cancelled()]:
+        for future in [
+            chunk_future
+            for chunk_future in self._under_way
+            if chunk_future.done() and not chunk_future.cancelled()
+        ]:
             self._finish(future)
         count = self._begun if total is None else total
         failures = {failure.index: failure for failure in self._failures}
@@ -323,8 +327,8 @@ class _Run:
         if self._no_more_cases:
             return chunk
         try:
-            for each in islice(self._numbered, self._size):
-                chunk.append(each)
+            for case in islice(self._numbered, self._size):
+                chunk.append(case)
         except Exception as error:  # noqa: BLE001 - whatever a user's generator raises
             self._no_more_cases = (
                 f"after {counted(self._begun + len(chunk), 'case')} there came {_described(error)}"
@@ -361,7 +365,7 @@ class _Run:
         if last:
             self._fail(sent.chunk, error)
         else:
-            self._again.extend([each] for each in sent.chunk)
+            self._again.extend([case] for case in sent.chunk)
 
     def _broken(self, sent: _Sent, error: BaseException) -> None:
         """The executor broke with this chunk under way."""

@@ -86,7 +86,7 @@ def impacts(
         UnsupportedError: ``out`` for arrays of another library.
     """
     given = (u1, u2, c, w1, w2, e)
-    foreign = [each for each in given if _is_foreign(each)]
+    foreign = [value for value in given if _is_foreign(value)]
     if foreign:
         if out is not None:
             raise UnsupportedError(f"out is for NumPy's arrays, not {type(foreign[0]).__name__}")
@@ -96,7 +96,7 @@ def impacts(
     if threads < 1:
         raise StatementError(f"threads = {threads}: at least one is needed")
     kind = _kind_of_number(given)
-    data = [np.asarray(each, dtype=kind) for each in given]
+    data = [np.asarray(value, dtype=kind) for value in given]
     shape = _common_shape([array.shape for array in data])
     results = _room(out, data, shape, kind)
     with np.errstate(all="ignore"):  # as compiled code does; what is not a number stays so
@@ -126,12 +126,12 @@ def _is_foreign(value: Any) -> bool:
 def _kind_of_number(given: tuple[Any, ...]) -> np.dtype[Any]:
     """The type of the results: NumPy's for the data together, but never integers."""
     kinds: list[Any] = []
-    for name, each in zip(_NAMES, given):
-        kind = _array(name, each).dtype
+    for name, value in zip(_NAMES, given):
+        kind = _array(name, value).dtype
         if kind.kind not in "biufO":
             raise StatementError(f"{name} holds {kind}, not real numbers")
         # Python's own numbers take the type of the arrays that they meet.
-        kinds.append(each if type(each) in (int, float) else kind)
+        kinds.append(value if type(value) in (int, float) else kind)
     kind = np.result_type(*kinds)
     return np.dtype(np.float64) if kind.kind in "biu" else kind.newbyteorder("=")
 
@@ -169,25 +169,25 @@ def _room(
     full = (*shape, 2)
     if out is None:
         return np.empty(full, kind), np.empty(full, kind)
-    if len(out) != 2 or not all(isinstance(each, np.ndarray) for each in out):
+    if len(out) != 2 or not all(isinstance(room, np.ndarray) for room in out):
         raise StatementError("out is a pair of NumPy arrays, for v1 and v2")
-    for each in out:
-        if each.shape != full or not np.can_cast(kind, each.dtype, "same_kind"):
+    for part in out:
+        if part.shape != full or not np.can_cast(kind, part.dtype, "same_kind"):
             raise StatementError(
-                f"out has shape {each.shape} and holds {each.dtype}: needed is {full}, {kind}"
+                f"out has shape {part.shape} and holds {part.dtype}: needed is {full}, {kind}"
             )
-        if not each.flags.writeable:
+        if not part.flags.writeable:
             raise StatementError("out cannot be written to")
     if np.shares_memory(*out):
         raise StatementError("the two arrays of out share memory")
     first, second = (
-        each
-        if each.dtype == kind
-        and each.flags.c_contiguous
-        and each.ctypes.data % _ROW == 0
-        and not _in_the_way(each, data)
+        room
+        if room.dtype == kind
+        and room.flags.c_contiguous
+        and room.ctypes.data % _ROW == 0
+        and not _in_the_way(room, data)
         else np.empty(full, kind)
-        for each in out
+        for room in out
     )
     return first, second
 
@@ -313,7 +313,7 @@ def _reason(w1: Any, w2: Any, c: Vector, e: Any) -> str:
 
 
 def _by_another_library(given: Sequence[Any], sample: Any) -> tuple[Any, Any]:
-    data = [each if _is_foreign(each) else np.asarray(each) for each in given]
+    data = [value if _is_foreign(value) else np.asarray(value) for value in given]
     _common_shape([array.shape for array in data])
     u1, u2, c = (Vector(_number(v[..., 0]), _number(v[..., 1])) for v in data[:_VECTORS])
     w1, w2, e = map(_number, data[_VECTORS:])

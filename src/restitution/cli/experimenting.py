@@ -62,7 +62,7 @@ def plan(asked: Planning, others: Sequence[object]) -> int:
 
     ``others`` are the arguments that have no meaning for a plan: None if they were not given.
     """
-    if any(each is not None for each in others):
+    if any(option is not None for option in others):
         message = "a plan takes --e, --angle-error, --trials, --seed and --format alone, no table"
         raise RefusedError(message, "--plan")
     if asked.e is None:

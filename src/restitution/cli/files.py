@@ -95,7 +95,7 @@ def _with_place(file: str, text: bytes, error: RestitutionError) -> Iterator[str
     yield f"{error.line:>5} | {shown.rstrip()}"
     if column:
         before = shown[: column - 1 - first]
-        yield f"      | {' ' * sum(_columns(each) for each in before)}^"
+        yield f"      | {' ' * sum(_columns(character) for character in before)}^"
     yield from hint(text, error)
 
 
@@ -142,8 +142,12 @@ def _columns(character: str) -> int:
 def printable(text: str) -> str:
     """A text without what a terminal would take for a command."""
     return "".join(
-        each if each.isprintable() else " " if each.isspace() else "\N{REPLACEMENT CHARACTER}"
-        for each in text
+        character
+        if character.isprintable()
+        else " "
+        if character.isspace()
+        else "\N{REPLACEMENT CHARACTER}"
+        for character in text
     )
 
 

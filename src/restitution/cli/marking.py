@@ -63,7 +63,9 @@ def _workings(path: str) -> Iterator[tuple[str, str]]:
     if path == "-" or not folder.is_dir():
         yield shown_name(path), _text(path)
         return
-    files = sorted(each for each in folder.iterdir() if each.suffix in ENDINGS and each.is_file())
+    files = sorted(
+        entry for entry in folder.iterdir() if entry.suffix in ENDINGS and entry.is_file()
+    )
     if not files:
         raise StatementError(f"{path}: no scripts: their names end in {' or '.join(ENDINGS)}")
     for file in files:

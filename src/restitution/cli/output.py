@@ -199,11 +199,11 @@ def _same_file(path: Path, file: str) -> bool:
         return False
 
 
-_Each = Callable[[Iterable[str]], Iterator[str]]
+_Progressing = Callable[[Iterable[str]], Iterator[str]]
 
 
 @contextmanager
-def silent(to_terminal: bool) -> Iterator[_Each]:
+def silent(to_terminal: bool) -> Iterator[_Progressing]:
     """No progress to be seen."""
     yield iter
 
@@ -212,7 +212,7 @@ def progress(files: list[str]) -> Any:
     """How far it has come, on standard error, if somebody is looking there."""
 
     @contextmanager
-    def shown(to_terminal: bool) -> Iterator[_Each]:
+    def shown(to_terminal: bool) -> Iterator[_Progressing]:
         from rich.console import Console
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
@@ -229,7 +229,7 @@ def progress(files: list[str]) -> Any:
         )
         task = progress.add_task("", total=len(files))
 
-        def each(names: Iterable[str]) -> Iterator[str]:
+        def progressing(names: Iterable[str]) -> Iterator[str]:
             for name in names:
                 progress.update(task, description=Path(shown_name(name)).name)
                 progress.start()
@@ -240,7 +240,7 @@ def progress(files: list[str]) -> Any:
                     progress.stop()
                 progress.advance(task)
 
-        yield each
+        yield progressing
 
     return shown if sys.stderr.isatty() else silent
 

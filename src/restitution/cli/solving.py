@@ -72,8 +72,8 @@ def plainly(arguments: Sequence[str]) -> Solving | None:
     files: list[str] = []
     values: dict[str, Any] = {}
     left = iter(arguments)
-    for each in left:
-        name = _LONG.get(each, each)
+    for argument in left:
+        name = _LONG.get(argument, argument)
         if name in _FIELDS:
             value = _value(name, next(left, ""))
             if value is None or _FIELDS[name] in values:
@@ -171,8 +171,8 @@ def solve(asked: Solving, early: Worker | None) -> int:
     worst = 0
     with interruptible(), worker_of(early) as worker, target.written():
         shown = progress(files) if len(files) > 1 else silent
-        with shown(target.to_terminal) as each:
-            for file in each(files):
+        with shown(target.to_terminal) as progressing:
+            for file in progressing(files):
                 done = answer(worker, file, task, limit)
                 worst = max(worst, done.status)
                 target.write(file, done.content or "", several=len(files) > 1)

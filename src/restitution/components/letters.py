@@ -38,7 +38,7 @@ def allocated_letters(problem: Problem, taken: set[str]) -> dict[tuple[int, str]
     given = _named_by_let(problem, spheres)
     impacts = [(n, event) for n, event in enumerate(problem.events, 1) if isinstance(event, Impact)]
     struck = [(n, tuple(b for b in (e.first, e.second) if b in spheres)) for n, e in impacts]
-    of_spheres = [each for each in struck if len(each[1]) > 1]
+    of_spheres = [impact for impact in struck if len(impact[1]) > 1]
     pool = [c for c in _COMPONENTS if c not in taken]
     names: dict[tuple[int, str], str] = dict(given)
     if len(of_spheres) > 1:
@@ -51,7 +51,7 @@ def allocated_letters(problem: Problem, taken: set[str]) -> dict[tuple[int, str]
                 names.setdefault((number, body), f"{letter}_{order}")
         del pool[:2]
     free = (c for c in pool if c not in names.values())
-    for number, bodies in (*of_spheres, *(each for each in struck if len(each[1]) < 2)):
+    for number, bodies in (*of_spheres, *(impact for impact in struck if len(impact[1]) < 2)):
         for body in bodies:
             if (number, body) not in names:
                 plain = f"v_{number}" if len(bodies) == 1 else f"{body.lower()}_{number}"

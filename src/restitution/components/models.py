@@ -127,7 +127,7 @@ class Model:
         own._oracles_of_names, own._inside, own._verdicts = {}, {}, {}
         own._numbers, own.floats, own.true = {}, {}, {}
         names = len(self.unknowns.roles), len(self.unknowns.hidden_roles)
-        ground, known = (each.with_facts(conditions) for each in self._oracles)
+        ground, known = (oracle.with_facts(conditions) for oracle in self._oracles)
         own._oracles_of_names[names] = ground, known
         own._inside[id(ground)] = self.inside.with_facts(conditions)
         witness = known.possible.witness

@@ -82,7 +82,7 @@ def before_and_after(
     view = replace(_view(motion, sayings, number), question=question, letters=letters)
     to_scale &= set(drawn_for(motion, (number,), panels)) <= set(motion.solved)
     scale, drawings = _fitted(view, panels)
-    boxes = [each.box() for each in drawings]
+    boxes = [drawing.box() for drawing in drawings]
     bottom, top = min(box[1] for box in boxes), max(box[3] for box in boxes)
     height = top - bottom + 2 * MARGIN
     edge = (WIDTH - len(panels) * (PANEL + GAP) + GAP) / 2
@@ -197,7 +197,7 @@ def _with_axes(shapes: list[Shape], labels: list[Label], panel: Box) -> float:
     ]
     for corner in corners:
         box = (corner.x, corner.y, corner.x + room, corner.y + room)
-        if not any(overlap(box, each, 0.5) for each in taken):
+        if not any(overlap(box, place, 0.5) for place in taken):
             break
     else:
         lowered = size + 4.5  # with the letter above

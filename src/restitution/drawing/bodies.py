@@ -97,7 +97,7 @@ def put_names(view: View, body: Body, drawing: Drawing) -> None:
         name = Label(written, body.centre, ("centre",), 0.0, size, fixed=True)
     mass = _mass(view, body)
     if mass is not None:
-        masses = [each for other in view.bodies if (each := _mass(view, other)) is not None]
+        masses = [label for other in view.bodies if (label := _mass(view, other)) is not None]
         if not all(map(_fits, masses)):  # then none is within: outside it could be a speed
             words = lay.Phrase((lay.Words("mass"), mass.content))
             mass = Label(words, body.centre, sides_towards(-UP), RADIUS + 0.8, 2.6)

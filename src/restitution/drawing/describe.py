@@ -72,7 +72,7 @@ def description(motion: PartInNumbers, number: int, panels: Sequence[When]) -> s
     if not is_possible(motion, number):
         sentences.append(IMPOSSIBLE)
     elif chosen:
-        sentences.append(f"Drawn for {listed([to_text(_equal(each)) for each in chosen])}.")
+        sentences.append(f"Drawn for {listed([to_text(_equal(choice)) for choice in chosen])}.")
     return " ".join(sentences)
 
 
@@ -105,7 +105,7 @@ def values_of(chosen: Sequence[Chosen]) -> tuple[Layout, ...]:
     ends = [*("," for _ in chosen[2:]), *(" and" for _ in chosen[:1] if len(chosen) > 1), "."]
     return (
         lay.Words("Drawn for"),
-        *(lay.Phrase((_equal(each), lay.Words(end)), "") for each, end in zip(chosen, ends)),
+        *(lay.Phrase((_equal(choice), lay.Words(end)), "") for choice, end in zip(chosen, ends)),
     )
 
 
@@ -151,7 +151,7 @@ def _inclination(v: Vector) -> str:
     return f"rises to the {side} at {_degrees(rise)}"
 
 
-def _way(v: Vector) -> str:
+def _sense(v: Vector) -> str:
     """The nearest of four directions on paper."""
     if abs(v.x) > abs(v.y):
         return "to the right" if v.x > 0 else "to the left"
@@ -192,12 +192,12 @@ def _moving(motion: PartInNumbers, number: int, body: str, when: When) -> str:
     if frame.wall is not None:
         sense = "away from" if v.dot(n) > 0 else "towards"
         if angle > 90.0 - 1e-7:
-            return f"{moves} along {frame.wall}, {_way(v)}"
+            return f"{moves} along {frame.wall}, {_sense(v)}"
         if angle < 1e-7:
             return f"{moves} perpendicular to {frame.wall}, {sense} it"
-        return f"{moves} at {_degrees(90 - angle)} to {frame.wall}, {sense} it and {_way(across)}"
+        return f"{moves} at {_degrees(90 - angle)} to {frame.wall}, {sense} it and {_sense(across)}"
     if angle > 90.0 - 1e-7:
-        return f"{moves} perpendicular to the line of centres, {_way(v)}"
+        return f"{moves} perpendicular to the line of centres, {_sense(v)}"
     c = happening.oriented()
     other = step.second if body == step.first else step.first
     side = 1.0 if body == step.first else -1.0
@@ -205,7 +205,7 @@ def _moving(motion: PartInNumbers, number: int, body: str, when: When) -> str:
     sense = f"towards {other}" if near else f"away from {other}"
     if angle < 1e-7:
         return f"{moves} along the line of centres, {sense}"
-    return f"{moves} at {_degrees(angle)} to the line of centres, {sense} and {_way(across)}"
+    return f"{moves} at {_degrees(angle)} to the line of centres, {sense} and {_sense(across)}"
 
 
 def _speed(motion: PartInNumbers, number: int, size: float) -> str:

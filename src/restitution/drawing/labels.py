@@ -161,7 +161,7 @@ class _Ground:
     def around(self, box: Box) -> _Ground:
         """The same, without what lies apart from a box."""
         pieces = [piece for piece in self.pieces if overlap(piece.box, box)]
-        solid = [each for each in self.solid if overlap(each, box)]
+        solid = [mark for mark in self.solid if overlap(mark, box)]
         return _Ground(self.region, pieces, solid, self.discs)
 
     def is_free(self, box: Box) -> bool:
@@ -173,7 +173,7 @@ class _Ground:
             and box[2] <= region[2]
             and box[3] <= region[3]
             and not touched(box, self.pieces, CLEARANCE)
-            and not any(_together(box, each) for each in self.solid)
+            and not any(_together(box, mark) for mark in self.solid)
         )
 
 
@@ -298,7 +298,7 @@ def _offer(
         return _offered(box, size, cost)
     outward = direction(point - nearest)
     leader = nearest + outward * 0.5, point - outward * max(0.3, min(gap - 0.4, 0.6 * gap))
-    if any(crosses(padded(each, CLEARANCE), *leader) for each in near.solid):
+    if any(crosses(padded(mark, CLEARANCE), *leader) for mark in near.solid):
         return None
     return _offered(box, size, cost + 2.0, leader)
 
@@ -336,7 +336,7 @@ def _placed(
     lead: bool,
 ) -> list[_Offer] | None:
     """A place for every label, or None if there is none for one of them."""
-    everything = [*pieces, *(each for panel in scene.panels for each in _frame(panel))]
+    everything = [*pieces, *(line for panel in scene.panels for line in _frame(panel))]
     solid = [heading.box for heading in headings]
     fixed = _fixed(scene, everything, solid)
     solid += [offer.box for offer in fixed.values()]

@@ -200,8 +200,8 @@ class _Drawing:
         if length(corner - same) > _NEAR:
             return
         directions = [
-            direction(each.end - corner if each.start in (corner, same) else each.start - corner)
-            for each in (wall, other)
+            direction(line.end - corner if line.start in (corner, same) else line.start - corner)
+            for line in (wall, other)
         ]
         turn = math.acos(max(-1.0, min(1.0, directions[0].dot(directions[1]))))
         if abs(turn - math.pi / 2) < _NEAR or turn < 0.1 or turn > math.pi - 0.1:
@@ -394,7 +394,7 @@ class _Drawing:
             along = stop.normal.turned_left()
             drawn = False
             for leg in (before, after):
-                if leg is None or any(each is not None and each.lane for each in (before, after)):
+                if leg is None or any(side is not None and side.lane for side in (before, after)):
                     continue
                 if leg is before and self._alternate(body, stop):
                     continue
@@ -528,7 +528,7 @@ class _Drawing:
 
         def free(corner: Vector) -> bool:
             box = (corner.x - 1, corner.y - 1, corner.x + room, corner.y + room)
-            return not touched(box, pieces, 1.0) and not any(overlap(box, each) for each in taken)
+            return not touched(box, pieces, 1.0) and not any(overlap(box, place) for place in taken)
 
         origin = next(filter(free, corners), Vector(left - room, bottom + 1))
         named: tuple[tuple[Vector, str, tuple[Side, ...]], ...] = (
@@ -556,7 +556,7 @@ class _Drawing:
 
 def _between(one: object, other: object) -> Expression | None:
     """The angle between walls that run along **i** or at an angle with it; None for others."""
-    trees = [Degrees(Fraction(0)) if each == Unit("i") else each for each in (one, other)]
+    trees = [Degrees(Fraction(0)) if ray == Unit("i") else ray for ray in (one, other)]
     first, second = trees
     if not isinstance(first, Expression) or not isinstance(second, Expression):
         return None

@@ -24,13 +24,14 @@ def note(plan: Plan, numbers: PartInNumbers) -> Layout | None:
     """The values by which letters are drawn."""
     chosen: list[Chosen] = []
     for events in _together(plan):
-        chosen += [each for each in drawn_for(numbers, events) if each not in chosen]
+        chosen += [choice for choice in drawn_for(numbers, events) if choice not in chosen]
     if plan.scale is not None:
         places = _places(numbers.story)
         chosen += [
-            each
-            for each, moved in numbers.free
-            if each not in chosen and (moved is None or not _in_proportion(places, _places(moved)))
+            choice
+            for choice, moved in numbers.free
+            if choice not in chosen
+            and (moved is None or not _in_proportion(places, _places(moved)))
         ]
     words = values_of(chosen)
     return lay.Phrase(words) if words else None

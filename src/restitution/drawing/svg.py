@@ -122,8 +122,8 @@ def _picture(placed: Placed, glyphs: dict[str, str]) -> Iterator[str]:
         if label.leader is not None:
             data = _polyline(label.leader)
             yield f'<path class="leader" d="{data}"{_stroke(style.STROKES["leader"])}/>'
-    for each in (*placed.labels, *placed.words):
-        yield _label(each, glyphs)
+    for placed_label in (*placed.labels, *placed.words):
+        yield _label(placed_label, glyphs)
 
 
 # In a page, lines have the colour of its text; alone or as an image, that of the reader's choice,

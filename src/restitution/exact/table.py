@@ -73,7 +73,7 @@ OF_ALL_ANGLES = (
     Rule(
         "a tangent below each term",
         trigonometry.is_sum_over_product,
-        trigonometry.over_each_term,
+        trigonometry.over_terms,
         1.0,
     ),
 )

@@ -95,7 +95,7 @@ def is_sum_over_product(value: Expr) -> bool:
     return apart and has_tangent_letter(value)
 
 
-def over_each_term(value: Expr) -> Expr:
+def over_terms(value: Expr) -> Expr:
     """(a tan α + b)/tan α as a + b/tan α."""
     above, below = sympy.fraction(value)
     return Add(*[term / below for term in above.args])

@@ -18,7 +18,7 @@ _SUFFIX = ".impact"
 
 def names() -> tuple[str, ...]:
     """The names of all examples, in alphabetical order."""
-    files_ = (each.name for each in files(__name__).iterdir())
+    files_ = (file.name for file in files(__name__).iterdir())
     return tuple(sorted(name.removesuffix(_SUFFIX) for name in files_ if name.endswith(_SUFFIX)))
 
 

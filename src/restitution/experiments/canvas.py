@@ -80,7 +80,7 @@ def svg_of(drawn: Canvas, title: str, description: str) -> str:
     root = ET.fromstring(raw.getvalue())
     x, y, width, height = (float(word) * POINT for word in root.get("viewBox", "").split())
     view = " ".join(f"{number / POINT:.2f}" for number in (x, y, width, height))
-    body = "".join(_written(each) for each in root if each.tag not in (_METADATA,))
+    body = "".join(_written(element) for element in root if element.tag not in (_METADATA,))
     text = (
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
         f' id="{_ID}" role="img" aria-labelledby="{_ID}-t {_ID}-d"'
@@ -111,7 +111,7 @@ def _written(element: ET.Element) -> str:
     name = element.tag.removeprefix(_SVG)
     if name == "style":
         return ""
-    inside = "".join(_written(each) for each in element)
+    inside = "".join(_written(child) for child in element)
     if name in ("g", "defs") and not inside:
         return ""
     attributes = dict(_attributes(element, name))

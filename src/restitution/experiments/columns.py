@@ -163,4 +163,4 @@ def _plain_unit(unit: str) -> str:
 def _shown_units(dimension: Dimension) -> list[str]:
     if dimension == "angle":
         return ["deg", "rad"]
-    return [each for each in _UNITS[dimension] if each != "sec"]
+    return [unit for unit in _UNITS[dimension] if unit != "sec"]

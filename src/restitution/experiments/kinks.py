@@ -137,11 +137,11 @@ def _best_time(paths: Paths) -> float | None:
     times = np.concatenate([[begin], times[(times > begin) & (times < end)], [end]])
     steps = (times[:-1, None] + np.diff(times)[:, None] * np.arange(_PARTS) / _PARTS).ravel()
     grid = np.append(steps, end)
-    top = int(np.argmax(sum(each.fall(grid) for each in sums)))
+    top = int(np.argmax(sum(path_sums.fall(grid) for path_sums in sums)))
     low, high = grid[max(top - 1, 0)], grid[min(top + 1, len(grid) - 1)]
     optimize = needed("scipy.optimize", "the search for an impact")
     least = optimize.minimize_scalar(
-        lambda tau: -sum(float(each.fall(np.array([tau]))[0]) for each in sums),
+        lambda tau: -sum(float(path_sums.fall(np.array([tau]))[0]) for path_sums in sums),
         bounds=(low, high),
         method="bounded",
         options={"xatol": 1e-9 * (end - begin)},
@@ -164,7 +164,7 @@ def breaks(paths: Paths) -> tuple[float, ...]:
     for _ in range(_ROUNDS):
         ends = [float(begin), *_merged(paths, times), float(end)]
         again = [_kink_between(paths, low, high) for low, high in zip(ends, ends[2:])]
-        kept = sorted({each for each in again if each is not None})
+        kept = sorted({time for time in again if time is not None})
         if len(kept) == len(times) and np.allclose(kept, times, rtol=0, atol=1e-6 * (end - begin)):
             break
         times = kept
@@ -194,7 +194,7 @@ def _halved(paths: Paths, begin: float, end: float, depth: int) -> list[float]:
     tau = _kink_between(paths, begin, end, bending=False)
     if tau is None or depth == 0:
         return []
-    early, late = (_halved(paths, *each, depth - 1) for each in ((begin, tau), (tau, end)))
+    early, late = (_halved(paths, *interval, depth - 1) for interval in ((begin, tau), (tau, end)))
     return [*early, tau, *late]
 
 
@@ -210,12 +210,12 @@ def _kink_between(paths: Paths, begin: float, end: float, *, bending: bool = Tru
     if tau is None:
         return None
     sums = [_Sums(path) for path in paths]
-    straight = sum(each.of_line for each in sums)
-    fall = sum(float(each.fall(np.array([tau]))[0]) for each in sums)
+    straight = sum(path_sums.of_line for path_sums in sums)
+    fall = sum(float(path_sums.fall(np.array([tau]))[0]) for path_sums in sums)
     size = sum(map(_size, paths))
     if fall <= _ROUNDING * size:
         return None
-    if bending and straight - fall > sum(each.of_curve() for each in sums):
+    if bending and straight - fall > sum(path_sums.of_curve() for path_sums in sums):
         return None
     more = 2 * len(paths) + 1
     freedom = 2 * sum(map(len, paths)) - 4 * len(paths) - more
@@ -319,8 +319,8 @@ def without_outliers(kink: Kink) -> tuple[Kink, Paths]:
         if again is None:
             return kink, outliers
         outliers = tuple(
-            _joined(each, path.only(mask))
-            for each, path, mask in zip(outliers, kink.paths, far)
+            _joined(outlying, path.only(mask))
+            for outlying, path, mask in zip(outliers, kink.paths, far)
         )  # fmt: skip
         kink = again
     return kink, outliers
@@ -410,9 +410,9 @@ def slowing_column(kink: Kink) -> Array | None:
     for body, path in enumerate(kink.paths):
         s = path.t - kink.t
         units = [
-            velocity / size if (size := float(np.linalg.norm(velocity))) > _MOVING * each else
+            velocity / size if (size := float(np.linalg.norm(velocity))) > _MOVING * spread else
             np.zeros(2)
-            for velocity, each in zip((kink.before[body], kink.after[body]), error[body])
+            for velocity, spread in zip((kink.before[body], kink.after[body]), error[body])
         ]  # fmt: skip
         columns.append((-0.5 * s[:, None] ** 2 * np.where(s[:, None] < 0, *units)).ravel())
     column = np.concatenate(columns)

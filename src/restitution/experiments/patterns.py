@@ -85,4 +85,4 @@ def decided(
     for other in patterns:
         if isinstance(other, Untested):
             checks[other.id] = Check(other.id, titles[other.id], "untested", other.reason)
-    return tuple(checks[each] for each in titles if each in checks)
+    return tuple(checks[title] for title in titles if title in checks)

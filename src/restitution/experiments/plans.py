@@ -49,9 +49,9 @@ class PlanContent:
 
     def design(self, name: str) -> Design:
         """A design by its id. Raises KeyError where there is none of it."""
-        for each in self.designs:
-            if each.id == name:
-                return each
+        for design in self.designs:
+            if design.id == name:
+                return design
         raise KeyError(name)
 
     def json(self) -> str:

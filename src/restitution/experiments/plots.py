@@ -107,7 +107,7 @@ def residual_plot(experiment: Experiment) -> str:
         axes.set_ylabel("distance from the fit,\nin standard errors", labelpad=3)
         words = [
             f"line {p.line} ({fixed(p.residual, 1)})"
-            for _, p in sorted(beyond, key=lambda each: -abs(each[1].residual))
+            for _, p in sorted(beyond, key=lambda entry: -abs(entry[1].residual))
         ]
         thin = _thin_words(experiment, len(all_points))
         _note(drawn, _list_sentence("Outside the frame", words), thin)
@@ -164,8 +164,8 @@ def speed_plot(experiment: Experiment) -> str | None:
             axes.vlines([ratio.speed], *ends, color=INK, lw=0.6, alpha=_strength(len(rows)))
         _marks(axes, [(ratio.speed, ratio.value) for ratio in inside])
         beyond = [row for row in rows if row.value > high]
-        for each in beyond:
-            axes.plot([each.speed], [high], **_edge("^"))
+        for ratio in beyond:
+            axes.plot([ratio.speed], [high], **_edge("^"))
         axes.set_xlabel(f"speed before the impact, in {_unit(experiment)}", labelpad=3)
         axes.set_ylabel(_ratio_name(experiment), labelpad=3)
         _legend(axes, above=2.0)
@@ -267,7 +267,7 @@ def _edge_marks(axes: Any, points: Sequence[Point], frame: Frame) -> None:
 def _legend(axes: Any, above: float) -> None:
     """The legend above the frame, at a distance in millimetres, in two columns."""
     handles, labels = axes.get_legend_handles_labels()
-    pairs = sorted(zip(labels, handles), key=lambda each: _order(each[0]))
+    pairs = sorted(zip(labels, handles), key=lambda entry: _order(entry[0]))
     axes.legend(
         [handle for _, handle in pairs],
         [label for label, _ in pairs],
@@ -300,8 +300,8 @@ def _angles_beside(axes: Any, frame: Frame) -> None:
     beside = axes.secondary_yaxis("right")
     ticks = _angle_ticks(frame.bottom, frame.top, HEIGHT, 5.5)
     beside.set_yticks([math.tan(math.radians(a)) for a in ticks], [f"{a}°" for a in ticks])
-    for each in (above, beside):
-        each.patch.set_visible(False)
+    for scale in (above, beside):
+        scale.patch.set_visible(False)
     beside.set_ylabel(r"$\beta$", labelpad=3, rotation=0, va="center", ha="left")
 
 
@@ -345,7 +345,7 @@ def _name_far_ones(
     ``readings`` are line, x, y and residual; ``lines`` slope and height of what is drawn across.
     """
     far = [reading for reading in readings if abs(reading[3]) > FAR]
-    far = sorted(far, key=lambda each: -abs(each[3]))[:_NAMED]
+    far = sorted(far, key=lambda entry: -abs(entry[3]))[:_NAMED]
     if not far:
         return
     axes = drawn.axes
@@ -381,7 +381,7 @@ class _Millimetres:
     @classmethod
     def of(cls, drawn: Canvas) -> _Millimetres:
         (left, right), (bottom, top) = drawn.axes.get_xlim(), drawn.axes.get_ylim()
-        width, height = (each * 25.4 for each in drawn.figure.get_size_inches())
+        width, height = (inches * 25.4 for inches in drawn.figure.get_size_inches())
         return cls(left, bottom, width / (right - left), height / (top - bottom), width, height)
 
     def at(self, place: tuple[float, float]) -> Vector:
@@ -409,7 +409,7 @@ class _Millimetres:
                     and box[2] <= self.width - 0.4
                     and box[3] <= self.height - 0.4
                     and not touched(box, pieces, 0.3)
-                    and not any(overlap(box, each, 0.5) for each in taken)
+                    and not any(overlap(box, place, 0.5) for place in taken)
                 ):
                     return box
         return None
@@ -449,7 +449,7 @@ def _tangent(angle: float) -> float:
 
 
 def _error_pieces(points: Sequence[Point], frame: Frame) -> list[tuple[_Place, _Place]]:
-    return [each for point in points for each in _bars(point, frame)]
+    return [bar for point in points for bar in _bars(point, frame)]
 
 
 def _band(experiment: Experiment) -> tuple[float, float]:
@@ -503,7 +503,7 @@ def _walls(experiment: Experiment) -> bool:
 
 def _unit(experiment: Experiment) -> str:
     """The unit of speed as it is printed: m s⁻¹."""
-    units = (each for each in experiment.table.units.values() if each.endswith("/s"))
+    units = (unit for unit in experiment.table.units.values() if unit.endswith("/s"))
     return next(units, "m/s").replace("/s", r"$\,\mathrm{s}^{-1}$")
 
 

@@ -95,7 +95,7 @@ def _tracks(experiment: Experiment) -> Iterator[Block]:
     for index in range(0, min(len(scenes), MOST_PICTURES), 2):
         two = scenes[index : index + 2]
         width = _TWO if len(two) == 2 else _ONE
-        yield Picture(abreast(two, [each.title for each in two]), width)
+        yield Picture(abreast(two, [scene.title for scene in two]), width)
     if len(scenes) > MOST_PICTURES:
         yield Paragraph(f"{len(scenes) - MOST_PICTURES} more trials are not drawn.", "remark")
 

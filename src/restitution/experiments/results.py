@@ -154,7 +154,7 @@ class ExperimentContent:
         units = self.table.units
         if self.kind == "tracks":
             return f"{units.get('x', 'm')}/s"
-        return next((units[each] for each in ("u", "u_A", "u_A_x") if each in units), "m/s")
+        return next((units[name] for name in ("u", "u_A", "u_A_x") if name in units), "m/s")
 
     def check(self, pattern: str) -> Check:
         """The check of a pattern by its id. Raises KeyError where there is none of it."""
@@ -168,8 +168,8 @@ class ExperimentContent:
         fields: dict[str, Any] = _plain(dataclasses.asdict(self))
         fields["interval"]["possible"] = _plain(self.interval.possible)
         fields["table"]["faults"] = [
-            {**fault, "message": str(each)}
-            for fault, each in zip(fields["table"]["faults"], self.table.faults)
+            {**fault, "message": str(entry)}
+            for fault, entry in zip(fields["table"]["faults"], self.table.faults)
         ]
         return fields
 
@@ -180,9 +180,9 @@ class ExperimentContent:
 
 def _plain(value: object) -> Any:
     if isinstance(value, dict):
-        return {key: _plain(each) for key, each in value.items()}
+        return {key: _plain(entry) for key, entry in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
+        return [_plain(entry) for entry in value]
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value

@@ -400,7 +400,7 @@ def _momentum(spheres: Spheres, sample: Sample) -> Pattern | Untested:
     share of the momentum that is lost. The two are one pattern, so that the smaller p-value counts
     twice.
     """
-    rows = [each for impact in spheres.impacts if (each := impact.momentum())]
+    rows = [row for impact in spheres.impacts if (row := impact.momentum())]
     if len(rows) < len(spheres.impacts):
         return Untested("momentum", f"Untested: it takes the masses, {spheres.words.masses}.")
     freedom = sample.freedom if sample.known else sample.fit.degrees_of_freedom

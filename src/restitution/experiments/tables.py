@@ -155,7 +155,7 @@ class _Sheet:
             index, column = self.values[quantity]
             raise _fault(row, column, row.cells[index], rule)
 
-    def each(self, rows: list[Row], make: Callable[[Row], _T]) -> Iterator[_T]:
+    def from_rows(self, rows: list[Row], make: Callable[[Row], _T]) -> Iterator[_T]:
         """What is made of the rows; those with a fault are left out."""
         for row in rows:
             try:
@@ -253,10 +253,10 @@ def _missing(sheet: _Sheet, kind: Kind) -> list[str]:
     for name in VELOCITIES:
         parts = [f"{name}_x", f"{name}_y"]
         polar = [name, f"{name}_angle"]
-        chosen = polar if any(each in sheet for each in polar) else parts
-        if name == "u_B" and not any(each in sheet for each in chosen):
+        chosen = polar if any(column in sheet for column in polar) else parts
+        if name == "u_B" and not any(column in sheet for column in chosen):
             continue  # B at rest
-        missing += [each for each in chosen if each not in sheet]
+        missing += [column for column in chosen if column not in sheet]
     return missing
 
 
@@ -297,7 +297,7 @@ def _wall(sheet: _Sheet, rows: list[Row]) -> Table:
         name: sheet.options.from_normal or sheet.values[name][1].from_normal
         for name in ("alpha", "beta")
     }
-    readings = tuple(sheet.each(rows, lambda row: _reading(sheet, row, turned)))
+    readings = tuple(sheet.from_rows(rows, lambda row: _reading(sheet, row, turned)))
     _require_degrees(sheet, readings)
     return Table(
         "wall",
@@ -347,7 +347,7 @@ def _require_degrees(sheet: _Sheet, readings: tuple[WallReading, ...]) -> None:
 
 def _spheres(sheet: _Sheet, rows: list[Row]) -> Table:
     _refuse_normal(sheet, "spheres")
-    trials = tuple(sheet.each(rows, lambda row: _trial(sheet, row)))
+    trials = tuple(sheet.from_rows(rows, lambda row: _trial(sheet, row)))
     _note_half_errors(sheet)
     if "u_B" not in sheet and "u_B_x" not in sheet:
         sheet.notes.append("there is no column for u_B: B is at rest before each impact")
@@ -366,8 +366,8 @@ def _note_half_errors(sheet: _Sheet) -> None:
         if name not in sheet or f"{name}_angle" not in sheet:
             continue
         speed, angle = (
-            each in sheet.errors or sheet.usual_error(each) is not None
-            for each in (name, f"{name}_angle")
+            column in sheet.errors or sheet.usual_error(column) is not None
+            for column in (name, f"{name}_angle")
         )
         if speed != angle:
             there, missing = ("speed", "angle") if speed else ("angle", "speed")
@@ -443,7 +443,7 @@ def _tracks(sheet: _Sheet, rows: list[Row]) -> Table:
             sheet.require(row, "m", mass.value > 0, "a mass is more than 0")
             masses.setdefault(key, []).append(mass)
 
-    for _ in sheet.each(rows, place):
+    for _ in sheet.from_rows(rows, place):
         pass
     tracks = tuple(
         Track(

@@ -187,14 +187,14 @@ class _Drawing:
 
     # --- what the bodies meet -----------------------------------------------------------------
 
-    def _wall(self, each: _Drawn) -> None:
-        along, impact = _unit(each.fit.wall), self.scale.on_paper(each.impact)
-        away = self.scale.on_paper(each.start) - impact
+    def _wall(self, drawn: _Drawn) -> None:
+        along, impact = _unit(drawn.fit.wall), self.scale.on_paper(drawn.impact)
+        away = self.scale.on_paper(drawn.start) - impact
         if length(away) < 1e-9:
-            away = self.scale.on_paper(each.end) - impact
+            away = self.scale.on_paper(drawn.end) - impact
         across = along.turned_left()
         far = across * (-1.0 if across.dot(away) > 0 else 1.0)
-        reach = [(self.scale.on_paper(p) - impact).dot(along) for p in (each.start, each.end)]
+        reach = [(self.scale.on_paper(p) - impact).dot(along) for p in (drawn.start, drawn.end)]
         low, high = min(-_WALL, *reach), max(_WALL, *reach)
         self.shapes.append(StraightWall("", impact + along * low, impact + along * high, far))
 
@@ -218,10 +218,10 @@ class _Drawing:
 
     # --- paths and angles ---------------------------------------------------------------------
 
-    def _path(self, each: _Drawn) -> None:
-        start, impact, end = map(self.scale.on_paper, (each.start, each.impact, each.end))
+    def _path(self, drawn: _Drawn) -> None:
+        start, impact, end = map(self.scale.on_paper, (drawn.start, drawn.impact, drawn.end))
         largest = self._largest_speed()
-        for (a, b), velocity in zip(((start, impact), (impact, end)), each.velocities):
+        for (a, b), velocity in zip(((start, impact), (impact, end)), drawn.velocities):
             if length(velocity) < _STILL * largest or length(b - a) < 0.5:
                 continue
             if b is end:
@@ -230,11 +230,11 @@ class _Drawing:
                 middle = a + (b - a) * 0.55
                 self.shapes += [Arrow("path", a, middle), Line("path", middle, b)]
             self._speed(a, b, velocity)
-        self.shapes += [Dot("", self.scale.on_paper(place), _DOT) for place in each.places]
-        if each.fit.body:
+        self.shapes += [Dot("", self.scale.on_paper(place), _DOT) for place in drawn.places]
+        if drawn.fit.body:
             at = start if length(start - impact) > length(end - impact) else end
             away = direction(at - impact)
-            label = Label(name_of(each.fit.body), at, sides_towards(away), gap=1.4)
+            label = Label(name_of(drawn.fit.body), at, sides_towards(away), gap=1.4)
             self.labels.append(label)
 
     def _largest_speed(self) -> float:
@@ -248,24 +248,26 @@ class _Drawing:
         text = Phrase((Number(f"{length(velocity):.3g}"), Words(self.speed_unit)))
         self.labels.append(Label(text, spots[0], sides, 1.0, 2.7, moves=tuple(spots[1:])))
 
-    def _angles(self, each: _Drawn) -> None:
+    def _angles(self, drawn: _Drawn) -> None:
         """α before and β after: with the wall, or with the line of centres."""
-        impact = self.scale.on_paper(each.impact)
-        subscript = each.fit.body if self.pair and len(each.fit.body) == 1 else ""
-        before, after = each.velocities
+        impact = self.scale.on_paper(drawn.impact)
+        subscript = drawn.fit.body if self.pair and len(drawn.fit.body) == 1 else ""
+        before, after = drawn.velocities
         least = _STILL * self._largest_speed()
-        reference = _unit(each.fit.wall)
+        reference = _unit(drawn.fit.wall)
         reference = reference.turned_left() if self.pair else reference
         for name, words, course in (("alpha", "before", -before), ("beta", "after", after)):
             if length(course) < least:
                 continue
-            legs = length(self.scale.on_paper(each.start if name == "alpha" else each.end) - impact)
+            legs = length(
+                self.scale.on_paper(drawn.start if name == "alpha" else drawn.end) - impact
+            )
             # Both angles of a sphere may lie on one side of the line: then the second is wider.
             least_radius = _ARC + (2.4 if self.pair and name == "beta" else 0.0)
             letter = Letter(name, subscript)
             angle = self._angle(impact, reference, direction(course), letter, legs, least_radius)
             line = "line of centres" if self.pair else "wall"
-            who = f"{each.fit.body} is" if each.fit.body else "the path is"
+            who = f"{drawn.fit.body} is" if drawn.fit.body else "the path is"
             self.words.append(f"{words.capitalize()}, {who} at {fixed(angle, 1)}° to the {line}.")
 
     def _angle(

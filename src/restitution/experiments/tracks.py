@@ -215,7 +215,7 @@ def _kink(group: tuple[Track, ...], paths: Paths) -> tuple[Kink, Paths, int]:
         if len(times) == 1 or not any(map(len, outliers)):
             break
         # What is far off may have been taken for a kink: look again without it.
-        paths = tuple(_without(path, each) for path, each in zip(paths, outliers))
+        paths = tuple(_without(path, outlying) for path, outlying in zip(paths, outliers))
     kink = opened(kink)
     _require_change(group, kink)
     return kink, outliers, _others(paths, times, kink)

@@ -141,7 +141,7 @@ def class_values(wall: Wall) -> ClassValues:
         np.sqrt(arrays.y_variance[usable]) / np.cos(beta) ** 2 / x,
         y / x * np.sqrt(arrays.x_variance[usable]) / (np.sin(alpha) * np.cos(alpha)),
     )
-    places = [_degrees(each) for each in alpha]
+    places = [_degrees(angle) for angle in alpha]
     return common.class_values(wall.sample, x, y, errors, places, _REASONS)
 
 

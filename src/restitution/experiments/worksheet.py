@@ -97,7 +97,7 @@ def _aim() -> Iterator[Block]:
 
 def _method() -> Iterator[Block]:
     yield Heading("Method")
-    steps = tuple(Item(mixed(each)) for each in questions.METHOD)
+    steps = tuple(Item(mixed(sentence)) for sentence in questions.METHOD)
     yield Listing(steps, numbered=True)
 
 

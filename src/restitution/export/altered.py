@@ -79,7 +79,7 @@ def _lines(
     units = Units(solution)
     for world, *others in _alike(worlds):
         yield ""
-        ids = ", ".join([world.id, *(f"/{each.id.partition('/')[2]}" for each in others)])
+        ids = ", ".join([world.id, *(f"/{twin.id.partition('/')[2]}" for twin in others)])
         yield from wrap(f"{ids}: {world.words}", columns, subsequent_indent="  ")
         yield from _table(world.items, units, columns)
 

@@ -83,8 +83,8 @@ def with_derivations(
     return {
         **content,
         "parts": [
-            {**each, "derivation": (derivations_of_parts or {}).get(each["part"])}
-            for each in content["parts"]
+            {**part, "derivation": (derivations_of_parts or {}).get(part["part"])}
+            for part in content["parts"]
         ],
     }
 
@@ -125,7 +125,7 @@ def mistakes(error: RestitutionError | None) -> list[ErrorObject]:
     """An error and those found beside it in the same text."""
     if error is None:
         return []
-    return [error_object(each) for each in (error, *getattr(error, "others", ()))]
+    return [error_object(mistake) for mistake in (error, *getattr(error, "others", ()))]
 
 
 def to_json(content: Mapping[str, object]) -> str:

@@ -65,7 +65,7 @@ def _pictures(result: Experiment) -> Object:
     except UnsupportedError as error:
         return {"pictures": [], "pictures_error": error.message}
     return {
-        "pictures": [_picture(each) for each in (*plots, *tracks) if each],
+        "pictures": [_picture(picture) for picture in (*plots, *tracks) if picture],
         "pictures_error": None,
     }
 

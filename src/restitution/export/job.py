@@ -429,7 +429,9 @@ def _written(
     assert task.form != "json"
     explained = _Explained()
     if not task.answers_only:
-        explained = _explained(solution, task, whole, began, lambda each: _working(each, task))
+        explained = _explained(
+            solution, task, whole, began, lambda explanation: _working(explanation, task)
+        )
         if explained.value is not None:
             return explained.value, explained
     return answers(solution, task.form, task.part), explained

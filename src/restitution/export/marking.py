@@ -111,7 +111,7 @@ def marking_of(
     markings = mark_parts(solution, working, letters, hints=levels)
     if len(markings) == 1:
         return markings[0].json()
-    return {"parts": [each.json() for each in markings]}
+    return {"parts": [marking.json() for marking in markings]}
 
 
 def table(marked: Iterator[tuple[str, Marking]]) -> str:

@@ -141,23 +141,23 @@ def to_document(entries: Sequence[Entry], title: str | None, options: Options) -
     named = title or (entries[0].title if len(entries) == 1 else None) or DEFAULT_TITLE
     close = options.scheme and options.space is None  # nobody writes on it
     blocks: list[Block] = []
-    for number, each in enumerate(entries, 1):
-        asked = each.question
+    for number, item in enumerate(entries, 1):
+        asked = item.question
         if close:
             asked = tuple(block for block in asked if not isinstance(block, Room))
-        blocks.append(_numbered(number, each, asked, named, len(entries)))
+        blocks.append(_numbered(number, item, asked, named, len(entries)))
         # What is left of the last page is room enough, whatever it is.
-        blocks += [] if close or number == len(entries) else [each.room]
+        blocks += [] if close or number == len(entries) else [item.room]
     behind = [
-        ("Solutions", options.solutions, [each.working for each in entries]),
-        ("Mark scheme", options.scheme, [each.scheme for each in entries]),
+        ("Solutions", options.solutions, [item.working for item in entries]),
+        ("Mark scheme", options.scheme, [item.scheme for item in entries]),
     ]
     for heading, wanted, contents in behind:
         if wanted:
             blocks += [NewPage(), Heading(heading, 1)]
             blocks += [
-                _numbered(number, each, content, named, len(entries))
-                for number, (each, content) in enumerate(zip(entries, contents, strict=True), 1)
+                _numbered(number, item, content, named, len(entries))
+                for number, (item, content) in enumerate(zip(entries, contents, strict=True), 1)
             ]
     head = "" if options.solutions or options.scheme else NAME
     return Document(named, tuple(blocks), head, "sheet")

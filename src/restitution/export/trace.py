@@ -66,16 +66,16 @@ def _value(label: str, value: Any, depth: int) -> Iterator[str]:
         for field in fields(value)
         if field.name != "place" and getattr(value, field.name) not in (None, (), "", False)
     ]
-    inside = [(name, each) for name, each in held if _is_nested(each)]
-    plain = [_plain(name, each) for name, each in held if not _is_nested(each)]
+    inside = [(name, entry) for name, entry in held if _is_nested(entry)]
+    plain = [_plain(name, entry) for name, entry in held if not _is_nested(entry)]
     text = f"   {write_expression(value)}" if isinstance(value, _NODES) and inside else ""
     yield f"{head}{' '.join([type(value).__name__, *plain])}{text}"
-    for name, each in inside:
-        if isinstance(each, tuple):
-            for number, one in enumerate(each, 1):
-                yield from _value(f"{name} {number}" if len(each) > 1 else name, one, depth + 1)
+    for name, own in inside:
+        if isinstance(own, tuple):
+            for number, one in enumerate(own, 1):
+                yield from _value(f"{name} {number}" if len(own) > 1 else name, one, depth + 1)
         else:
-            yield from _value(name, each, depth + 1)
+            yield from _value(name, own, depth + 1)
 
 
 def _is_nested(value: Any) -> bool:
@@ -116,7 +116,7 @@ def _of_part(problem: Problem, part: Part) -> Iterator[str]:
         for body in happening.bodies:
             if body in story.spheres:
                 after = happening.after[body]
-                x, y = (to_text(from_sympy(each)) for each in after)
+                x, y = (to_text(from_sympy(velocity)) for velocity in after)
                 yield f"{_STEP}velocity of {body} after event {happening.number}: ({x}, {y})"
     for condition in (*story.equations, *story.conditions, *needs):
         yield f"{_STEP}{_demand(condition)}"

@@ -168,8 +168,8 @@ def _cos_sin_of_term(term: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         return cosine(turns), sine(turns)
     if term.is_Add:
         total = sp.cos(term), sp.sin(term)
-        if any(each.has(sp.cos, sp.sin) for each in total):
-            total = tuple(sp.expand_trig(each) for each in total)
+        if any(addend.has(sp.cos, sp.sin) for addend in total):
+            total = tuple(sp.expand_trig(addend) for addend in total)
         return total
     factor, base = term.as_coeff_Mul()
     if factor.is_Rational and factor.p not in (1,) and base != sp.pi and abs(factor.p) <= 6:

@@ -80,7 +80,7 @@ def without_units(
                 return decide(replace(whole, operand=total, place=tree.place), slot)
             if slot.dimension is None:
                 beside: tuple[Any, ...] = (left, right)
-                parts = (each for each in beside if not isinstance(each, Measured))
+                parts = (factor for factor in beside if not isinstance(factor, Measured))
                 slot = replace(slot, dimension=dimension_of_any(parts, of_letters))
             if not (has_unit(left) and has_unit(right)):
                 slot = replace(slot, mixed=True)

@@ -524,7 +524,7 @@ def _explain(reading: Reading, error: UnexpectedToken) -> StatementError:
     token = error.token
     expected = set(error.accepts or error.expected)
     ended = token.type == "$END"
-    index = len(tokens) if ended else next(k for k, each in enumerate(tokens) if each is token)
+    index = len(tokens) if ended else next(k for k, other in enumerate(tokens) if other is token)
     # A product that was left out is no thing to point at: what follows it is.
     if token.type == "IMPLICIT":
         token = tokens[index + 1]
@@ -553,9 +553,9 @@ def _explain(reading: Reading, error: UnexpectedToken) -> StatementError:
     if not ended:
         message += f", not '{typed}'"
     before = _run_at(reading, previous) if previous is not None else None
-    for each in (run, before):
-        if each:
-            message += f" ('{each}' was read as {' '.join(each)})"
+    for word in (run, before):
+        if word:
+            message += f" ('{word}' was read as {' '.join(word)})"
             break
     return reading.error(message, place)
 
@@ -630,7 +630,7 @@ def _wanted(expected: set[str], previous: Token | None) -> str:
     named = [text for kind, text in _NAMES_OF_TOKENS.items() if kind in expected]
     if "ORDER" in expected and "$END" not in expected:
         named.insert(0, "a relation (=, <, perpendicular to, …)")
-        named = [each for each in named if each != "'='"]
+        named = [symbol for symbol in named if symbol != "'='"]
     elif "PLUS" in expected:
         named.insert(0, "an operator")
     return listed(named, "or") or "something else"

@@ -72,7 +72,7 @@ def keeps_hash(kind: type[_Kind]) -> type[_Kind]:
 
 
 def _without_hash(value: object) -> dict[str, Any]:
-    return {name: each for name, each in vars(value).items() if name != "_hash"}
+    return {name: state for name, state in vars(value).items() if name != "_hash"}
 
 
 @keeps_hash
@@ -309,7 +309,9 @@ def children(node: Expression) -> tuple[Expression, ...]:
 
 # Trees are walked often: the fields of a node in which there may be others, by its kind.
 PARTS: dict[type, tuple[str, ...]] = {
-    kind: tuple(each.name for each in fields(kind) if each.name != "place")
+    kind: tuple(
+        field_of_kind.name for field_of_kind in fields(kind) if field_of_kind.name != "place"
+    )
     for kind in (*get_args(Expression), Measured)
 }
 LEAVES: frozenset[type] = frozenset({Number, Degrees, Pi, Letter, Unit, Name})

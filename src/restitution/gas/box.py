@@ -418,7 +418,7 @@ class Gas:
         return engine
 
     def _end(self, duration: float | None, until: float | None, impacts: int | None) -> float:
-        if sum(each is not None for each in (duration, until, impacts)) != 1:
+        if sum(limit is not None for limit in (duration, until, impacts)) != 1:
             raise StatementError("say one of duration (s), until (s) and impacts (how many)")
         if impacts is not None:
             arguments.whole(impacts, "the number of impacts", least=0)
@@ -437,7 +437,7 @@ class Gas:
         return self.counts.pairs + self.counts.walls
 
     def _collapse(self, disc: int, time: float) -> CollapseError:
-        each = (self.counts.pairs * 2 + self.counts.walls) / len(self)
+        impacts = (self.counts.pairs * 2 + self.counts.walls) / len(self)
         rules = self.rules
         if rules.e == rules.e_walls == 1 or rules.contact_time > 0:
             why = "discs that touch are jammed, or as good as"
@@ -449,7 +449,7 @@ class Gas:
             )
         error = CollapseError(
             f"disc {disc} is struck more than {rules.at_once} times at what is one time, "
-            f"{time:.6g} s, after {each:.3g} impacts a disc: {why}"
+            f"{time:.6g} s, after {impacts:.3g} impacts a disc: {why}"
         )
         error.run = self
         return error

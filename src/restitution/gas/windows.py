@@ -223,7 +223,7 @@ class Engine:
         flat = [array.reshape(-1) for array in (discs.row, discs.small, discs.tally)]
         if self.plain:
             self._now: list[Any] = [array.tolist() for array in flat]
-            self._next: list[Any] = [list(each) for each in self._now]
+            self._next: list[Any] = [list(column) for column in self._now]
             self._names = discs.names.tolist()
             self._edges = (box.edges_x.tolist(), box.edges_y.tolist())
         else:
@@ -294,15 +294,15 @@ class Engine:
             todo = [number for number in range(len(plans)) if number not in done]
             jobs = [(plans[number], near, margins[number], start, end) for number in todo]
             done.update(zip(todo, self._map(jobs)))
-            collapses = [each.collapsed for each in done.values() if each.collapsed]
+            collapses = [result.collapsed for result in done.values() if result.collapsed]
             self.collapsed = min(collapses, key=attrgetter("time"), default=None)
             if len(plans) == 1 or self.collapsed:
                 break
-            self._fastest = max(self._fastest, *(each.fastest for each in done.values()))
+            self._fastest = max(self._fastest, *(result.fastest for result in done.values()))
             if self._near(end - start) > near:
                 done.clear()  # discs came from farther than was thought
                 continue
-            for number in [number for number, each in done.items() if self._differs(each)]:
+            for number in [number for number, result in done.items() if self._differs(result)]:
                 del done[number]
                 margins[number] += 4
                 redone += 1
@@ -311,7 +311,7 @@ class Engine:
         self._learn(redone, len(plans))
         if self.collapsed is None:
             self._now, self._next = self._next, self._now
-            self._fastest = max(self._fastest, *(each.fastest for each in done.values()))
+            self._fastest = max(self._fastest, *(result.fastest for result in done.values()))
         return [done[number] for number in range(len(plans))]
 
     def _near(self, length: float) -> int:
@@ -347,17 +347,17 @@ class Engine:
     def _book(self, done: Sequence[Done]) -> int:
         """Adds up what was done; how many changes of velocity it was."""
         counts, changed = self.counts, 0
-        for each in done:
-            twice_pairs, walls, _, predictions, events, crossings = each.totals[:6]
+        for result in done:
+            twice_pairs, walls, _, predictions, events, crossings = result.totals[:6]
             changed += twice_pairs + walls
             counts.walls += walls
             counts.predictions += predictions
             counts.events += events
             counts.crossings += crossings
-            if len(each.log):
-                self.logs.append(each.log)
-        counts.pairs += sum(each.totals[k.TWICE_PAIRS] for each in done) // 2
-        counts.elastic += sum(each.totals[k.TWICE_ELASTIC] for each in done) // 2
+            if len(result.log):
+                self.logs.append(result.log)
+        counts.pairs += sum(tile.totals[k.TWICE_PAIRS] for tile in done) // 2
+        counts.elastic += sum(tile.totals[k.TWICE_ELASTIC] for tile in done) // 2
         counts.windows += 1
         counts.tiles += len(done)
         return changed

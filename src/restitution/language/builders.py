@@ -91,12 +91,12 @@ def _names(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[Toke
 
 def _spheres(reading: Reading, node: Tree[Token], spans: list[Span]) -> Declaration:
     properties = spans[3].value if len(spans) > 3 else ()
-    return Declaration("sphere", spans[1].value, _once_each(properties))
+    return Declaration("sphere", spans[1].value, _without_repeats(properties))
 
 
 def _walls(reading: Reading, node: Tree[Token], spans: list[Span]) -> Declaration:
     properties = spans[3].value if len(spans) > 3 else ()
-    return Declaration("wall", spans[1].value, _once_each(properties))
+    return Declaration("wall", spans[1].value, _without_repeats(properties))
 
 
 def _point(reading: Reading, node: Tree[Token], spans: list[Span]) -> Declaration:
@@ -104,7 +104,7 @@ def _point(reading: Reading, node: Tree[Token], spans: list[Span]) -> Declaratio
     return Declaration("point", (spans[1].first,), (("position", spans[3].value, place),))
 
 
-def _once_each(properties: tuple[_Property, ...]) -> tuple[_Property, ...]:
+def _without_repeats(properties: tuple[_Property, ...]) -> tuple[_Property, ...]:
     seen: set[str] = set()
     for key, _, place in properties:
         if key in seen:
@@ -193,10 +193,10 @@ def _given(reading: Reading, node: Tree[Token], spans: list[Span]) -> Given:
 
 
 def _unknown(reading: Reading, node: Tree[Token], spans: list[Span]) -> Unknown:
-    return Unknown(_each_once(reading, spans[1::2]), place=spans[0].place)
+    return Unknown(_names_once(reading, spans[1::2]), place=spans[0].place)
 
 
-def _each_once(reading: Reading, spans: list[Span]) -> tuple[str, ...]:
+def _names_once(reading: Reading, spans: list[Span]) -> tuple[str, ...]:
     names: list[str] = []
     for span in spans:
         if span.value.name in names:
@@ -206,7 +206,7 @@ def _each_once(reading: Reading, spans: list[Span]) -> tuple[str, ...]:
 
 
 def _terms(reading: Reading, node: Tree[Token], spans: list[Span]) -> tuple[str, ...]:
-    return _each_once(reading, spans[1::2])
+    return _names_once(reading, spans[1::2])
 
 
 def _compare(reading: Reading, node: Tree[Token], spans: list[Span]) -> Compare:

@@ -140,7 +140,7 @@ def _carried_on(
             return fix if now is text else _as_one(text, then, places), None
         if not left.fixes:
             stuck = stuck or left
-        onward = left.fixes or tuple(each for hint in left.hints[:1] for each in hint.fixes)
+        onward = left.fixes or tuple(cure for hint in left.hints[:1] for cure in hint.fixes)
         if not onward or not places.holds(fix):
             return None, stuck or left
         step, now = onward[0], then
@@ -239,8 +239,8 @@ def _with_a_capital(text: str, line: LogicalLine) -> Iterator[Fix]:
 def _small_names(line: LogicalLine) -> Iterator[str]:
     match = _DECLARED.match(line.source.plain)
     if match is not None:
-        for each in match["list"].split(","):
-            name = each.split()[0] if each.strip() else ""
+        for item in match["list"].split(","):
+            name = item.split()[0] if item.strip() else ""
             if _SMALL.fullmatch(name) and name not in WORDS and name not in FRAGMENTS:
                 yield name
 

@@ -120,9 +120,9 @@ def _letters_for_angles(problem: Problem) -> frozenset[str]:
     letters_ = {
         node.name
         for tree in trees(problem)
-        for each in walk(tree)
-        if isinstance(each, Polar | Apply)
-        for node in ([each.angle] if isinstance(each, Polar) else _argument(each))
+        for part in walk(tree)
+        if isinstance(part, Polar | Apply)
+        for node in ([part.angle] if isinstance(part, Polar) else _argument(part))
         if isinstance(node, Letter)
     }
     return frozenset(letters_)
@@ -220,7 +220,9 @@ def _idle_facts(problem: Problem) -> Iterator[Note]:
         if not named:
             continue
         first = min(named)
-        like = [each for each in used if (each in GREEK) == (first in GREEK) and each != "e"]
+        like = [
+            letter for letter in used if (letter in GREEK) == (first in GREEK) and letter != "e"
+        ]
         meant = f": did you mean {like[0]}?" if len(named) == len(like) == 1 else ""
         stand = "stands" if len(named) == 1 else "stand"
         alone = [operand for operand in fact.operands if isinstance(operand, Letter)]

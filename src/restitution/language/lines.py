@@ -152,8 +152,8 @@ _OF_WALLS = frozenset(("along", "parallel", "through", "from"))
 def _kind(word: str) -> str | None:
     """What a word that stands before a name, or behind one, is a slip for or another word for."""
     word = word.lower()
-    for each in (word, word.removesuffix("s")):
-        meant = MEANT.get(each, each)
+    for form in (word, word.removesuffix("s")):
+        meant = MEANT.get(form, form)
         if meant in _KINDS:
             return meant
     return near(word, _KINDS, cutoff=0.8)

@@ -324,11 +324,11 @@ def _step(
     put: Callable[[Any, Dimension, str], Any],
     turned: Callable[[Any], Any],
 ) -> Step:
-    def relation(each: Relation) -> Relation:
-        return _relation(each, of_letters, rewrite)
+    def relation(stated: Relation) -> Relation:
+        return _relation(stated, of_letters, rewrite)
 
-    def item(each: Item) -> Item:
-        changed = replace(each, expression=rewrite(each.expression, NOWHERE))
+    def item(asked: Item) -> Item:
+        changed = replace(asked, expression=rewrite(asked.expression, NOWHERE))
         if isinstance(changed, Extremum):
             return replace(changed, over=rewrite(changed.over, NOWHERE))
         return changed
@@ -369,9 +369,9 @@ def _relation(
     operands: tuple[Any, ...] = relation.operands
     plain = [operand for operand in operands if not isinstance(operand, Measured)]
     dimension = dimension_of_any(plain, of_letters)
-    tells = [each for each in plain if dimension_of_any([each], of_letters) is not None]
+    tells = [tree for tree in plain if dimension_of_any([tree], of_letters) is not None]
     what = write_expression(tells[0]) if tells and not has_unit(tells[0]) else "this value"
-    angle = any(isinstance(each, Quantity) and each.kind in ANGLES for each in plain)
+    angle = any(isinstance(tree, Quantity) and tree.kind in ANGLES for tree in plain)
     slot = Slot(dimension, what, angle)
     return replace(
         relation, operands=tuple(rewrite(operand, slot) for operand in relation.operands)

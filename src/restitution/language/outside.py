@@ -110,6 +110,6 @@ def outside(source: Source) -> StatementError | None:
     ]
     if not matches:
         return None
-    match, message = min(matches, key=lambda each: each[0].start())
+    match, message = min(matches, key=lambda entry: entry[0].start())
     typed = " ".join(source.text[match.start() : match.end()].split())
     return source.error(f"'{typed}' is outside the model: {message}", match.start())

@@ -108,7 +108,7 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
                 continue
             wrong.append((line, mistake))
     if wrong or prose:
-        return None, _one_of_each(_distinct(text, wrong, prose, story, within))
+        return None, _without_copies(_distinct(text, wrong, prose, story, within))
     problem, mistakes = _checked(story)
     if not mistakes:
         notes = (*story.notes, *doubts(problem, text))
@@ -120,10 +120,10 @@ def _read_through(text: str) -> tuple[Problem | None, list[StatementError]]:
             line = _line_of(lines, met.line)
             met = _with_a_guess(met, line, story)
             mistakes[number] = cured(text, line, met, _first_mistake, within)
-    return None, _one_of_each(mistakes)
+    return None, _without_copies(mistakes)
 
 
-def _one_of_each(mistakes: list[StatementError]) -> list[StatementError]:
+def _without_copies(mistakes: list[StatementError]) -> list[StatementError]:
     """Mistakes without what was told before: a name that no line declares is told once."""
     first: list[StatementError] = []
     for mistake in mistakes:
@@ -147,7 +147,7 @@ def _distinct(
     """
     if prose:
         beside = [line for line, _ in wrong if not is_of_the_language(line, story.bodies)]
-        wrong = [(line, each) for line, each in wrong if line not in beside]
+        wrong = [(line, mistake) for line, mistake in wrong if line not in beside]
         together = sorted((*prose, *beside), key=lambda line: line.source.pieces[0][1])
         wrong = [*wrong, (together[0], in_words(together))]
         wrong.sort(key=lambda pair: pair[0].source.pieces[0][1])

@@ -73,7 +73,7 @@ def with_guess(
             before.append((slip, match, start, end))
     if not mistake.fixes:
         # A word that cannot be read may stand behind a slip with which it would be read.
-        mistake.hints = tuple(_mistake(source, *each, names) for each in before[:_ALTERNATIVES])
+        mistake.hints = tuple(_mistake(source, *slip, names) for slip in before[:_ALTERNATIVES])
     return mistake
 
 
@@ -103,14 +103,14 @@ def _mistake(
             message = f"cannot read '{shown['x']}': did you mean '{text}'?"
         return source.error(message, start, *([source.fix(start, end, text)] if text else []))
     spheres = [name for name, kind in names.items() if kind == "sphere"]
-    each_of = spheres if "{sphere}" in cure.text else [""]
+    subjects = spheres if "{sphere}" in cure.text else [""]
     if "{second}" in cure.text and len(spheres) != _TWO:
         return source.error(f"cannot read '{shown['x']}': {cure.message}", start)
     parts["first"], parts["second"] = (*spheres, "A", "B")[:_TWO]
     texts = [
         text.format(**parts, sphere=sphere).rstrip(" ")
         for text in (cure.text, *cure.more)
-        for sphere in each_of
+        for sphere in subjects
     ]
     texts = [", ".join(texts)] if cure.together else texts[:_ALTERNATIVES]
     listed = " or ".join(f"'{text}'" for text in texts)
@@ -147,7 +147,7 @@ def _the_only_one(words: str, names: Mapping[str, str]) -> str | None:
     if match is None:
         return None
     kind = "wall" if match.group(1).lower() == "wall" else "sphere"
-    known = [name for name, each in names.items() if each == kind]
+    known = [name for name, own in names.items() if own == kind]
     return known[0] if len(known) == 1 else None
 
 

@@ -112,7 +112,7 @@ def _body(body: Sphere | Wall | Point) -> Iterator[str]:
     if len(line) <= MAX_LINE_LENGTH:
         yield line
     else:
-        yield from (f"{head}: {each}" for each in properties)
+        yield from (f"{head}: {entry}" for entry in properties)
 
 
 def _sphere(sphere: Sphere) -> Iterator[str]:

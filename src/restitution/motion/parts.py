@@ -88,12 +88,12 @@ def motions(
     chosen = solution.chosen(part)
     part_motions: list[PartMotion] = []
     reasons: list[RestitutionError] = []
-    for each in chosen:
-        if each.error is not None and not each.branches:
-            reasons.append(each.error)
-        for branch in each.branches:
+    for solved in chosen:
+        if solved.error is not None and not solved.branches:
+            reasons.append(solved.error)
+        for branch in solved.branches:
             try:
-                _add(part_motions, list(_of_branch(solution, each, branch, wanted)))
+                _add(part_motions, list(_of_branch(solution, solved, branch, wanted)))
             except UnsupportedError as error:
                 reasons.append(error)
     if not part_motions:
@@ -109,7 +109,7 @@ def _add(part_motions: list[PartMotion], new: Sequence[PartMotion]) -> None:
     """Adds motions; one that another part has had already gets its label too."""
     for motion in new:
         same = next(
-            (k for k, each in enumerate(part_motions) if _alike(each.motion, motion.motion)), None
+            (k for k, known in enumerate(part_motions) if _alike(known.motion, motion.motion)), None
         )
         if same is None:
             part_motions.append(motion)
@@ -319,7 +319,9 @@ def _factors(flights: int) -> Iterator[tuple[float, ...]]:
     """Lengths of the flights to be tried, as multiples of the usual one; the usual ones first."""
     if flights <= 3:
         every = itertools.product((1.0, 0.7, 1.4, 0.45, 2.2), repeat=flights)
-        yield from sorted(every, key=lambda each: sum(abs(math.log(x)) for x in each))[:_TRIES]
+        yield from sorted(every, key=lambda factors: sum(abs(math.log(x)) for x in factors))[
+            :_TRIES
+        ]
         return
     rng = random.Random(5)
     yield (1.0,) * flights

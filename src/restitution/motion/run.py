@@ -251,14 +251,14 @@ class _Course:
         if not earliest.leeway:
             return earliest  # the order of the queue is that of the rule
         chosen, others = earliest, []
-        while (each := self.popped()) is not None:
-            later = self.kind.since(each.moment, earliest.moment)
-            if later > min(each.leeway, earliest.leeway):
-                others.append(each)
+        while (simultaneous := self.popped()) is not None:
+            later = self.kind.since(simultaneous.moment, earliest.moment)
+            if later > min(simultaneous.leeway, earliest.leeway):
+                others.append(simultaneous)
                 break
-            if (each.first, each.second) < (chosen.first, chosen.second):
-                chosen, each = each, chosen
-            others.append(each)
+            if (simultaneous.first, simultaneous.second) < (chosen.first, chosen.second):
+                chosen, simultaneous = simultaneous, chosen
+            others.append(simultaneous)
         for other in others:
             heappush(self.due, other)
         return chosen._replace(moment=max(earliest.moment, self.now))
@@ -273,7 +273,11 @@ class _Course:
     def forget(self) -> None:
         """Throw away what is void, when there is much of it."""
         if len(self.due) > 1000 + 64 * self.bodies:
-            self.due = [each for each in self.due if each.changes == self.changes_of(*each[1:3])]
+            self.due = [
+                prediction
+                for prediction in self.due
+                if prediction.changes == self.changes_of(*prediction[1:3])
+            ]
             heapify(self.due)
 
     # -- an impact ----------------------------------------------------------------------------
@@ -447,10 +451,10 @@ class Run:
         numbers = [(column, "f8") for column in _COLUMNS]
         rows = []
         for raw in self._struck:
-            each = _with_numbers(raw, float)
-            vectors = (each.line_of_centres, each.impulse, *each.before, *each.after)
+            struck = _with_numbers(raw, float)
+            vectors = (struck.line_of_centres, struck.impulse, *struck.before, *struck.after)
             pairs = [component for vector in vectors for component in vector]
-            rows.append((each.time, each.first, each.second, each.e, *each.place, *pairs))
+            rows.append((struck.time, struck.first, struck.second, struck.e, *struck.place, *pairs))
         events: np.ndarray[Any, Any] = array(rows, dtype=[*numbers[:1], *names, *numbers[1:]])
         return events
 
@@ -502,12 +506,12 @@ class Run:
             if n is None:
                 lines.append(f"  … {count - 11} more")
                 continue
-            each = _with_numbers(self._struck[n], float)
-            x, y = each.place
-            size = hypot(*each.impulse)
+            struck = _with_numbers(self._struck[n], float)
+            x, y = struck.place
+            size = hypot(*struck.impulse)
             lines.append(
-                f"  {each.time:10.6g} s  {each.first} hits {each.second} at ({x:.4g}, {y:.4g}), "
-                f"impulse {size:.4g} N s"
+                f"  {struck.time:10.6g} s  {struck.first} hits {struck.second} "
+                f"at ({x:.4g}, {y:.4g}), impulse {size:.4g} N s"
             )
         return "\n".join(lines)
 
@@ -541,7 +545,7 @@ def _floats(vector: Vector) -> Vector:
 def _with_numbers(struck: Struck, number: Callable[[Any], Any]) -> Struck:
     """The same impact in other numbers."""
 
-    def each(vector: Vector) -> Vector:
+    def converted(vector: Vector) -> Vector:
         return Vector(number(vector.x), number(vector.y))
 
     (u1, u2), (v1, v2) = struck.before, struck.after
@@ -549,12 +553,12 @@ def _with_numbers(struck: Struck, number: Callable[[Any], Any]) -> Struck:
         number(struck.time),
         struck.first,
         struck.second,
-        each(struck.place),
-        each(struck.line_of_centres),
+        converted(struck.place),
+        converted(struck.line_of_centres),
         number(struck.e),
-        each(struck.impulse),
-        (each(u1), each(u2)),
-        (each(v1), each(v2)),
+        converted(struck.impulse),
+        (converted(u1), converted(u2)),
+        (converted(v1), converted(v2)),
     )
 
 

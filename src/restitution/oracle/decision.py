@@ -146,14 +146,14 @@ def _simplified(tree: _Tree) -> _Tree:
     neutral = kind == "and"
     kept: list[_Tree] = []
     for part in parts:
-        each = _simplified(part)
-        if isinstance(each, bool):
-            if each is not neutral:
+        simple = _simplified(part)
+        if isinstance(simple, bool):
+            if simple is not neutral:
                 return not neutral
-        elif isinstance(each, tuple) and each[0] == kind:
-            kept.extend(each[1])
+        elif isinstance(simple, tuple) and simple[0] == kind:
+            kept.extend(simple[1])
         else:
-            kept.append(each)
+            kept.append(simple)
     if not kept:
         return neutral
     return kept[0] if len(kept) == 1 else (kind, kept)
@@ -215,7 +215,7 @@ def _scale(world: Polynomials, used: Sequence[str], tree: _Tree) -> list[str]:
             span.add(tuple(other[n] - first[n] for n in places))
     for name, (low, high, *_rest) in world.between.items():
         if name in used and (low or high is not None):
-            span.add(tuple(int(name == each) for each in used))
+            span.add(tuple(int(name == letter) for letter in used))
     # A letter is free to be 1 if no pivot is needed for it: weights are what the rows leave open.
     return [
         name

@@ -354,7 +354,7 @@ class Oracle:
                         Fraction(int(value.p), int(value.q)) if value.is_Rational else value
                     )
             elif name in world.angles:
-                cosine, sine = (reply.model.get(each) for each in world.angles[name][:2])
+                cosine, sine = (reply.model.get(ratio) for ratio in world.angles[name][:2])
                 if cosine is not None and sine is not None:
                     point[name] = angle_within(
                         world.angles[name][2] * sp.atan2(sine, cosine), self.roles.get(name, REAL)

@@ -583,12 +583,13 @@ class Polynomials:
         wanted: list[dict[int, int]] = [{}]
         for n, powers in ends:
             if powers:
-                wanted = [{**each, n: power} for each in wanted for power in powers]
+                wanted = [{**powers_of, n: power} for powers_of in wanted for power in powers]
             if len(wanted) > 64:
                 return False
         firm = [m for m in monomials if not any(m[n] for n in reals)]
         return all(
-            any(all(m[n] == power for n, power in each.items()) for m in firm) for each in wanted
+            any(all(m[n] == power for n, power in monomial.items()) for m in firm)
+            for monomial in wanted
         )
 
     def _moved(self, polynomial: PolyElement) -> tuple[PolyElement, dict[str, list[int]]]:

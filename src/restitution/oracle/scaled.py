@@ -53,4 +53,4 @@ def _powers(x: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
     if isinstance(x, sp.Abs):
         return _powers(x.args[0])
     inner = [_powers(argument) for argument in x.args]
-    return {} if inner and all(each == {} for each in inner) else None
+    return {} if inner and all(factor == {} for factor in inner) else None

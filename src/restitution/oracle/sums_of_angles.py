@@ -187,8 +187,8 @@ def _rational_combination(x: sp.Expr) -> list[sp.Expr]:
     shares: dict[sp.Expr, sp.Expr] = {}
     pending = [(sp.Integer(1), x)]
     while pending:
-        factor, each = pending.pop()
-        coefficient, rest = each.as_coeff_Mul()
+        factor, addend = pending.pop()
+        coefficient, rest = addend.as_coeff_Mul()
         if rest.is_Add:
             pending.extend((factor * coefficient, term) for term in reversed(rest.args))
         else:

@@ -39,7 +39,7 @@ def _joined(before: Desk, drafts: Sequence[Desk], depth: int) -> Desk:
         raise NotPlannedError("solutions that do not part at one line")
     (split,) = parted
     groups = [
-        [own for own, each in zip(drafts, splits, strict=True) if each == (split, option)]
+        [own for own, branch in zip(drafts, splits, strict=True) if branch == (split, option)]
         for option in options
     ]
     first = drafts[0]

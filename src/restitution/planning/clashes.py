@@ -223,7 +223,7 @@ def _without_a_value(scene: Scene, note: Note, facts: Collection[str]) -> Note |
     solver = Solver(scene)
     scene.desk.withheld = frozenset()
     senses = [ref.replace("given", "sense") for ref in facts]
-    own = [scene.facts[each] for each in (*facts, *senses) if each in scene.facts]
+    own = [scene.facts[fact] for fact in (*facts, *senses) if fact in scene.facts]
     for fact in own:
         if any(link.sign not in FLIPPED for links in fact.relation.options for link in links):
             continue
@@ -270,7 +270,7 @@ def _without_a_root(scene: Scene, note: Note, facts: Collection[str]) -> Note | 
     """The equation that facts become, which no values of its letters satisfy."""
     solver, withheld = Solver(scene), scene.desk.withheld
     scene.desk.withheld = frozenset()
-    late = [each for each in replace(scene).given if each.fact.id in facts]
+    late = [given for given in replace(scene).given if given.fact.id in facts]
     # A component may have no value by the fact alone.
     for given, by_laws in product(late, (False, True)):
         standing, start = solver.mark(), len(scene.desk.lines)

@@ -41,8 +41,8 @@ def write_out_of_range(
             continue
         if premises is not None:
             reason = next(error.because or error.message for error in errors if error is not None)
-            for each in names:
-                draft.note(each, "impossible", reason, premises=premises)
+            for letter in names:
+                draft.note(letter, "impossible", reason, premises=premises)
             return draft
     return None
 

@@ -428,7 +428,10 @@ def _drafts(
         for branch in part.branches
     ]
     if turned:
-        changed = [turn_round(each, protected | standing_ties(desk, each)) for each in models]
+        changed = [
+            turn_round(branch_model, protected | standing_ties(desk, branch_model))
+            for branch_model in models
+        ]
         if not all(changed):
             return []
     drafts = []

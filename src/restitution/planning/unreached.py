@@ -129,9 +129,9 @@ def _receding(
         return None
     velocities = [
         velocity
-        for each in (step.first, step.second)
-        if each in scene.model.story.spheres
-        for velocity in (settled(Quantity("velocity", (Name(each),), number - 1), desk.events),)
+        for sphere in (step.first, step.second)
+        if sphere in scene.model.story.spheres
+        for velocity in (settled(Quantity("velocity", (Name(sphere),), number - 1), desk.events),)
         if isinstance(velocity, Quantity)
     ]
     pool: list[Ref] = []

@@ -149,7 +149,7 @@ def _path(operators: tuple[Any, ...]) -> tuple[str, Box]:
             out.append(("Z" if out else "") + "M" + _numbers(points[0][0], -points[0][1]))
         elif len(points) > 1 or points[0] != (x, y):
             letter = " lqc"[len(points)]
-            steps = (each for px, py in points for each in (px - x, y - py))
+            steps = (coordinate for px, py in points for coordinate in (px - x, y - py))
             out.append(letter + _numbers(*steps))
         if len(points) == 2:
             xs.append(_turn(x, points[0][0], points[1][0]))

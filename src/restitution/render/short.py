@@ -38,9 +38,9 @@ def is_short(x: Any) -> bool:
         return False
     if any(_base(factor).is_Add and not factor.is_Add for factor in factors):
         return False
-    if any(not _is_plain_sum(each) for each in sums):
+    if any(not _is_plain_sum(addend) for addend in sums):
         return False
-    if any(len(sp.Add.make_args(_base(each).args[0])) > 2 for each in turned):
+    if any(len(sp.Add.make_args(_base(function).args[0])) > 2 for function in turned):
         return False
     numbers = {abs(n) for number in x.atoms(sp.Rational) for n in (int(number.p), int(number.q))}
     small = all(number < 1000 for number in numbers)

@@ -177,15 +177,15 @@ def bold(name: str) -> str:
 def _subscript(subscript: str) -> str:
     if not subscript:
         return ""
-    if all(each in _DOWN for each in subscript):
-        return "".join(_DOWN[each] for each in subscript)
+    if all(character in _DOWN for character in subscript):
+        return "".join(_DOWN[character] for character in subscript)
     return f"_{GREEK.get(subscript, subscript)}"
 
 
 def _superscript(exponent: Layout) -> str:
     text = _text(exponent)
-    if all(each in _UP for each in text):
-        return "".join(_UP[each] for each in text)
+    if all(character in _UP for character in text):
+        return "".join(_UP[character] for character in text)
     return f"^({_slash(exponent) if isinstance(exponent, Fraction) else text})"
 
 

@@ -42,7 +42,9 @@ def to_typst(layout: Layout, *, block: bool = False) -> str:
 def literal(text: str) -> str:
     """Text as a string literal of Typst."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return '"' + "".join(each if each.isprintable() else " " for each in escaped) + '"'
+    return (
+        '"' + "".join(character if character.isprintable() else " " for character in escaped) + '"'
+    )
 
 
 def words(text: str) -> str:

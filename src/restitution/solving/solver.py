@@ -69,7 +69,9 @@ def _solved(problem: Problem) -> Solution:
         met = _met_again(parts[part.label], relations)
         warnings += met.values()
         # A letter is met again once; later parts take it as this one does.
-        relations = {each: label for each, label in relations.items() if each not in met}
+        relations = {
+            relation: label for relation, label in relations.items() if relation not in met
+        }
         relations |= _under_own_facts(parts[part.label])
         carried = carried | worker.asked_of_all()
     return Solution(problem, parts, tuple(warnings))

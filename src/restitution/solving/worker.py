@@ -190,7 +190,10 @@ class Worker:
             outcome, branches = self.solved(None)
         except (RestitutionError, *UNFORESEEN) as failure:
             error = failure if isinstance(failure, RestitutionError) else unforeseen(failure)
-            pairs = ((each, self.branches.get(id(each.trials))) for each in self.desk.outcomes)
+            pairs = (
+                (known_outcome, self.branches.get(id(known_outcome.trials)))
+                for known_outcome in self.desk.outcomes
+            )
             pair = next(((one, kept) for one, kept in pairs if isinstance(kept, list)), None)
             if pair is None:
                 known, beyond = self._beyond()
@@ -587,8 +590,8 @@ class Worker:
             if unsolved == own or loose:
                 name = min(loose or own)
                 tied = [{key, *symbol_names(x)} for key, x in branch.values.items()]
-                beside = sorted(set().union(*(each for each in tied if name in each)))
-                beside = [phrase_of(branch, each) for each in beside if each.startswith("_")]
+                beside = sorted(set().union(*(names for names in tied if name in names)))
+                beside = [phrase_of(branch, letter) for letter in beside if letter.startswith("_")]
                 raise missing.is_open(name, beside)
         if in_terms_of is not None:
             extra = sorted(present - set(in_terms_of))
@@ -679,7 +682,7 @@ class Worker:
         from restitution.solving.showing import show
 
         steps = self.part.steps
-        cut = next(n for n, each in enumerate(steps, 1) if each is step)
+        cut = next(n for n, other in enumerate(steps, 1) if other is step)
         rest = tuple(step for step in steps[cut:] if not isinstance(step, Given | Find | Show))
         if not any(isinstance(step, Given) for step in steps[cut:]):
             return None

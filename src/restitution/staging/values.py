@@ -140,7 +140,7 @@ def drawn_for(
         for chosen, moved in motion.free
         if moved is None
         or not _same_lines(motion.story, moved, events)
-        or _ratio(*(velocities(each, events, panels) for each in (motion.story, moved))) is None
+        or _ratio(*(velocities(story, events, panels) for story in (motion.story, moved))) is None
     ]
     return (*shaping, *motion.solved)
 

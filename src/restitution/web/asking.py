@@ -49,7 +49,7 @@ async def asked(
             raise RefusedError(400, "malformed", f"{_short(name)} is not known; known: {known}")
         if isinstance(wanted, tuple):
             if value not in wanted:
-                known = ", ".join(f'"{each}"' for each in wanted)
+                known = ", ".join(f'"{word}"' for word in wanted)
                 raise RefusedError(400, "malformed", f'"{name}" has to be one of {known}')
             continue
         # In Python a truth value is a number too.

@@ -131,7 +131,7 @@ class _Places:
         """Whether there is room for one more; an idle one may ``leave`` for it."""
         if len(self.taken) < self._most:
             return True
-        idle = next((each for each in self.owing if each.idle), None)
+        idle = next((connection for connection in self.owing if connection.idle), None)
         if idle is None:
             return False
         idle.end()
@@ -140,21 +140,21 @@ class _Places:
 
 
 class Door:
-    """The connections of a server: ``each`` of one address at most, and ``most`` in all.
+    """The connections of a server: ``per_address`` of one address at most, and ``most`` in all.
 
     ``patience`` is for how many seconds a request may be owed.
     """
 
-    def __init__(self, each: int, most: int, patience: float) -> None:
+    def __init__(self, per_address: int, most: int, patience: float) -> None:
         self.patience = patience
-        self._each = each
+        self._per_address = per_address
         self._all = _Places(most)
         self._of: dict[str, _Places] = {}
         self._turned: dict[Connection, None] = {}
 
     def enter(self, connection: Connection) -> bool:
         """Whether there is room for a connection; an idle one may have to go for it."""
-        own = self._of.get(connection.address) or _Places(self._each)
+        own = self._of.get(connection.address) or _Places(self._per_address)
         if own.room(self.leave) and self._all.room(self.leave):
             self._of[connection.address] = own
             for places in (own, self._all):

@@ -72,9 +72,9 @@ def files_of(folders: Mapping[str, Path]) -> dict[str, Stored]:
 def imported(files: Mapping[str, Stored], path: str) -> list[str]:
     """The modules that a module needs from its start, itself among them, each once."""
     paths = [path]
-    for each in paths:  # which grows meanwhile
-        for name in _IMPORT.findall(files[each].content.decode()):
-            needed = normpath(join(dirname(each), name))
+    for module in paths:  # which grows meanwhile
+        for name in _IMPORT.findall(files[module].content.decode()):
+            needed = normpath(join(dirname(module), name))
             if needed not in paths:
                 paths.append(needed)
     return paths

@@ -63,8 +63,8 @@ def serve(
                 webbrowser.open(address)
 
         threading.Thread(target=greet, daemon=True).start()
-        for each in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(each, _end)  # uvicorn heeds them itself, and passes them on in the end
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, _end)  # uvicorn heeds them itself, and passes them on in the end
         # Whoever ends the server need not be told which requests were under way.
         quiet = logging.getLogger("uvicorn.error")
         quiet.addFilter(lambda _: not server.should_exit)

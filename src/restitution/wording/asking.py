@@ -69,7 +69,7 @@ def in_terms(find: Find | Show) -> Words:
     """``in terms of u and e``, or nothing."""
     if not find.in_terms_of:
         return ()
-    return words("in terms of ", listed([lay.letter(each) for each in find.in_terms_of]))
+    return words("in terms of ", listed([lay.letter(letter) for letter in find.in_terms_of]))
 
 
 def shown(scene: Scene, show: Show) -> Words:

@@ -84,7 +84,7 @@ def clauses(scene: Scene, relations: Sequence[Relation]) -> list[Words]:
     while rest:
         taken = _velocities(scene, rest)
         if len(taken) > 1:
-            bodies = [each.body for each, _ in taken]
+            bodies = [subject.body for subject, _ in taken]
             values_ = listed([value for _, value in taken])
             both = words(of_bodies(taken[0][0].kind, bodies), " ", taken[0][0].when)
             out.append(words(both, " are ", values_, " respectively"))
@@ -149,9 +149,9 @@ def _compare(scene: Scene, relation: Compare) -> Words:
             return words(_two(scene, left, sign, right), figures)
     elif plain(scene, *operands):
         return words(_chain(scene, relation), figures)
-    shown_each, where = formula(scene, operands)
+    formulas, where = formula(scene, operands)
     signs = tuple(lay.SIGNS.get(operator, operator) for operator in operators)
-    return words(lay.Relation(tuple(shown_each), signs), figures, ", ", where)
+    return words(lay.Relation(tuple(formulas), signs), figures, ", ", where)
 
 
 def _without_zero(relation: Compare) -> Compare:
@@ -183,8 +183,8 @@ def _chain(scene: Scene, relation: Compare) -> Words:
     if not more and has_quantity(middle) and not (has_quantity(left) or has_quantity(right)):
         return words(noun(scene, middle).words(), " is ", bounds(scene, relation, middle))
     pairs = zip(relation.operands, relation.operators, relation.operands[1:], strict=False)
-    each = [clause(scene, Compare((one, other), (sign,))) for one, sign, other in pairs]
-    return listed(each, ", and")
+    sentences = [clause(scene, Compare((one, other), (sign,))) for one, sign, other in pairs]
+    return listed(sentences, ", and")
 
 
 def bounds(scene: Scene, relation: Compare, subject: Expression) -> Words:
@@ -309,7 +309,10 @@ def _aligned(scene: Scene, relation: Aligned) -> Words:
             )
             if course is not None:
                 return course
-    one, other = _way(scene, relation.left, sensed), _way(scene, relation.right, sensed)
+    one, other = (
+        _direction_noun(scene, relation.left, sensed),
+        _direction_noun(scene, relation.right, sensed),
+    )
     verb = _ALIGNED[relation.relation]
     if one.kind == other.kind == "velocity":
         if one.body != other.body and one.when == other.when:
@@ -355,7 +358,7 @@ def _is_own_place(scene: Scene, tree: Expression, body: str, number: int) -> boo
     return False
 
 
-def _way(scene: Scene, tree: Expression, sensed: bool) -> Noun:
+def _direction_noun(scene: Scene, tree: Expression, sensed: bool) -> Noun:
     if is_quantity(tree, "line_of_centres") and sensed:
         return sensed_line(scene, tree)
     if is_quantity(tree, "velocity"):

@@ -197,7 +197,7 @@ def letters_in(value: Any) -> frozenset[str]:
     if isinstance(value, lay.Letter):
         return frozenset((f"{value.name}_{value.subscript}" if value.subscript else value.name,))
     if isinstance(value, tuple):
-        return frozenset().union(*(letters_in(each) for each in value))
+        return frozenset().union(*(letters_in(part) for part in value))
     if is_dataclass(value):
         return frozenset().union(*(letters_in(getattr(value, f.name)) for f in fields(value)))
     return frozenset()

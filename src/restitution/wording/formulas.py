@@ -170,15 +170,15 @@ def _named(scene: Scene, quantities: Sequence[Expression]) -> dict[Words, str]:
     for kind, group in groups.items():
         for tree, name in zip(group, _free(scene, kind, group), strict=True):
             scene.denoted[_key(scene, tree)] = name
-    for each in quantities:
-        match each:
+    for quantity in quantities:
+        match quantity:
             case Quantity("speed", (Name(body),), stage):
-                at = replace(each, stage=scene.stage(stage, body))
-                scene.lettered[at] = scene.denoted[_key(scene, each)]
+                at = replace(quantity, stage=scene.stage(stage, body))
+                scene.lettered[at] = scene.denoted[_key(scene, quantity)]
             case Quantity("time", (), int()) | Binary(
                 "-", Quantity("time", (), int()), Quantity("time", (), int())
             ):
-                scene.lettered[each] = scene.denoted[_key(scene, each)]
+                scene.lettered[quantity] = scene.denoted[_key(scene, quantity)]
     return {_key(scene, quantity): scene.denoted[_key(scene, quantity)] for quantity in quantities}
 
 
@@ -199,7 +199,9 @@ def _free(scene: Scene, kind: str, group: Sequence[Expression]) -> list[str]:
         if not taken.intersection(names) and base not in taken:
             return names
     numbered = (f"{bases[0]}_{number}" for number in range(1, 10_000))
-    return [each for each, _ in zip((n for n in numbered if n not in taken), group, strict=False)]
+    return [
+        letter for letter, _ in zip((n for n in numbered if n not in taken), group, strict=False)
+    ]
 
 
 def _replaced(scene: Scene, tree: Any, names: dict[Words, str]) -> Any:
@@ -227,7 +229,7 @@ def _in_bold(shown: Any, bold: set[str]) -> Any:
         name = f"{shown.name}_{shown.subscript}" if shown.subscript else shown.name
         return lay.Bold(shown.name, shown.subscript) if name in bold else shown
     if isinstance(shown, tuple):
-        return tuple(_in_bold(each, bold) for each in shown)
+        return tuple(_in_bold(layout, bold) for layout in shown)
     if is_dataclass(shown) and not isinstance(shown, type):
         return replace(
             shown,
@@ -273,12 +275,12 @@ def _together(scene: Scene, quantities: Sequence[Expression]) -> int:
 
 
 def _meaning(scene: Scene, quantities: Sequence[Expression]) -> Words:
-    each = [noun(scene, one) for one in quantities]
-    if len(each) == 1:
-        return each[0].words()
-    if alike(each):
-        head = of_bodies(each[0].kind, [one.body for one in each])
-        return words(head, " ", each[0].when) if each[0].when else head
+    nouns = [noun(scene, one) for one in quantities]
+    if len(nouns) == 1:
+        return nouns[0].words()
+    if alike(nouns):
+        head = of_bodies(nouns[0].kind, [one.body for one in nouns])
+        return words(head, " ", nouns[0].when) if nouns[0].when else head
     times = times_until(scene, quantities)
     if times is not None:
         start, last = times

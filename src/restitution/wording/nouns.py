@@ -148,40 +148,40 @@ def terms(tree: Expression) -> list[Expression]:
     return [tree]
 
 
-def alike(each: Sequence[Noun]) -> bool:
+def alike(nouns: Sequence[Noun]) -> bool:
     """Whether nouns are of one kind at one moment, of several bodies: the speeds of A and B."""
-    first = each[0]
-    bodies = {one.body for one in each}
-    plain = first.kind and not first.tail and len(bodies) == len(each) > 1
-    return bool(plain) and all((one.kind, one.when) == (first.kind, first.when) for one in each)
+    first = nouns[0]
+    bodies = {one.body for one in nouns}
+    plain = first.kind and not first.tail and len(bodies) == len(nouns) > 1
+    return bool(plain) and all((one.kind, one.when) == (first.kind, first.when) for one in nouns)
 
 
 def times_until(scene: Scene, trees: Sequence[Expression]) -> tuple[Words, list[Words]] | None:
     """Times that are counted from one start: its words, and what ends each; None for others."""
     phrases = [_time_parts(scene, tree) for tree in trees]
-    starts = [each[0] for each in phrases if each is not None and each[0]]
+    starts = [parts[0] for parts in phrases if parts is not None and parts[0]]
     if len(starts) < len(trees) or len(set(starts)) > 1 or len(trees) < 2:
         return None
-    return starts[0], [each[1] for each in phrases if each is not None]
+    return starts[0], [parts[1] for parts in phrases if parts is not None]
 
 
 def until(last: Sequence[Words]) -> Words:
     """``until A hits W and until A hits V``."""
-    return listed([words("until ", each) for each in last])
+    return listed([words("until ", ending) for ending in last])
 
 
 def _sum(scene: Scene, added: Sequence[Expression]) -> Noun:
-    each = [noun(scene, one) for one in added]
-    if alike(each):
+    nouns = [noun(scene, one) for one in added]
+    if alike(nouns):
         return Noun(
-            words("the sum of ", of_bodies(each[0].kind, [x.body for x in each])), each[0].when
+            words("the sum of ", of_bodies(nouns[0].kind, [x.body for x in nouns])), nouns[0].when
         )
     times = times_until(scene, added)
     if times is not None:
         start, last = times
         return Noun(words("the sum of the times from ", start, " ", until(last)))
-    total = pair("the sum of ", each[0], " and ", each[1])
-    for one in each[2:]:
+    total = pair("the sum of ", nouns[0], " and ", nouns[1])
+    for one in nouns[2:]:
         total = pair("the sum of ", total, " and ", one)
     return total
 

@@ -201,8 +201,8 @@ def start(scene: Scene) -> Iterator[Sentence]:
         return
     *front, last = phrases
     out: list[Any] = []
-    for each in front:
-        out += [each, "; "]
+    for phrase in front:
+        out += [phrase, "; "]
     yield sentence(moment, *out, "and ", last)
 
 

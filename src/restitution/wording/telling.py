@@ -187,7 +187,7 @@ def _drafts(scene: Scene) -> Iterator[_Draft]:
 def _numbered(blocks: Sequence[Block], number: Callable[[int], str]) -> list[Block]:
     """What is asked with its numbers, unless it is one thing only."""
     asked = [block for block in blocks if isinstance(block, Listing)]
-    if sum(len(each.entries) for each in asked) <= 1:
+    if sum(len(listing.entries) for listing in asked) <= 1:
         return list(blocks)
     out: list[Block] = []
     count = 0
@@ -314,7 +314,7 @@ def _run(scene: Scene, now: int, run: _Run, lets: frozenset[str]) -> tuple[int, 
         if under is not None:
             asked, given = under, []
     motion = [relation for relation in given if not is_letter_fact(relation)]
-    sentences += [_statement(each) for each in clauses(scene, motion)]
+    sentences += [_statement(phrase) for phrase in clauses(scene, motion)]
     if len(motion) < len(given):
         clauses_ = [clause(scene, relation) for relation in given if is_letter_fact(relation)]
         sentences.append(sentence("it is given that ", listed(clauses_)))
@@ -334,11 +334,11 @@ def _under(scene: Scene, given: Sequence[Relation], asked: Listing) -> Listing |
     """What is asked with what is given for it: ``Given that k = 3, find …``; None if too long."""
     motion = clauses(scene, [relation for relation in given if not is_letter_fact(relation)])
     of_letters = [clause(scene, relation) for relation in given if is_letter_fact(relation)]
-    sentences_of_each = [
+    phrases = [
         *of_letters,
-        *(words("that ", each) if n or of_letters else each for n, each in enumerate(motion)),
+        *(words("that ", phrase) if n or of_letters else phrase for n, phrase in enumerate(motion)),
     ]
-    lead = words("Given that ", listed(sentences_of_each), ", ")
+    lead = words("Given that ", listed(phrases), ", ")
     longest = max(number_of_words(entry.words) for entry in asked.entries)
     if number_of_words(lead) + longest > _MOST_TOGETHER:
         return None
@@ -358,10 +358,10 @@ def _lower(phrase: Words) -> Words:
 
 def _not_known(run: _Run) -> Sentence:
     where = "in this part " if run.label is not None else ""
-    each = [lay.letter(name) for name in run.unknown]
-    verb = "value of {} is" if len(each) == 1 else "values of {} are"
+    unknown = [lay.letter(name) for name in run.unknown]
+    verb = "value of {} is" if len(unknown) == 1 else "values of {} are"
     front, back = verb.split("{}")
-    return sentence(where, "the ", front, listed(each), back, " not known")
+    return sentence(where, "the ", front, listed(unknown), back, " not known")
 
 
 # --- asking ---------------------------------------------------------------------------------------
@@ -375,7 +375,7 @@ def _asked(scene: Scene, asks: Sequence[Find | Show]) -> Listing | None:
     if not asks:
         return None
     if all(isinstance(ask, Find) and not ask.in_terms_of for ask in asks):
-        items = [one for each in asks if isinstance(each, Find) for one in groups(scene, each)]
+        items = [one for ask in asks if isinstance(ask, Find) for one in groups(scene, ask)]
         if len(items) <= 2 and len(_sentences(items)) == 1:
             return Listing((), (_entry(items),))
         return _listed(("Find",), items)
@@ -443,15 +443,15 @@ def _find_clause(items: Sequence[Words], terms: Words) -> Words:
 def _with_facts(scene: Scene, drafts: Sequence[_Draft]) -> list[_Draft]:
     """The facts about letters told in the sentences of all parts."""
     paragraphs = [
-        each
+        block
         for draft in drafts
-        for each in (Paragraph(draft.opening), *draft.rest)
-        if isinstance(each, Paragraph)
+        for block in (Paragraph(draft.opening), *draft.rest)
+        if isinstance(block, Paragraph)
     ]
-    sentences_of_each, left = facts.with_facts(
+    retold, left = facts.with_facts(
         [one for paragraph in paragraphs for one in paragraph.sentences], facts.facts_of(scene)
     )
-    sentences = iter(sentences_of_each)
+    sentences = iter(retold)
     out = [_retold(draft, sentences) for draft in drafts]
     if left:
         extra = sentence("it is given that ", listed([fact.words for fact in left]))
@@ -463,10 +463,10 @@ def _retold(draft: _Draft, sentences: Iterator[Sentence]) -> _Draft:
     """A part with its sentences taken from others, one by one."""
     opening = tuple(islice(sentences, len(draft.opening)))
     rest = tuple(
-        Paragraph(tuple(islice(sentences, len(each.sentences))))
-        if isinstance(each, Paragraph)
-        else each
-        for each in draft.rest
+        Paragraph(tuple(islice(sentences, len(block.sentences))))
+        if isinstance(block, Paragraph)
+        else block
+        for block in draft.rest
     )
     return replace(draft, opening=opening, rest=rest)
 
@@ -483,7 +483,7 @@ def _with_axes(scene: Scene, drafts: Sequence[_Draft]) -> tuple[Sentence, ...]:
     points = _contains(blocks, lambda x: isinstance(x, lay.Coordinates) or _has(x, "coordinates"))
     axes: list[Sentence] = []
     if points or _contains(blocks, lambda x: x in (i, j)):
-        turning = _contains(blocks, lambda x: any(_has(x, each) for each in _TURNING))
+        turning = _contains(blocks, lambda x: any(_has(x, sign) for sign in _TURNING))
         sense = (", with ", j, " at 90° anticlockwise from ", i) if turning else ()
         axes.append(
             sentence("perpendicular unit vectors ", i, " and ", j, " lie in the plane", sense)
@@ -509,7 +509,7 @@ def _contains(value: Any, wanted: Any) -> bool:
     if wanted(value):
         return True
     if isinstance(value, tuple | list):
-        return any(_contains(each, wanted) for each in value)
+        return any(_contains(part, wanted) for part in value)
     if is_dataclass(value) and not isinstance(value, type):
         return any(_contains(getattr(value, field.name), wanted) for field in fields(value))
     return False

@@ -36,15 +36,15 @@ def sentence(*parts: Piece | Words) -> Sentence:
     return phrase
 
 
-def listed(each: Sequence[Piece | Words], link: str = "and") -> Words:
+def listed(phrases: Sequence[Piece | Words], link: str = "and") -> Words:
     """``A``, ``A and B``, ``A, B and C``."""
-    if len(each) < 2:
-        return words(*each)
-    front: list[Piece | Words] = [each[0]]
-    for item in each[1:-1]:
+    if len(phrases) < 2:
+        return words(*phrases)
+    front: list[Piece | Words] = [phrases[0]]
+    for item in phrases[1:-1]:
         front += [", ", item]
     before = "" if link.startswith(",") else " "
-    return words(*front, f"{before}{link} ", each[-1])
+    return words(*front, f"{before}{link} ", phrases[-1])
 
 
 def number_of_words(phrase: Words) -> int:
@@ -52,9 +52,9 @@ def number_of_words(phrase: Words) -> int:
     return sum(len(word.split()) if isinstance(word, str) else 1 for word in phrase)
 
 
-def names(each: Iterable[str]) -> Words:
+def names(bodies: Iterable[str]) -> Words:
     """``A, B and C``, in italics."""
-    return listed([Emphasis(name) for name in each])
+    return listed([Emphasis(name) for name in bodies])
 
 
 def count(number: int) -> str:

@@ -48,7 +48,7 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
     sentences: dict[int, Sentence] = {}
     subjects, squares = first_lines_of_letters(derivation), _squares_of_ratios(derivation)
     for label, part in solution.parts.items():
-        names = [each for each, own in derivation.asked.items() if own == label]
+        names = [item for item, own in derivation.asked.items() if own == label]
         for name, item in zip(names, part.items, strict=True):
             ends = [item.line for item in derivation.items if item.item == name]
             answers = item.distinct
@@ -66,15 +66,15 @@ def conditions_of(solution: Solution, derivation: Derivation) -> dict[int, Sente
                 continue
             alike = len({answer.condition for answer in answers}) == 1
             if not alike and len(ends) == 1 and isinstance(item.item, Value):
-                above = {each for each, first in subjects.items() if first <= ends[0]}
+                above = {subject for subject, first in subjects.items() if first <= ends[0]}
                 known = Known(subjects.keys(), above, squares)
-                sentences[ends[0]] = _each(solution, part, item, answers, known)
+                sentences[ends[0]] = _by_values(solution, part, item, answers, known)
                 continue
             if not alike and len(answers) != len(ends):
                 continue
             pairs = [(ends[-1], answers[0])] if alike else zip(ends, answers, strict=True)
             for line, answer in pairs:
-                above = {each for each, first in subjects.items() if first <= line}
+                above = {subject for subject, first in subjects.items() if first <= line}
                 bounds = _bounds_of_squares(derivation, line)
                 known = Known(subjects.keys(), above, squares, bounds)
                 sentence = _sentence(solution, part, item, answer, known)
@@ -111,7 +111,7 @@ def _is_asked(solution: Solution, part: PartSolution, item: ItemResult) -> bool:
     """
     own = item.item.expression if isinstance(item.item, Value) else None
     tied = frozenset() if own is None else letters(own)
-    conditions = {each for answer in item.distinct for each in answer.condition}
+    conditions = {condition for answer in item.distinct for condition in answer.condition}
     named = [set(_names_in(condition)) for condition in conditions]
     for other in _parts_with_its_facts(solution, part):
         for result in other.items:
@@ -400,7 +400,9 @@ def _place_missing(item: ItemResult, answer: Answer) -> sp.Symbol | None:
         return None
     ((name, value),) = (answer.where or {}).items()
     below = _names_below(value)
-    if any(text in (f"0 < {each}", f"{each} != 0") for text in answer.condition for each in below):
+    if any(
+        text in (f"0 < {letter}", f"{letter} != 0") for text in answer.condition for letter in below
+    ):
         return sp.Symbol(name)
     return None
 
@@ -411,7 +413,7 @@ def _names_below(text: str) -> list[str]:
     return _names_in(below) if sign else []
 
 
-def _each(
+def _by_values(
     solution: Solution,
     part: PartSolution,
     item: ItemResult,
@@ -499,9 +501,9 @@ def _enough(model: Model, bounds: Sequence[Bound]) -> list[Bound]:
     """Those bounds without which the solution is not one; none where they are not enough."""
     # A sphere that is at rest at the end gives no bound by its motion.
     held = [bound for bound in bounds if _follows(model.oracle, bound[0])]
-    needed = [each for each in held if not _follows(model.ground, each[0])]
+    needed = [entry for entry in held if not _follows(model.ground, entry[0])]
     for bound in list(needed):
-        fewer = [each for each in needed if each is not bound]
+        fewer = [entry for entry in needed if entry is not bound]
         if _is_enough(model, fewer):
             needed = fewer
     return needed if _is_enough(model, needed) else []

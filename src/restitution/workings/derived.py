@@ -514,7 +514,9 @@ class _Writer:
         decimals = self.rows.decimals(line)
         numbers = self.sources.numbers
         behind = next((numbers[e.number] for e in (line, *waiting) if e.number in numbers), None)
-        points = tuple(_because(mark) for each in (*waiting, line) for mark in each.marks)
+        points = tuple(
+            _because(mark) for line_waiting in (*waiting, line) for mark in line_waiting.marks
+        )
         rows[-1] = replace(
             rows[-1],
             points=points,

@@ -84,9 +84,9 @@ class Notes:
         if note.kind != "contradiction" and not self._is_out_of_range(note):
             return []
         return [
-            each.item
-            for each in self._all
-            if note.lines and (each.part, each.kind, each.reason, each.premises) == reason
+            other.item
+            for other in self._all
+            if note.lines and (other.part, other.kind, other.reason, other.premises) == reason
         ]
 
     def places(self, label: str | None, items: Sequence[str | None]) -> dict[int, list[Note]]:

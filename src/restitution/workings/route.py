@@ -74,12 +74,12 @@ def _printed(
     parts = tuple(
         PartExplanation(
             label,
-            tuple(item.text for item in each.items),
-            (*_before(derivation, each), *steps.get(label, ())),
-            tuple(_answers(item) for item in each.items),
+            tuple(item.text for item in own_label.items),
+            (*_before(derivation, own_label), *steps.get(label, ())),
+            tuple(_answers(item) for item in own_label.items),
             derivation,
         )
-        for label, each in solution.parts.items()
+        for label, own_label in solution.parts.items()
         if part is None or label == part
     )
     proved = _proved_on_paper(solution, derivation)
@@ -105,7 +105,7 @@ def _proved_on_paper(solution: Solution, derivation: Derivation) -> set[str]:
         item.not_proved
         for label, part in solution.parts.items()
         for name, item in zip(
-            [each for each, own in derivation.asked.items() if own == label],
+            [key for key, own in derivation.asked.items() if own == label],
             part.items,
             strict=True,
         )
@@ -116,7 +116,7 @@ def _proved_on_paper(solution: Solution, derivation: Derivation) -> set[str]:
 def _before(derivation: Derivation, part: PartSolution) -> tuple[Step, ...]:
     """Where each contact has to be, of a part that nobody would write out."""
     label = part.part.label
-    own = {each for each, other in derivation.asked.items() if other == label}
+    own = {item for item, other in derivation.asked.items() if other == label}
     noted = {note.item for note in derivation.notes if note.kind == "unwritten"}
     return steps_backwards(part) if own <= noted and is_told_backwards(part) else ()
 

@@ -64,7 +64,7 @@ def form_of(output: str, form: _F | None, known: type[_F], otherwise: _F) -> _F:
     try:
         return known(ending)
     except ValueError:
-        forms = ", ".join(f".{each.value}" for each in known)
+        forms = ", ".join(f".{known_form.value}" for known_form in known)
         raise typer.BadParameter(
             f"{output}: the name should end in one of {forms}, or --format be given",
             param_hint="--output",

@@ -133,8 +133,8 @@ def sheet(
             nonlocal worst
             entries = []
             shown = progress(files) if len(files) > 1 else silent
-            with shown(output == "-") as each:
-                for file in each(files):
+            with shown(output == "-") as progressing:
+                for file in progressing(files):
                     task = Setting(options, version)
                     done = answer(worker, file, task, limit(time_limit))
                     worst = max(worst, done.status)

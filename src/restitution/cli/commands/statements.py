@@ -145,8 +145,8 @@ def show_examples(
         longest = max(len(name) for name in examples.names())
         for topic, names in TOPICS.items():
             typer.echo(topic)
-            for each in names:
-                typer.echo(f"  {each:<{longest}}  {examples.title(each)}")
+            for example in names:
+                typer.echo(f"  {example:<{longest}}  {examples.title(example)}")
         return
     try:
         typer.echo(examples.text(name), nl=False)

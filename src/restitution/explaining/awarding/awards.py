@@ -367,14 +367,14 @@ class _Awarding:
         assert isinstance(line.relation, Relation)
         seen, open_ = set[int](), list(self.cited(line))
         while open_:
-            each = open_.pop()
-            if each.number in seen or each.item != line.item:
+            premise = open_.pop()
+            if premise.number in seen or premise.item != line.item:
                 continue
-            seen.add(each.number)
-            rule = self.rule(each)
-            if rule is not None and each.move.id == "define" and "M" in rule.earned(self.style):
+            seen.add(premise.number)
+            rule = self.rule(premise)
+            if rule is not None and premise.move.id == "define" and "M" in rule.earned(self.style):
                 return len(line.relation.options) == 2
-            open_ += self.cited(each)
+            open_ += self.cited(premise)
         return False
 
     def _is_read_off(self, line: Line, marks: Mapping[int, Marks]) -> bool:
@@ -383,12 +383,12 @@ class _Awarding:
             return False
         seen, open_ = set[int](), list(self.cited(line))
         while open_:
-            each = open_.pop()
-            if each.move.id == "law" or marks.get(each.number):
+            premise = open_.pop()
+            if premise.move.id == "law" or marks.get(premise.number):
                 return False
-            if each.number not in seen:
-                seen.add(each.number)
-                open_ += self.cited(each)
+            if premise.number not in seen:
+                seen.add(premise.number)
+                open_ += self.cited(premise)
         return True
 
     def _cut(self, points: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:

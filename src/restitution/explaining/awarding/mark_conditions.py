@@ -126,18 +126,18 @@ def _alike(work: Work, line: Line) -> list[Line]:
     """
     move, group = line.move, _GROUPS[line.move.record or ""]
 
-    def same(each: Line) -> bool:
-        if each.move.id != move.id or _GROUPS.get(each.move.record or "") != group:
+    def same(other: Line) -> bool:
+        if other.move.id != move.id or _GROUPS.get(other.move.record or "") != group:
             return False
         if group == "energy":
-            own = not rests_on_facts(work, each) and not _of_angles(work, each)
-            return own and each.item == line.item
-        if work.part(each) != work.part(line) or each.move.event != move.event:
+            own = not rests_on_facts(work, other) and not _of_angles(work, other)
+            return own and other.item == line.item
+        if work.part(other) != work.part(line) or other.move.event != move.event:
             return False
         if group == "direction":
             return True
-        plain = not _zero(work, each) and not _by_its_letter(work, each)
-        return plain and _is_late(each) == _is_late(line)
+        plain = not _zero(work, other) and not _by_its_letter(work, other)
+        return plain and _is_late(other) == _is_late(line)
 
     return [line for line in work.derivation.lines if same(line)]
 
@@ -197,11 +197,13 @@ def _events_solved(work: Work, line: Line) -> frozenset[int | None]:
     own = work.new & letters_of_line(line)
     return frozenset(
         event
-        for each, those in zip(cited, events, strict=True)
+        for source, those in zip(cited, events, strict=True)
         for event in those
-        if not is_settled(work, each)
-        and work.new & letters_of_line(each) - own
-        and any(e != each and work.new & letters_of_line(e) & letters_of_line(each) for e in cited)
+        if not is_settled(work, source)
+        and work.new & letters_of_line(source) - own
+        and any(
+            e != source and work.new & letters_of_line(e) & letters_of_line(source) for e in cited
+        )
     )
 
 
@@ -293,7 +295,7 @@ def _of_one_component(work: Work, line: Line) -> bool:
     """It is one component, or the letter for it, as a line above has that."""
     sides = None if isinstance(line.relation, Meaning) else single_sides(line.relation)
     above = [e.relation for e in work.cited(line) if isinstance(e.relation, Relation)]
-    values = [each for each in map(single_sides, above) if each is not None]
+    values = [tree for tree in map(single_sides, above) if tree is not None]
     return sides is not None and [right for _, right in values] == [sides[1]]
 
 

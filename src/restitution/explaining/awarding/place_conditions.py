@@ -30,7 +30,7 @@ def another_chord(work: Work, line: Line) -> bool:
             pass
         case _:
             return False
-    return any(each.move.record == "chord" for each in work.above(line))
+    return any(premise.move.record == "chord" for premise in work.above(line))
 
 
 def _is_as_before(line: Line) -> bool:
@@ -49,10 +49,12 @@ def at_another_time(work: Work, line: Line) -> bool:
             pass
         case _:
             return False
-    above = (subject_of(each) for each in work.above(line) if each.move == line.move)
+    above = (subject_of(premise) for premise in work.above(line) if premise.move == line.move)
     return any(
-        isinstance(each, Quantity) and each.arguments == bodies and isinstance(each.stage, AtTime)
-        for each in above
+        isinstance(subject, Quantity)
+        and subject.arguments == bodies
+        and isinstance(subject.stage, AtTime)
+        for subject in above
     )
 
 
@@ -66,10 +68,10 @@ def open_place(work: Work, line: Line) -> bool:
                 e for e in work.above(line) if e.move == replace(line.move, bodies=e.move.bodies)
             ]
             return _by_an_open_time(line) and any(
-                _by_an_open_time(each)
-                and isinstance(own := subject_of(each), Quantity)
+                _by_an_open_time(premise)
+                and isinstance(own := subject_of(premise), Quantity)
                 and own.arguments[-1] == axis
-                for each in before
+                for premise in before
             )
     return False
 
@@ -88,11 +90,11 @@ def put_together(work: Work, line: Line) -> bool:
     if getattr(subject_of(line), "kind", None) != "time" or _ends_below(work, line):
         return False
     cited = list(work.cited(line))
-    return any(_has_a_method(work, each) for each in cited) and all(
+    return any(_has_a_method(work, premise) for premise in cited) and all(
         getattr(node, "kind", "time") == "time"
-        for each in cited
-        if isinstance(each.relation, Relation)
-        for node in walk(each.relation.options[0][0].left)
+        for premise in cited
+        if isinstance(premise.relation, Relation)
+        for node in walk(premise.relation.options[0][0].left)
         if isinstance(node, Quantity)
     )
 
@@ -109,7 +111,7 @@ def goes_on(work: Work, line: Line) -> bool:
     if has_quantity(value) or letters(value) & work.new or line.number in work.ends:
         return False
     below = (e for e in work.derivation.lines if line.number in e.premises)
-    return not _ends_below(work, line) and not any(_moves_along(each, axis) for each in below)
+    return not _ends_below(work, line) and not any(_moves_along(later, axis) for later in below)
 
 
 def _moves_along(line: Line, axis: Expression) -> bool:
@@ -125,7 +127,7 @@ def _moves_along(line: Line, axis: Expression) -> bool:
 def _ends_below(work: Work, line: Line) -> bool:
     """Whether the last line of an item takes a line as it stands."""
     below = (e for e in work.derivation.lines if line.number in e.premises)
-    return any(each.number in work.ends for each in below)
+    return any(later.number in work.ends for later in below)
 
 
 def _has_a_method(work: Work, line: Line) -> bool:
@@ -141,8 +143,8 @@ def displaced(work: Work, line: Line) -> bool:
             pass
         case _:
             return False
-    for each in work.cited(line):
-        match each.relation:
+    for premise in work.cited(line):
+        match premise.relation:
             case Relation(((Link(Binary("-", Quantity("along"), Quantity("along"))), *_),)) as own:
                 if own.only[-1].right == distance:
                     return True

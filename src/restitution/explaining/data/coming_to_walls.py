@@ -56,8 +56,8 @@ def _side_of_an_earlier_impact(
     It is that body, or one that has met it: no sphere passes a straight wall.
     """
     together = {step.first}
-    for each in reversed(given.events[: number - 1]):
-        spheres = set() if each.wall else set(each.bodies)
+    for earlier in reversed(given.events[: number - 1]):
+        spheres = set() if earlier.wall else set(earlier.bodies)
         together |= spheres if spheres & together else set()
     for event, other in enumerate(given.problem.events[: number - 1], 1):
         if not isinstance(other, Impact) or other.second != step.second:

@@ -228,16 +228,16 @@ class FactsOf(Arrangement):
                 yield Fact(f"offset {number}", "geometry", near, None, step.place)
         if step.along is None:
             return
-        speeds = [self.sphere(each).velocity for each in (step.first, step.second)]
+        speeds = [self.sphere(name).velocity for name in (step.first, step.second)]
         if number > 1 or (
             all(isinstance(speed, Expression) for speed in speeds) and any(map(letters, speeds))
         ):
             axis = step.along
             a, b = (
                 self.settled(
-                    Quantity("along", (Quantity("velocity", (Name(each),), None), axis)), number - 1
+                    Quantity("along", (Quantity("velocity", (Name(name),), None), axis)), number - 1
                 )
-                for each in (step.first, step.second)
+                for name in (step.first, step.second)
             )
             side = side_along(self, step, axis) if number > 1 else None
             nearer = Relation(((Link(a, "<" if side == -1 else ">", b),),))
@@ -281,7 +281,7 @@ class FactsOf(Arrangement):
     def _beside_it(self, step: Impact, number: int) -> Expression | None:
         """Where the first centre is, by that of the second: in one place, or two radii away."""
         theirs = Quantity("position", (Name(step.second),), number)
-        first, second = (self.sphere(each) for each in (step.first, step.second))
+        first, second = (self.sphere(name) for name in (step.first, step.second))
         if self.radius is None:
             return theirs
         met = {body for event in self.events[: number - 1] for body in event.bodies}
@@ -393,7 +393,7 @@ class FactsOf(Arrangement):
         """
         if not any(_is_about_the_sense(tree) for tree in all_trees(self.problem)):
             return False
-        velocities = [self.sphere(each).velocity for each in (step.first, step.second)]
+        velocities = [self.sphere(name).velocity for name in (step.first, step.second)]
         directions = [
             velocity for velocity in (step.along, *velocities) if isinstance(velocity, Expression)
         ]
@@ -402,11 +402,11 @@ class FactsOf(Arrangement):
             return False
         world = world_of(self.problem)
         centres, *both = (world.value(direction) for direction in directions)
-        if not isinstance(centres, Plane) or not any(isinstance(each, Plane) for each in both):
+        if not isinstance(centres, Plane) or not any(isinstance(value, Plane) for value in both):
             return False
         # Who is at rest has 0 for its velocity.
         first, second = (
-            dot(world, centres, each) if isinstance(each, Plane) else each for each in both
+            dot(world, centres, value) if isinstance(value, Plane) else value for value in both
         )
         approach = first - second
         if not (approach.above.is_ground and approach.below.is_ground) or approach.vanishes:
@@ -415,7 +415,7 @@ class FactsOf(Arrangement):
 
     def _touching(self, step: Impact) -> Expression | None:
         """Both radii of spheres that begin at places, where nothing else tells how they meet."""
-        first, second = (self.sphere(each) for each in (step.first, step.second))
+        first, second = (self.sphere(name) for name in (step.first, step.second))
         placed = all(isinstance(sphere.position, Expression) for sphere in (first, second))
         if not placed or step.along is not None or step.offset is not None:
             return None
@@ -435,8 +435,8 @@ class FactsOf(Arrangement):
         axis = Quantity("line_of_centres", (), number)
         yield self._fact(f"axis {number}", axis, centres, step.place, "parallel to", "geometry")
         first, second = (
-            settled(Quantity("velocity", (Name(each),), number - 1), self.events)
-            for each in (step.first, step.second)
+            settled(Quantity("velocity", (Name(name),), number - 1), self.events)
+            for name in (step.first, step.second)
         )
         towards = Quantity("dot", (Binary("-", first, second), centres))
         zero = Number(Fraction(0))
@@ -638,7 +638,7 @@ class FactsOf(Arrangement):
 def _between(step: Impact, number: int) -> Expression:
     """The way from the first centre to the second at an impact of two spheres."""
     first, second = (
-        Quantity("position", (Name(each),), number) for each in (step.first, step.second)
+        Quantity("position", (Name(name),), number) for name in (step.first, step.second)
     )
     return Binary("-", second, first)
 

@@ -61,7 +61,7 @@ def side_along(given: Arrangement, step: Impact, axis: Expression) -> int | None
     It is told by their places at the start, or by how they approach where they have not met yet.
     Who met before stays in order.
     """
-    one, other = (given.sphere(each) for each in (step.first, step.second))
+    one, other = (given.sphere(name) for name in (step.first, step.second))
     places = [sphere.position for sphere in (one, other) if isinstance(sphere.position, Pair)]
     if len(places) == 1:
         return None

@@ -36,7 +36,7 @@ def unused_facts(
         own = every if fact.part is None else used.get(fact.part, set())
         # What several parts are given is one fact.
         alike = [e.id for e in derivation.facts if e.relation == fact.relation]
-        senses = [each.replace("given", "sense") for each in alike]
+        senses = [source.replace("given", "sense") for source in alike]
         if not own & {*alike, *senses}:
             yield fact
 

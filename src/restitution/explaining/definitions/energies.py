@@ -191,7 +191,7 @@ def _momentum_in_directions(step: Step, event: Event | None) -> Iterator[Link]:
         for stage in {number, max(0, number - 1)}:
             mass = Quantity("mass", (Name(body),))
             whole, velocity = (
-                Quantity(each, (Name(body),), stage) for each in ("momentum", "velocity")
+                Quantity(kind, (Name(body),), stage) for kind in ("momentum", "velocity")
             )
             for axis in axes:
                 for kind in ("along", "across"):

@@ -319,7 +319,7 @@ def moving_off(step: Step, event: Event | None) -> Iterator[Link]:
         later = [e.number for e in step.setting.events if e.number > number and name in e.bodies]
         if not still or not later:
             continue
-        there, here = (Quantity("position", (body,), each) for each in (min(later), number))
+        there, here = (Quantity("position", (body,), stage) for stage in (min(later), number))
         separation = (
             Binary("-", there, here) if name == event.bodies[1] else Binary("-", here, there)
         )

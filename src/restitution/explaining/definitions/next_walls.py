@@ -35,7 +35,7 @@ def next_walls(step: Step, event: Event | None) -> Iterator[Link]:
     if event is None or not event.wall or step.move.bodies != event.bodies[:1]:
         return
     body, wall = map(Name, event.bodies)
-    late, early = (Quantity("velocity", (body,), event.number - each) for each in (0, 1))
+    late, early = (Quantity("velocity", (body,), event.number - back) for back in (0, 1))
     angle = Quantity("angle", (late, wall))
     if step.keeps_speeds(event):
         yield Link(angle, "=", Quantity("angle", (early, wall)))

@@ -33,7 +33,7 @@ from restitution.expression.tree import (
     unsigned,
 )
 
-_WHOLE, _STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(each)) for each in (360, 180, 90, 0))
+_WHOLE, _STRAIGHT, _RIGHT, _NONE = (Degrees(Fraction(size)) for size in (360, 180, 90, 0))
 
 # A body, and the event after which its velocity is meant.
 Moving = tuple[str, int]
@@ -85,11 +85,13 @@ def _from_its_axis(step: Step, early: Quantity, late: Quantity) -> Iterator[Quan
 def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:
     """The angle between two velocities; None where what is cited leaves it open."""
     a, b, c, d = (
-        _component(step, event, kind, each) for each in (one, other) for kind in ("along", "across")
+        _component(step, event, kind, state)
+        for state in (one, other)
+        for kind in ("along", "across")
     )
     if a is None or b is None or c is None or d is None:
         return None
-    p, q = (_to_the_line(event, each, *own) for each, own in ((one, (a, b)), (other, (c, d))))
+    p, q = (_to_the_line(event, state, *own) for state, own in ((one, (a, b)), (other, (c, d))))
     square = _RIGHT in (p, q)
     onward = 1 if square else _sign(step, a * c)
     beside = 1 if _NONE in (p, q) else _sign(step, b * d)
@@ -129,7 +131,7 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
     if not isinstance(unit, Unit):
         return None
     if one[0] == other[0]:
-        c, d = (_component(step, event, "along", each) for each in (one, other))
+        c, d = (_component(step, event, "along", state) for state in (one, other))
         falls = None if c is None or d is None else _sign(step, c - d)
         falls = falls or _pushed_back(step, event, one)
         falls = falls if _is_on_one_side(step, event, one, other) else None
@@ -146,7 +148,7 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
 
 def _is_on_one_side(step: Step, event: Event, one: Moving, other: Moving) -> bool:
     """Whether two velocities are certain to point to the same side of the line of centres."""
-    b, d = (_component(step, event, "across", each) for each in (one, other))
+    b, d = (_component(step, event, "across", state) for state in (one, other))
     return b is not None and d is not None and _sign(step, b * d) == 1
 
 
@@ -156,7 +158,9 @@ def _further_back(step: Step, event: Event, one: Moving, other: Moving) -> int |
     −1 where the first does; None where that, or on which sides they are, is open.
     """
     a, b, c, d = (
-        _component(step, event, kind, each) for each in (one, other) for kind in ("along", "across")
+        _component(step, event, kind, state)
+        for state in (one, other)
+        for kind in ("along", "across")
     )
     if a is None or b is None or c is None or d is None or _sign(step, b * d) != 1:
         return None

@@ -281,11 +281,11 @@ class Reader:
                                 sense = Negate(left) if body == own.bodies[0] else left
                                 axes.setdefault(event, []).append((number, sense))
         for trees in axes.values():
-            for each in self._in_each_case(trees):
-                if len(each) > 1:
-                    yield from self._turned(each)
+            for axis in self._by_cases(trees):
+                if len(axis) > 1:
+                    yield from self._turned(axis)
 
-    def _in_each_case(
+    def _by_cases(
         self, trees: Sequence[tuple[Ref, Expression]]
     ) -> Iterator[list[tuple[Ref, Expression]]]:
         """What stands above all cases with what stands in one: a line may be another in each."""
@@ -503,15 +503,15 @@ class Reader:
             return
         case = {case.number for case in self.derivation.cases if line.number in case.lines}
         own = statement_of(line.relation)
-        for each in above:
-            if isinstance(each.relation, Meaning) or statement_of(each.relation) != own:
+        for earlier in above:
+            if isinstance(earlier.relation, Meaning) or statement_of(earlier.relation) != own:
                 continue
-            other = {c.number for c in self.derivation.cases if each.number in c.lines}
+            other = {c.number for c in self.derivation.cases if earlier.number in c.lines}
             part = self.parts.get(line.item or "")
-            if line.item is not None and not self._homes(each.number) <= {None, part}:
+            if line.item is not None and not self._homes(earlier.number) <= {None, part}:
                 continue  # it rests on what another part is given
             if not case or not other or case & other:
-                yield Complaint("said-before", line.number, each.number)
+                yield Complaint("said-before", line.number, earlier.number)
                 return
 
     # --- the whole ------------------------------------------------------------------------------
@@ -549,7 +549,7 @@ class Reader:
                 for n in line.premises
                 if isinstance(n, int) and n in self.lines
             ]
-            named = [each.quantity for each in cited if isinstance(each, Meaning)]
+            named = [relation.quantity for relation in cited if isinstance(relation, Meaning)]
             used = {
                 node.arguments[1]
                 for tree in (*trees_of(line.relation), *named)

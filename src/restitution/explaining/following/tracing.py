@@ -430,7 +430,7 @@ class Tracer:
 
     def _from_two(self, first: Cited, second: Cited, relation: Relation) -> Trace | None:
         for move in (
-            *(Move("combine", eliminated=each) for each in self._shared(first, second)),
+            *(Move("combine", eliminated=unknown) for unknown in self._shared(first, second)),
             Move("combine"),
             Move("divide"),
             Move("square-add"),
@@ -457,7 +457,7 @@ class Tracer:
                     if isinstance(node, Letter) or is_quantity(node, "along", "across", "speed")
                 }
             )
-        return sorted(write_expression(each) for each in own[0] & own[1])
+        return sorted(write_expression(unknown) for unknown in own[0] & own[1])
 
     def _from_one(self, relation: Relation, ids: Sequence[str]) -> Trace | None:
         """A move of its own kind on one line above, the newest first."""
@@ -524,7 +524,7 @@ class Tracer:
             rest = tuple(x for x in known if x is not own)
             if _tried(step.under(cited=tuple(cited), known=rest), relation):
                 known.remove(own)
-        return (*(premise.ref for premise in cited), *(each.ref for each in known))
+        return (*(premise.ref for premise in cited), *(premise.ref for premise in known))
 
 
 _IDENTITIES = ("pythagoras", "double-angle", "half-angle", "sum-of-angles", "complement")
@@ -575,7 +575,7 @@ def _rights(cited: Cited) -> list[Expression]:
 
 
 def _names(template: str) -> set[str]:
-    return {each for each in ("X", "Y") if f"{each}," in template or f"{each})" in template}
+    return {letter for letter in ("X", "Y") if f"{letter}," in template or f"{letter})" in template}
 
 
 def _outermost(trees: Iterable[Expression]) -> Iterator[Expression]:

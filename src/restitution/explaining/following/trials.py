@@ -122,7 +122,7 @@ class _OpenError(Exception):
 def _as_before(read: Callable[..., bool | None], step: Step, relation: Relation) -> bool:
     """What a reading comes to, as it did before where the same was cited."""
     own = [relation, *(c.relation for c in step.cited), *(k.relation for k in step.known)]
-    names = frozenset(name for each in own for name in names_in(each))
+    names = frozenset(name for side in own for name in names_in(side))
     with_bounces = step.move.record in _BY_SENSES
     setting = step.setting.of_letters(names, with_bounces=with_bounces)
     try:

@@ -452,4 +452,6 @@ IDENTITIES = tuple(
     for name in ("pythagoras", "double-angle", "half-angle", "sum-of-angles", "complement")
 )
 
-RECORDS: Mapping[str, Record] = {each.id: each for each in (*PRINCIPLES, *DEFINITIONS, *IDENTITIES)}
+RECORDS: Mapping[str, Record] = {
+    record.id: record for record in (*PRINCIPLES, *DEFINITIONS, *IDENTITIES)
+}

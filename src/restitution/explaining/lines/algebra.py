@@ -219,7 +219,7 @@ class World(Angles):
         (one,), (other,) = keys
         if {one[0], other[0]} != {"cos", "sin"} or one[1] != other[1]:
             return False
-        own = [self.generator(each) for each in (one, other)]
+        own = [self.generator(key) for key in (one, other)]
         return all(x in (g, -g) for x, g in zip((vector.x, vector.y), own, strict=True))
 
     def direction(self, tree: Expression) -> Plane | None:

@@ -412,7 +412,7 @@ def _put(layout: Any, vectors: AbstractSet[str], called: Mapping[str, lay.Layout
         words = isinstance(inside, lay.Phrase | lay.Words)
         return replace(layout, argument=lay.Brackets(inside) if words else inside)
     if isinstance(layout, lay.Power):
-        base, exponent = (_put(each, vectors, called) for each in (layout.base, layout.exponent))
+        base, exponent = (_put(part, vectors, called) for part in (layout.base, layout.exponent))
         return lay.Power(_worded(base), exponent)
     if isinstance(layout, lay.Fraction) and called:
         above, below = (_put(side, vectors, called) for side in (layout.above, layout.below))

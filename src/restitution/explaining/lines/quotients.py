@@ -166,10 +166,10 @@ def lean(above: PolyElement, below: PolyElement) -> Quotient:
             quotient_ring().from_dict(
                 {
                     tuple(a - b for a, b in zip(powers, common, strict=True)): value
-                    for powers, value in each.items()
+                    for powers, value in polynomial.items()
                 }
             )
-            for each in (above, below)
+            for polynomial in (above, below)
         )
         if below.is_ground:
             return lean(above, below)

@@ -255,7 +255,7 @@ def _speeds_after() -> Iterator[_Plain]:
 def _speed_of_one() -> Iterator[_Plain]:
     """The whole speed before of one body, the other resolved."""
     for body, sign in product("FS", _SIGNS):
-        put = {each: _p(each) for each in "FS"} | {body: _signed(sign, _before(body))}
+        put = {sphere: _p(sphere) for sphere in "FS"} | {body: _signed(sign, _before(body))}
         senses = (_signed(sign, _p(body)),)
         words = f"the whole speed before {_NAMES[(body,)]}"
         yield from _with_terms(put["F"], put["S"], senses=senses, words=words)
@@ -425,7 +425,7 @@ def _second_wall_angle() -> Iterator[_Plain]:
     last = "line_of_centres(0)"
     into, by = f"along(velocity(F, 0), {last})", f"across(velocity(F, 0), {last})"
     first = [f"{part}(velocity(F, before), {last})" for part in ("along", "across")]
-    share = [f"{_before('F')} abs({each})/speed(F, before)" for each in first]
+    share = [f"{_before('F')} abs({direction})/speed(F, before)" for direction in first]
     for (normal, beside), words in (
         ((f"abs({into})", f"abs({by})"), "the angle after the last wall"),
         ((share[0], share[1]), "the angle before the last wall"),
@@ -677,12 +677,14 @@ def alterations_of(mistake: str) -> tuple[Alteration, ...]:
 
 
 def _numbered(mistake: str) -> tuple[Alteration, ...]:
-    plain = [(each, True) for each in _MAKERS[mistake]()]
-    plain += [(each, False) for each in _OF_LINES.get(mistake, tuple)()]
+    plain = [(variant, True) for variant in _MAKERS[mistake]()]
+    plain += [(variant, False) for variant in _OF_LINES.get(mistake, tuple)()]
     return tuple(
-        Alteration(f"{mistake}/{number}", *each[:4], solvable, each[4])
-        for number, (each, solvable) in enumerate(plain, 1)
+        Alteration(f"{mistake}/{number}", *variant[:4], solvable, variant[4])
+        for number, (variant, solvable) in enumerate(plain, 1)
     )
 
 
-_ALTERATIONS: Mapping[str, tuple[Alteration, ...]] = {each: _numbered(each) for each in _MAKERS}
+_ALTERATIONS: Mapping[str, tuple[Alteration, ...]] = {
+    mistake: _numbered(mistake) for mistake in _MAKERS
+}

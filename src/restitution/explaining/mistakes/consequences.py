@@ -289,7 +289,7 @@ def _why_not(name: str, wanted: list[Alteration], reasons: list[str]) -> str:
     if not apply:
         nearest = next((reason for reason in reasons if NO_IMPACT not in reason), reasons[0])
         return f"{name} does not apply here: {nearest.partition(': ')[2]}"
-    if all("leads to no answer" in each for each in apply):
+    if all("leads to no answer" in reason for reason in apply):
         return f"{name} leads to no answer here: {apply[0].partition(': ')[2]}"
     return f"{name} changes no answer here"
 
@@ -304,7 +304,7 @@ def applying(problem: Problem) -> tuple[str, ...]:
     if not events_of(problem):
         return ()
     return tuple(
-        each.id
-        for each in MISCONCEPTIONS.values()
-        if any(v.solvable and altered(problem, v) is not None for v in each.variants)
+        mistake.id
+        for mistake in MISCONCEPTIONS.values()
+        if any(v.solvable and altered(problem, v) is not None for v in mistake.variants)
     )

@@ -25,8 +25,8 @@ def all_mistakes(columns: int = 80) -> str:
     """Every misconception and slip, by id and in a sentence."""
     longest = max(map(len, MISCONCEPTIONS))
     lines: list[str] = []
-    for each in MISCONCEPTIONS.values():
-        lines += _beside(each.id, each.sentence, longest, columns)
+    for mistake in MISCONCEPTIONS.values():
+        lines += _beside(mistake.id, mistake.sentence, longest, columns)
     lines += ["", "Slips, which have no world of their own:"]
     for slip in SLIPS.values():
         lines += _beside(slip.id, slip.sentence, longest, columns)

@@ -124,8 +124,8 @@ class VariantAt:
 
 
 MISCONCEPTIONS: Mapping[str, Misconception] = {
-    each.id: each
-    for each in (
+    mistake.id: mistake
+    for mistake in (
         Misconception(
             "deflection-is-after",
             "The angle after given as the deflection",
@@ -517,17 +517,17 @@ def _last_wall(event: Event, events: Iterable[Event]) -> int | None:
 @cache
 def _variants_at(event: Event, last_wall: int | None) -> tuple[VariantAt, ...]:
     variants = (
-        _made(variant, event, last_wall)
+        _variant_at(variant, event, last_wall)
         for mistake in MISCONCEPTIONS.values()
         for variant in mistake.variants
     )
     return tuple(variant for variant in variants if variant is not None)
 
 
-def _made(each: Alteration, event: Event, last_wall: int | None) -> VariantAt | None:
-    if each.where != "impact" and (each.where == "wall") != event.wall:
+def _variant_at(variant: Alteration, event: Event, last_wall: int | None) -> VariantAt | None:
+    if variant.where != "impact" and (variant.where == "wall") != event.wall:
         return None
-    if each.mistake == "second-wall-angle" and last_wall is None:
+    if variant.mistake == "second-wall-angle" and last_wall is None:
         return None
     spheres = event.bodies[:1] if event.wall else event.bodies
     names = dict(zip("FS", event.bodies, strict=False))
@@ -542,7 +542,7 @@ def _made(each: Alteration, event: Event, last_wall: int | None) -> VariantAt | 
             spheres if law.body is None else (names[law.body],),
             _relation(law.template, put),
         )
-        for law in each.laws
+        for law in variant.laws
     )
     results = tuple(
         ResultAt(
@@ -550,10 +550,12 @@ def _made(each: Alteration, event: Event, last_wall: int | None) -> VariantAt | 
             put(_tree(result.template), body),
             put(_tree(result.sense), body) if result.sense else None,
         )
-        for result in each.results
+        for result in variant.results
         for body in (spheres if "(X, " in result.quantity else spheres[:1])
     )
-    return VariantAt(each, event, laws, results, tuple(put(_tree(text)) for text in each.senses))
+    return VariantAt(
+        variant, event, laws, results, tuple(put(_tree(text)) for text in variant.senses)
+    )
 
 
 def _relation(template: str, put: object) -> Relation:

@@ -122,9 +122,9 @@ def _is_zero_of_a_sum(step: Step, link: Link, cited: Sequence[Link]) -> bool:
         return False
     acute = {
         atom
-        for each in step.known
-        if each.ref.startswith("acute")
-        for atom, _ in step.world.turn(each.relation.only[0].left).terms
+        for premise in step.known
+        if premise.ref.startswith("acute")
+        for atom, _ in step.world.turn(premise.relation.only[0].left).terms
     }
     if not acute.issuperset(atom for atom, _ in turn.terms):
         return False
@@ -191,10 +191,10 @@ def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
     if turn.degrees or len(turn.terms) != 1:
         return None, None, False
     ((atom, count),) = turn.terms
-    for each in step.known:
-        if not each.ref.startswith("acute"):
+    for premise in step.known:
+        if not premise.ref.startswith("acute"):
             continue
-        own = step.world.turn(each.relation.only[0].left)
+        own = step.world.turn(premise.relation.only[0].left)
         if not own.degrees and len(own.terms) == 1 and own.terms[0][0] == atom:
             part = count / own.terms[0][1]  # of an angle that is acute
             ends = sorted(
@@ -202,7 +202,7 @@ def _range_of(step: Step, angle: Expression) -> tuple[Any, Any, bool]:
             )
             return ends[0], ends[1], False
     role = step.setting.role(getattr(atom, "name", ""))
-    cited = any(getattr(atom, "name", "") in each.letters for each in step.known)
+    cited = any(getattr(atom, "name", "") in entry.letters for entry in step.known)
     if role.low is None or role.high is None or not cited:
         return None, None, False
     factor = sp.Rational(count.numerator, count.denominator)

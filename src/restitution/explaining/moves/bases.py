@@ -135,7 +135,7 @@ def may_match(step: Step, line: Link, expected: Iterable[Value]) -> bool:
     step.world.printed = False
     own = step.residual(line)
     step.world.printed = True
-    return any(step.multiple(own, each) is not None for each in expected)
+    return any(step.multiple(own, form) is not None for form in expected)
 
 
 def expected_residual(step: Step, link: Link, rules: Rules) -> Value:

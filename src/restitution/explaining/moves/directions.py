@@ -150,7 +150,7 @@ def _is_cited_to_180(step: Step, angle: Quantity) -> bool:
     """Whether it is cited that an angle is from 0° to 180°, or less."""
     role = step.setting.of_angle(angle)
     names = {let.letter for let in step.lets if let.quantity == angle}
-    cited = any(names & each.letters for each in step.known)
+    cited = any(names & premise.letters for premise in step.known)
     return cited and role is not None and role.low == 0
 
 

@@ -48,7 +48,7 @@ def _cited_ranges(step: Step) -> dict[str, _Ends]:
     """The ends of the ranges of letters that are cited, and whether they belong to them."""
     ranges: dict[str, _Ends] = {}
     bounds: list[Relation | Meaning] = [
-        *(each.relation for each in step.known),
+        *(entry.relation for entry in step.known),
         *(premise.relation for premise in others_cited(step)),
     ]
     for relation in bounds:

@@ -130,7 +130,7 @@ def is_comparison(step: Step, relation: Relation) -> bool:
         for premise in step.cited
         if isinstance(premise.relation, Relation) and not str(premise.ref).startswith("axis ")
     ]
-    relations = [*(line.relation for line in lines), *(each.relation for each in step.known)]
+    relations = [*(line.relation for line in lines), *(premise.relation for premise in step.known)]
     if number_compared(relations) > MOST_COMPARED:
         return False
     signs = {link.sign for links in relation.options for link in links}

@@ -138,7 +138,9 @@ def _is_template(step: Step, line: Link, link: Link) -> bool:
     # A sense takes long to decide: it is asked only where either would make the line.
     if not may_match(step, line, (left - right, left + right)):
         worth = step.residual(line, rules)  # with the ratio of an angle, whose value is cited too
-        if all(step.multiple(worth, each) is None for each in (left - right, left + right)):
+        if all(
+            step.multiple(worth, difference) is None for difference in (left - right, left + right)
+        ):
             return False
     sign = oriented(step, above)
     if sign is None and isinstance(link.left, Quantity):

@@ -188,7 +188,7 @@ def _is_multiplied(step: Step, line: Link, base: Link) -> bool:
     own, other = (step.world.value(link.right) for link in (line, base))
     if line.sign != "=" or base.sign != "=":
         return False
-    if not all(isinstance(each, Quotient) for each in (factor, own, other)):
+    if not all(isinstance(value, Quotient) for value in (factor, own, other)):
         return False
     return step.world.reduced(own - factor * other).vanishes  # type: ignore[operator]
 

@@ -113,7 +113,7 @@ class Premises:
 
     def _inequalities(self) -> Iterator[Link]:
         """The inequalities between expressions of letters that are cited."""
-        known = (each.relation for each in self.known if len(each.relation.options) == 1)
+        known = (premise.relation for premise in self.known if len(premise.relation.options) == 1)
         for link in (*self.links, *(link for relation in known for link in relation.only)):
             plain = not any(
                 isinstance(e, Quantity) for s in (link.left, link.right) for e in walk(s)
@@ -129,14 +129,14 @@ class Premises:
         for name, meaning in self.setting.meanings.items():
             if isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in POSITIVE_KINDS:
                 yield name
-        for each in self.known:
-            for name in each.letters:
+        for premise in self.known:
+            for name in premise.letters:
                 role = self.setting.role(name)
                 if role.kind != "angle" or role.low is None or role.high is None:
                     continue
                 if role.low >= 0 and role.high <= sp.pi / 2:
                     yield name
-            for links in each.relation.options:
+            for links in premise.relation.options:
                 for link in links:
                     match link:
                         case Link(Letter(name), ">" | ">=", Number(0)):
@@ -169,7 +169,7 @@ class Premises:
         match factor:
             case Binary("+", Number(value), Letter(name)) if value > 0:
                 role = self.setting.role(name)
-                cited = any(name in each.letters for each in self.known)
+                cited = any(name in premise.letters for premise in self.known)
                 return cited and role.low is not None and bool(role.low >= 0)
         return isinstance(factor, Letter | Number)
 

@@ -114,7 +114,9 @@ class Rules:
         }
         single = len(own.above) == 1
         if len(keys) == 2 and all(k[0] == "letter" and k[1] in self.apart for k in keys.values()):
-            return (max(keys), 1) if all(each == {1} for each in powers.values()) else None
+            return (
+                (max(keys), 1) if all(exponents == {1} for exponents in powers.values()) else None
+            )
         within = [n for n, key in keys.items() if key[0] == "letter" and key[1] in self.factors]
         if within and not single:
             last = max(within)

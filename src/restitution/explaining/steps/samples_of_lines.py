@@ -92,9 +92,12 @@ class Numbers:
         data = [fact for fact in statement.facts if fact.ref not in given]
         self.steps = [
             Step(
-                statement.setting, Move("let"), (*each, *statement.lets, *statement.directions), ()
+                statement.setting,
+                Move("let"),
+                (*entries, *statement.lets, *statement.directions),
+                (),
             )
-            for each in (data, statement.facts)
+            for entries in (data, statement.facts)
         ]
         self.rules = [
             step.rules((*kept, *statement.lets))

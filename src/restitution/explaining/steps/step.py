@@ -133,8 +133,8 @@ class Step(Premises):
                         if ends or (body, number) in placed:
                             continue
                         later, now = (
-                            Quantity("along", (Quantity("position", (body,), each), unit))
-                            for each in (number, stage)
+                            Quantity("along", (Quantity("position", (body,), after), unit))
+                            for after in (number, stage)
                         )
                         yield later, now
 
@@ -343,8 +343,8 @@ class Step(Premises):
     def roles(self) -> Mapping[str, Role]:
         """What each letter may be: nothing beyond what is silent or cited."""
         roles = dict(self.setting.silent)
-        for each in self.known:
-            for name in each.letters:
+        for premise in self.known:
+            for name in premise.letters:
                 if self.setting.role(name).kind == "angle":
                     roles[name] = self.setting.role(name)
         for name, meaning in self.setting.meanings.items():

@@ -71,7 +71,9 @@ def _alike(hit: _Hit, true: _Hit) -> bool:
 
 def _rounded(impact: Mapping[str, Any], figures: int, near: float | None) -> _Hit:
     """An impact rounded to so many figures, its line of centres to a tidy one ``near`` to it."""
-    spheres = [an_object(each, "a sphere") for each in a_list(impact.get("spheres"), "spheres", 2)]
+    spheres = [
+        an_object(sphere, "a sphere") for sphere in a_list(impact.get("spheres"), "spheres", 2)
+    ]
     wall = impact.get("wall")
     if wall is not None:
         wall = a_name({"name": wall}, "a wall")

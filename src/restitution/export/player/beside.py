@@ -65,9 +65,9 @@ def world_to_play(solution: Solution, mistake: str) -> AlteredWorld:
     about = misconception(mistake)
     if not any(variant.laws for variant in about.variants if mistake in (variant.id, about.id)):
         these = [
-            each
-            for each in applying(solution.problem)
-            if any(variant.laws for variant in misconception(each).variants)
+            applied
+            for applied in applying(solution.problem)
+            if any(variant.laws for variant in misconception(applied).variants)
         ]
         raise UnsupportedError(
             f"{mistake} changes a result and not the motion, so that there is nothing to play; "
@@ -152,12 +152,12 @@ def _in_step(one: Object, other: Object) -> None:
 def sentences(motion: PartMotion) -> tuple[str, ...]:
     """What cannot be in an altered motion, the plainest first; each by its numbers."""
     contradictions = [
-        each
+        sentence
         for _, event in motion.events
         if isinstance(event, Struck)
-        for each in _of_impact(event, motion)
+        for sentence in _of_impact(event, motion)
     ]
-    ranked = sorted(contradictions, key=lambda each: each[0])
+    ranked = sorted(contradictions, key=lambda entry: entry[0])
     return tuple(dict.fromkeys(text for _, text in ranked))[:_FEW]
 
 

@@ -245,7 +245,7 @@ def _chosen(motion: PartMotion) -> list[Chosen]:
         or velocities(moved) != velocities(numbers.story)
         or given_places(moved) != given_places(numbers.story)
     ]
-    return [*free, *(each for each in numbers.solved if each not in free)]
+    return [*free, *(choice for choice in numbers.solved if choice not in free)]
 
 
 def _stages(motion: PartMotion, body: str) -> list[int]:

@@ -76,13 +76,13 @@ def angle_along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     return None
 
 
-def given_along_the_centres(scene: Scene, each: GivenEquation) -> int | None:
+def given_along_the_centres(scene: Scene, given: GivenEquation) -> int | None:
     """The letter for a line of centres by the direction that is given of who goes along it.
 
     It is given from **i**, or as an angle to another direction, or by a ratio of that. None of
     another fact.
     """
-    subject, right = each.link.left, each.link.right
+    subject, right = given.link.left, given.link.right
     match subject:
         case Quantity("direction" | "angle") as asked:
             pass
@@ -103,7 +103,7 @@ def given_along_the_centres(scene: Scene, each: GivenEquation) -> int | None:
     kinds = Letter | Binary | Negate
     if line is not None and letters(angle) and isinstance(angle, kinds):
         relation = chain(exchanged(subject, {asked: angle}), (right, None))
-        for refs in ((line, *each.refs), (*each.refs, line)):
+        for refs in ((line, *given.refs), (*given.refs, line)):
             if (put := scene.judge.write((Move("put"),), refs, relation)) is not None:
                 return put
     scene.desk.back(mark)

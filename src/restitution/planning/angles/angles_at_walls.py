@@ -73,7 +73,7 @@ def _write(scene: Scene, body: str, event: int, before: Letter) -> str | None:
         return None
     name, meaning = letter_of(scene, after)
     other = Letter(name)
-    symbols = {each: sp.Symbol(each) for each in (before.name, name)}
+    symbols = {letter: sp.Symbol(letter) for letter in (before.name, name)}
     facts: list[_Fact] = []
     for equation in spoken:
         sides = [

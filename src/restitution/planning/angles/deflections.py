@@ -146,8 +146,8 @@ def _written(
     names = {
         name
         for links in relation.options
-        for each in links
-        for side in (each.left, each.right)
+        for equation in links
+        for side in (equation.left, equation.right)
         for name in letters(side)
     }
     own = scene.judge.enough(move, refs, relation, (*axis, *background(scene, names)))

@@ -71,7 +71,7 @@ def _by_turns(scene: Scene, angles: Sequence[Quantity]) -> list[int] | None:
     for angle in angles:
         letter, _ = letter_of(scene, angle)
         tangents = (write_turn_tangent(scene, e, Letter(letter)) for e in turns_of(scene, angle))
-        line = next((each for each in tangents if each is not None), None)
+        line = next((tangent for tangent in tangents if tangent is not None), None)
         if line is None:
             return None
         refs.append(line)

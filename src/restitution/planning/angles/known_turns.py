@@ -104,7 +104,11 @@ def _lines(
     subject = Letter(letter)
     twice = given.angle == other.angle and form == "sum"
     relation = chain(subject, (product(TWO, other.angle) if twice else tree, None))
-    sources = [ref for each in (turn.first, turn.second) for ref in (*each.sources, *each.refs)]
+    sources = [
+        ref
+        for direction in (turn.first, turn.second)
+        for ref in (*direction.sources, *direction.refs)
+    ]
     pool = dict.fromkeys((*refs, meaning, *sources, *turn.pushed, *turn.frame.refs))
     premises = premises_of(scene, turn, pool, relation, (*refs, meaning))
     if premises is None:

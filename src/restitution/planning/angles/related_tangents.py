@@ -103,7 +103,7 @@ def write_by_tangent(scene: Scene, equation: GivenEquation, ratio: Apply) -> int
     )
     other = tidy(sp.sqrt(1 - value**2))
     tangent = tree_of(value / other if ratio.function == "sin" else other / value)
-    known = (*scene.judge.known([letter]), *(each.format(letter) for each in _RANGES))
+    known = (*scene.judge.known([letter]), *(bounds.format(letter) for bounds in _RANGES))
     second = first and scene.judge.write(
         (Move("triangle"),),
         (first, meaning, *known),

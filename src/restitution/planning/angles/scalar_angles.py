@@ -135,7 +135,7 @@ def write_cosine(scene: Scene, asked: Quantity) -> int | None:
     for as_given in (True, False) if number is not None else ():
         assert number is not None
         before = scene.desk.mark()
-        sizes = [_speed(scene, each, as_given=as_given) for each in pair]
+        sizes = [_speed(scene, state, as_given=as_given) for state in pair]
         if None in sizes:
             break
         letter, meaning = letter_of(scene, asked)
@@ -167,7 +167,7 @@ def write_given_cosine(scene: Scene, given: GivenEquation, asked: Quantity) -> i
     angle, more = scene.put(scene.scalar(given.link.right))
     cosine = tidy(sp.expand_trig(sp.cos(angle)))
     _, tree, value, refs = _terms(scene, pair)
-    sizes = [_squares(scene, each) for each in pair]
+    sizes = [_squares(scene, state) for state in pair]
     open_ = scene.unknown(value)
     if len(open_) != 1 or not cosine.is_Rational or len(list(outer_terms(tree))) < len(pair):
         return None
@@ -183,7 +183,7 @@ def write_given_cosine(scene: Scene, given: GivenEquation, asked: Quantity) -> i
     steps = ((swept(Binary("/", tree, whole)), None), (last, "rearrange"))
     relation = chain(left, *steps)  # type: ignore[arg-type]
     move = Move("define", "scalar-angle", _event(pair), _bodies(pair))
-    pool = together(given.refs, more, refs, *(each for _, _, each in sizes))
+    pool = together(given.refs, more, refs, *(line for _, _, line in sizes))
     names = symbol_names(value)
     premises = scene.judge.enough(move, pool, relation, background(scene, names))
     return None if premises is None else scene.desk.write(move, premises, relation)
@@ -222,7 +222,7 @@ def _terms(
 ) -> tuple[Expression, Expression, sp.Expr, tuple[Ref, ...]]:
     """The scalar product of two velocities, its terms, what it is worth, and what it rests on."""
     components: list[list[Any]] = []
-    impact = impact_of(scene, *sorted(pair, key=lambda each: each[1]))
+    impact = impact_of(scene, *sorted(pair, key=lambda state: state[1]))
     if impact is not None and scene.frame(impact).is_slanted and stand_as_vectors(scene, pair):
         impact = None
     if impact is not None:
@@ -236,12 +236,12 @@ def _terms(
         refs = together(refs, frame.names_axis("along"), frame.names_axis("across"), frame.refs)
         components = [[source.value for source in own] for own in (sources[:2], sources[2:])]
     else:
-        vectors: list[Source] = [whole_velocity(scene, *each) for each in pair]
+        vectors: list[Source] = [whole_velocity(scene, *state) for state in pair]
         refs = together(*(vector.whole for vector in vectors))
         components = [list(vector.value) for vector in vectors]
     (a, b), (c, d) = components
     tree = total((product(tree_of(a), tree_of(c)), product(tree_of(b), tree_of(d))))
-    subject = Quantity("dot", tuple(_velocity(scene, each) for each in pair))
+    subject = Quantity("dot", tuple(_velocity(scene, state) for state in pair))
     return subject, swept(tree), tidy(sp.expand(a * c + b * d)), refs
 
 

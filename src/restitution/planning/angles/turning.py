@@ -407,11 +407,11 @@ def _between(scene: Scene, asked: Quantity, wanted: str | None) -> Ratio | int:
             if own.move.record == "tan" and not is_right_angle(scene, own):
                 line, letter = tangent_line(scene, asked, own, own.move)
                 return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
-    sources = [whole_velocity(scene, *each) for each in pair]
+    sources = [whole_velocity(scene, *state) for state in pair]
     event = max(stage for _, stage in pair) or None
     bodies = tuple(dict.fromkeys(body for body, _ in pair))
     move = Move("define", "scalar-angle", event, bodies)
-    one, other = (size_that_stands(scene, *each) for each in pair)
+    one, other = (size_that_stands(scene, *state) for state in pair)
     return by_scalar(scene, move, sources, asked, (one, other))
 
 
@@ -512,7 +512,7 @@ def _deflection(
             return from_axis
     both = [(body, event - 1), (body, event)]
     if wanted is None and stand_as_vectors(scene, both):
-        sources = [whole_velocity(scene, *each) for each in both]
+        sources = [whole_velocity(scene, *state) for state in both]
         return by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)
     if frame.wall is not None and wanted is None:
         return write_sum(scene, asked, angle_line)

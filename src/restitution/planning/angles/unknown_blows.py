@@ -47,8 +47,8 @@ def take_blow(scene: Scene, body: str, event: int) -> None:
         if scene.unknown(open_) and swept(own.right) != last:
             line = scene.desk.write(Move("rearrange"), (line,), chain(left, (last, None)))
     if not scene.unknown(open_):
-        pairs = [_solved(scene, *each) for each in zip(own.value, put, strict=True)]
-        open_, rights = (Vector(*each) for each in zip(*pairs, strict=True))
+        pairs = [_solved(scene, *sides) for sides in zip(own.value, put, strict=True)]
+        open_, rights = (Vector(*column) for column in zip(*pairs, strict=True))
     lines: list[int] = []
     for left, right in zip(open_, rights, strict=True):
         if not scene.unknown(left):
@@ -60,7 +60,7 @@ def take_blow(scene: Scene, body: str, event: int) -> None:
             scene.desk.write(Move("rearrange"), (line,), chain(trees[0], (trees[1], None)))
         )
     unknown = [scene.unknown(value) for value in open_ if scene.unknown(value)]
-    if all(len(each) == 1 for each in unknown):
+    if all(len(letters) == 1 for letters in unknown):
         for number, symbols in zip(lines, unknown, strict=True):
             if scene.desk.known(Letter(next(iter(symbols)).name)) is None:
                 close(scene, number, next(iter(symbols)))
@@ -95,7 +95,7 @@ def _size_and_angle(scene: Scene, lines: list[int], open_: Vector) -> None:
         Move("square-add"), lines, chain(square(Letter(size.name)), (squared, None))
     )
     value = tidy(scene.final(size))
-    roots = tuple((Link(Letter(size.name), "=", tree_of(each)),) for each in (value, -value))
+    roots = tuple((Link(Letter(size.name), "=", tree_of(root)),) for root in (value, -value))
     line = scene.desk.write(Move("roots"), (line,), Relation(roots))
     line = scene.desk.write(
         Move("reject"), (line,), chain(Letter(size.name), (tree_of(value), None))

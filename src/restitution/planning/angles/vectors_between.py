@@ -99,7 +99,9 @@ def _by_directions(
     }
     if any(by_angles & set(source.refs) for source in sources):
         return None
-    vectors = [Vector(*(tidy(scene.put(each)[0]) for each in source.value)) for source in sources]
+    vectors = [
+        Vector(*(tidy(scene.put(component)[0]) for component in source.value)) for source in sources
+    ]
     if not is_long(right) and not all(_has_letters(vector) for vector in vectors):
         return None
     a, b = (short_direction(vector, scene.model.sign) for vector in vectors)
@@ -131,7 +133,7 @@ def _has_letters(vector: Vector) -> bool:
 def has_its_product(scene: Scene, asked: Quantity) -> bool:
     """Whether a line gives the scalar product of the velocities of an angle."""
     pair = asked.arguments
-    products = (Quantity("dot", each) for each in (pair, pair[::-1]) if len(each) == 2)
+    products = (Quantity("dot", factors) for factors in (pair, pair[::-1]) if len(factors) == 2)
     return any(scene.desk.known(product) is not None for product in products)
 
 

@@ -286,7 +286,7 @@ def _wall_of_the_data(scene: Scene, wall: str) -> int:
         raise NotPlannedError("the direction of a wall of the data")
     put, refs = scene.put(known)
     line: int | None = None
-    for tree in dict.fromkeys(tree_of(each) for each in (put, plain_direction(put))):
+    for tree in dict.fromkeys(tree_of(change) for change in (put, plain_direction(put))):
         relation = Relation(((Link(direction, "parallel to", tree),),))
         move = Move("put") if line is None else Move("rearrange")
         sources = together((fact.id,), refs) if line is None else (line,)

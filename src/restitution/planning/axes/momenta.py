@@ -49,7 +49,7 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
     before = [velocity_as_vector(scene, body, stage - 1) for body in scene.bodies(stage)]
     if after is None or None in before:
         return False
-    masses = {each: scene.mass(each) for each in (body, other)}
+    masses = {sphere: scene.mass(sphere) for sphere in (body, other)}
     whole = [(masses[n], v) for n, v in zip(scene.bodies(stage), before, strict=True) if v]
     values = [source.value for pair in ((*masses.values(), after), *whole) for source in pair]
     if any(scene.unknown(x) or scene.put(x)[1] for x in values):
@@ -58,7 +58,7 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
         sum(m.value * v.value[n] for m, v in whole) - masses[other].value * after.value[n]
         for n in (0, 1)
     ]
-    late = Vector(*(tidy(each / masses[body].value) for each in sums))
+    late = Vector(*(tidy(momentum / masses[body].value) for momentum in sums))
     left = total(product(tree_of(m.value), tree_of(v.value)) for m, v in whole if any(v.value))
     right = total(
         (

@@ -154,7 +154,7 @@ def open_angles(scene: Scene) -> frozenset[sp.Symbol]:
         for angle in equation.residuals[0].free_symbols & angles
         if _is_over(
             scene.problem,
-            {each.name for each in equation.residuals[0].free_symbols if each not in final},
+            {symbol.name for symbol in equation.residuals[0].free_symbols if symbol not in final},
         )
     )
 

@@ -80,7 +80,7 @@ def write_open_lines(scene: Scene) -> None:
         except NotPlannedError:
             scene.desk.back(standing)
             ways = (_by_a_ray, _by_a_letter_before)
-            if not any(tried(scene, partial(way, scene, number)) for way in ways):
+            if not any(tried(scene, partial(write, scene, number)) for write in ways):
                 scene.frames.pop(number, None)
 
 
@@ -106,7 +106,9 @@ def tried(scene: Scene, write: Callable[[], bool]) -> bool:
 def _by_a_ray(scene: Scene, number: int) -> bool:
     """Whether a velocity whose direction is given leads to the line: its lines are written."""
     rays = _rays(scene, number)
-    fast = next((each for each in rays if _speed(scene, each, number) is not None), None)
+    fast = next(
+        (candidate for candidate in rays if _speed(scene, candidate, number) is not None), None
+    )
     are_known = _are_masses_known(scene, number)
     if not rays or (fast is None and not (are_known and _is_coefficient_known(scene, number))):
         return False
@@ -528,18 +530,18 @@ def _by_momentum(
     scene: Scene, number: int, body: str, late: dict[str, Vector], lines: dict[str, Ref], other: str
 ) -> tuple[Vector, int]:
     """The velocity of the other sphere by the momentum of both."""
-    early = {each: scene.initial(each) for each in (body, other)}
-    masses = {each: scene.mass(each) for each in (body, other)}
+    early = {name: scene.initial(name) for name in (body, other)}
+    masses = {name: scene.mass(name) for name in (body, other)}
     sides: list[list[Expression]] = [[], []]
     whole = Vector(sp.Integer(0), sp.Integer(0))
-    for each in scene.bodies(number):
-        whole += early[each].value * masses[each].value
-        if any(early[each].value):
-            sides[0].append(product(tree_of(masses[each].value), tree_of(early[each].value)))
-        velocity: Expression = Quantity("velocity", (Name(each),), number)
-        if each == body:
+    for sphere in scene.bodies(number):
+        whole += early[sphere].value * masses[sphere].value
+        if any(early[sphere].value):
+            sides[0].append(product(tree_of(masses[sphere].value), tree_of(early[sphere].value)))
+        velocity: Expression = Quantity("velocity", (Name(sphere),), number)
+        if sphere == body:
             velocity = _tree(late[body])
-        sides[1].append(product(tree_of(masses[each].value), velocity))
+        sides[1].append(product(tree_of(masses[sphere].value), velocity))
     refs = together(
         *(mass.refs for mass in masses.values()), *(e.refs for e in early.values()), (lines[body],)
     )
@@ -556,7 +558,9 @@ def _axis(
     scene: Scene, number: int, late: dict[str, Vector], lines: dict[str, Ref]
 ) -> tuple[Vector, int]:
     """The line of centres along the change of a velocity: of who was at rest, if any."""
-    body = next((each for each in late if not any(scene.initial(each).value)), next(iter(late)))
+    body = next(
+        (sphere for sphere in late if not any(scene.initial(sphere).value)), next(iter(late))
+    )
     source = scene.initial(body)
     change = Vector(*(sp.expand(a - b) for a, b in zip(late[body], source.value, strict=True)))
     centres = Quantity("line_of_centres", (), number)
@@ -598,7 +602,9 @@ def _restitution(
     Beside the line what it is with the relative velocities worked out.
     """
     e = scene.coefficient(number)
-    refs = together(e.refs, *(scene.initial(each).refs for each in late), lines.values(), (axis,))
+    refs = together(
+        e.refs, *(scene.initial(sphere).refs for sphere in late), lines.values(), (axis,)
+    )
     if len(late) == 1:
         (body,) = late
         gap, approach = late[body], -scene.initial(body).value

@@ -364,7 +364,9 @@ def _without_the_same(sides: list[sp.Poly]) -> list[sp.Poly]:
     one, other = (dict(side.terms()) for side in sides)
     for m in one.keys() & other.keys():
         same = set(sp.Add.make_args(one[m])) & set(sp.Add.make_args(other[m]))
-        one[m], other[m] = (expanded(each[m] - sp.Add(*same)) for each in (one, other))
+        one[m], other[m] = (
+            expanded(coefficients[m] - sp.Add(*same)) for coefficients in (one, other)
+        )
     gens = sides[0].gens
     of_an_angle = len(gens) > 1 and not any(value.is_Symbol for value in gens)
     for m in one.keys() & other.keys() if of_an_angle else ():
@@ -373,7 +375,7 @@ def _without_the_same(sides: list[sp.Poly]) -> list[sp.Poly]:
         if any(m) and share.is_Rational and share != 1:
             near, far = (one, other) if share < 1 else (other, one)
             near[m], far[m] = expanded(near[m] - far[m]), sp.S.Zero
-    return [sp.Poly.from_dict(each, *gens) for each in (one, other)]
+    return [sp.Poly.from_dict(coefficients, *gens) for coefficients in (one, other)]
 
 
 def _is_difference(polynomial: sp.Poly) -> bool:
@@ -425,7 +427,9 @@ def _in_tangents(polynomials: Polynomials, angle: sp.Symbol) -> Polynomials | No
     """
     gens = polynomials[0].gens
     sine, cosine = gens.index(sp.sin(angle)), gens.index(sp.cos(angle))
-    degrees = {m[sine] + m[cosine] for each in polynomials for m, c in each.terms() if c != 0}
+    degrees = {
+        m[sine] + m[cosine] for polynomial in polynomials for m, c in polynomial.terms() if c != 0
+    }
     if len(degrees) != 1:
         return None
     kept = [sp.tan(angle) if n == sine else g for n, g in enumerate(gens) if n != cosine]
@@ -452,12 +456,12 @@ def _sides(
 ) -> tuple[Expression, Expression]:
     """The sides as trees; of a sum that is zero, what is negative stands on the other side."""
     left, right = ([(m, c) for m, c in polynomial.terms() if c != 0] for polynomial in polynomials)
-    alone = [scene.model.sign(each[0][1]) for each in (left, right) if len(each) == 1]
+    alone = [scene.model.sign(side[0][1]) for side in (left, right) if len(side) == 1]
     model = scene.first
     worth = sp.sympify(polynomials[0].as_expr(), strict=True).xreplace(dict(model.final))
     if sum(alone) < 0 or (not alone and model.sign(model.in_data(worth)) < 0):
         # A side that is less than nothing: 2 − 2e = 1, and not 2e − 2 = −1.
-        left, right = ([(m, -c) for m, c in each] for each in (left, right))
+        left, right = ([(m, -c) for m, c in side] for side in (left, right))
     linear = len(generators) == 1 and polynomials[0].degree() == 1
     if not right and (len(generators) > 1 or linear):
         signed = [(m, c, scene.model.sign(c)) for m, c in left]
@@ -468,7 +472,7 @@ def _sides(
         minus = scene.model.sign(left[0][1]) < 0
         return _descending([(m, -c if minus else c) for m, c in left], generators), number(0)
     falling = len(generators) == 1 and max((m[0] for m, _ in (*left, *right)), default=0) > 1
-    highest = [max(each)[1] for each in (left, right) if each]
+    highest = [max(side)[1] for side in (left, right) if side]
     falling = falling and all(scene.model.sign(value) > 0 for value in highest)
     falling = falling and not _is_a_coefficient(scene, generators[0])
     return _tree(left, generators, falling), _tree(right, generators, falling)

@@ -104,7 +104,7 @@ def _without_common(
 def _is_to_multiply(side: Iterable[_Factor], symbol: sp.Symbol) -> bool:
     """Whether two sums are multiplied, of which one holds the unknown."""
     sums = [factor.value for factor in side if factor.value.is_Add]
-    return len(sums) > 1 and any(symbol in each.free_symbols for each in sums)
+    return len(sums) > 1 and any(symbol in addend.free_symbols for addend in sums)
 
 
 def _numbers(left: Sequence[_Factor], right: Sequence[_Factor]) -> tuple[Expression, Expression]:

@@ -33,8 +33,8 @@ def write_in_tangents(scene: Scene, line: int, symbol: sp.Symbol) -> tuple[int, 
     if left is None or right is None:
         return None
     powers: dict[sp.Expr, sp.Expr] = {}
-    for each in (*left, *right):
-        for base, power in sp.fraction(each)[1].as_powers_dict().items():
+    for term in (*left, *right):
+        for base, power in sp.fraction(term)[1].as_powers_dict().items():
             powers[base] = max(power, powers.get(base, power))
     below = sp.Mul(*(base**power for base, power in powers.items() if base.has(_T)))
     left, right = ([value * below for value in side] for side in (left, right))

@@ -107,7 +107,7 @@ def in_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
 def _of_square(scene: Scene, line: int, symbol: sp.Symbol) -> Source | None:
     """An unknown by its square, which a line says: both roots, and the one that is excluded."""
     value = sp.sympify(scene.final(symbol), strict=True)
-    kept = [each for each in (value, -value) if is_reached(scene, each, itself, symbol)]
+    kept = [root for root in (value, -value) if is_reached(scene, root, itself, symbol)]
     first, last = (
         (value, -value) if scene.model.sign(scene.model.in_data(value)) > 0 else (-value, value)
     )

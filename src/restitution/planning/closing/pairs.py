@@ -270,7 +270,7 @@ def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
         return False
     if any(x in poly.free_symbols_in_domain for poly in (own, other)):
         return False
-    a, b, k = (own.coeff_monomial(each) for each in (s**2, c**2, 1))
+    a, b, k = (own.coeff_monomial(monomial) for monomial in (s**2, c**2, 1))
     if a - b == 0:
         return False
     sine = tidy(-(b + k) / (a - b))

@@ -179,7 +179,7 @@ def with_tangents(scene: Scene, number: int) -> int:
         if link.sign != "=" or len(sines) != 1:
             continue
         (sine,) = sines
-        cosine, tangent = (Apply(each, sine.argument) for each in ("cos", "tan"))
+        cosine, tangent = (Apply(function, sine.argument) for function in ("cos", "tan"))
         known = scene.desk.known(tangent)
         if known is None or not any(isinstance(ref, int) for ref in known.refs):
             continue
@@ -382,7 +382,7 @@ def _with_the_sum_of_squares(
         return None
     sign = scene.model.sign(number_)
     sides: tuple[list[Expression], list[Expression]] = ([], [])
-    squares = [square(Apply(each, Letter(symbol.name))) for each in ("sin", "cos")]
+    squares = [square(Apply(function, Letter(symbol.name))) for function in ("sin", "cos")]
     sides[0].append(product(tree_of(sign * number_), total(squares)))
     for m, k in terms.items():
         negative = sign * scene.model.sign(k) < 0
@@ -393,7 +393,7 @@ def _with_the_sum_of_squares(
 
 
 def _form(terms: list[tuple[tuple[int, int], sp.Expr]], symbol: sp.Symbol) -> Expression:
-    sine, cosine = (Apply(each, Letter(symbol.name)) for each in ("sin", "cos"))
+    sine, cosine = (Apply(function, Letter(symbol.name)) for function in ("sin", "cos"))
     return total(
         product(tree_of(k), *_power(sine, m[0]), *_power(cosine, m[1]))
         for m, k in sorted(terms, key=lambda term: -term[0][0])
@@ -538,7 +538,7 @@ def _by_double(
     known = range_of(scene, symbol.name)
     second = scene.desk.write(Move("cancel"), (first, *meaning, known), cancelled)
     value = tidy(sp.sqrt(1 - 2 * k))  # the tangent of an acute angle
-    others = [Link(subject, "=", tree_of(each)) for each in (value, -value)]
+    others = [Link(subject, "=", tree_of(root)) for root in (value, -value)]
     alternatives = Relation(tuple((other,) for other in others))
     third = scene.desk.write(Move("roots"), (second,), alternatives)
     only = Relation(((others[0],),))

@@ -342,7 +342,7 @@ def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if not scene.model.identically_zero(right - value):
         return None
     angle = _is_angle(scene, symbol.name)
-    forms = [tree_of(value, angle=angle, as_it_is=each) for each in (True, False)]
+    forms = [tree_of(value, angle=angle, as_it_is=as_it_is) for as_it_is in (True, False)]
     if link.right not in forms and not isinstance(value, sp.atan):
         relation = chain(link.left, (forms[1], None))
         number = scene.desk.write(Move("rearrange"), (number,), relation)
@@ -446,8 +446,8 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     if (solved := _by_tangents(scene, number, symbol)) is not None:
         return solved
     number = with_squares_apart(scene, number, symbol)
-    for each in (above, _uncertain(scene, above, symbol)):
-        poly = sp.Poly(each, symbol)
+    for form in (above, _uncertain(scene, above, symbol)):
+        poly = sp.Poly(form, symbol)
         if poly.degree() != 1:
             continue
         value = tidy(-poly.nth(0) / poly.nth(1))
@@ -484,13 +484,13 @@ def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     ratios = {node for side in (link.left, link.right) for node in walk(side) if _is_ratio(node)}
     gap = scene_value(scene, link.left) - scene_value(scene, link.right)
     back: dict[Expression, Expression] = {}
-    for each in ratios:
-        match each:
+    for tangent in ratios:
+        match tangent:
             case Apply("tan", Letter(name)):
                 angle = scene.model.unknowns.letter(name)
                 t = sp.Symbol(f"tan {name}", positive=True)
                 gap = gap.xreplace({sp.tan(angle): t, sp.sin(angle): t * sp.cos(angle)})
-                back[Letter(t.name)] = each
+                back[Letter(t.name)] = tangent
             case _:
                 return None
     if not back:

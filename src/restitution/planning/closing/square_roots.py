@@ -347,7 +347,7 @@ def _is_square(tree: Expression) -> bool:
 
 
 def _replace(tree: Expression, other: Expression) -> Callable[[Expression], Expression]:
-    return lambda each: other if each == tree else each
+    return lambda node: other if node == tree else node
 
 
 _SHAPES = (_of_one_square, _of_two_squares)

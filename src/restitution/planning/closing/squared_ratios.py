@@ -174,7 +174,7 @@ def angles_by_squares(scene: Scene) -> Iterator[sp.Symbol]:
         if any(_is_used(scene, source) for source in others if source is not None):
             continue
         squares = _squares(scene, symbol).values()
-        roots = (tidy(sp.sqrt(each)) for each in squares)
+        roots = (tidy(sp.sqrt(squared)) for squared in squares)
         if max(map(_depth_of_roots, roots)) > max(map(_depth_of_roots, squares)):
             yield symbol
 
@@ -240,8 +240,8 @@ def squares_lines(scene: Scene, symbol: sp.Symbol) -> tuple[int, ...]:
         for kind, value in _squares(scene, symbol).items()
     )
     relation = Relation((links,))
-    each = [scene.judge.standing(Relation((own,))) for own in (links, links[1:], links[:1])]
-    standing = each[:1] if each[0] is not None else each[1:]
+    lines = [scene.judge.standing(Relation((own,))) for own in (links, links[1:], links[:1])]
+    standing = lines[:1] if lines[0] is not None else lines[1:]
     if None not in standing:
         return tuple(filter(None, standing))
     extent, move = range_of(scene, symbol.name), Move("triangle")

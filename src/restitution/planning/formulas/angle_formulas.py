@@ -167,7 +167,7 @@ def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
     if not together_ or {first, second} != set(scene.bodies(event)):
         return _by_product(scene, quantity, pair)
     frame = scene.frame(event)
-    (a, b), (c, d) = own = [parts(scene, *each, frame) for each in pair]
+    (a, b), (c, d) = own = [parts(scene, *state, frame) for state in pair]
     names = together(frame.names_axis("along"), frame.names_axis("across"))
     move = Move("define", "tan", event, (first, second))
     for body, (along, across), zero, worth in ((second, (a, b), d, c), (first, (c, d), b, a)):
@@ -193,10 +193,10 @@ def _angle_between(scene: Scene, quantity: Quantity) -> Formula:
 def _by_product(scene: Scene, quantity: Quantity, pair: Iterable[tuple[str, int]]) -> Formula:
     """The cosine of the angle between two velocities as vectors, by their scalar product."""
     pair = list(pair)
-    sources = [velocity_as_a_line(scene, *each) for each in pair]
+    sources = [velocity_as_a_line(scene, *state) for state in pair]
     (a, b), (c, d) = ([tree_of(value) for value in source.value] for source in sources)
     squares_ = [tidy(expanded(sum(value**2 for value in source.value))) for source in sources]
-    if any(scene.model.identically_zero(each) for each in squares_):
+    if any(scene.model.identically_zero(size) for size in squares_):
         raise NotPlannedError("an angle to what is at rest")
     above = total((product(a, c), product(b, d)))
     sizes = [

@@ -23,6 +23,6 @@ def write_blows(scene: Scene) -> None:
                 value, refs = scene.put(given[1])
                 scene.desk.know(quantity, value, together(given[2], refs))
                 continue
-            velocities = [scene.velocity(step.body, each) for each in (number - 1, number)]
+            velocities = [scene.velocity(step.body, stage) for stage in (number - 1, number)]
             if not any(scene.unknown(velocity) for velocity in velocities):
                 blown(scene, step.body, number)

@@ -122,8 +122,8 @@ def _known_energy(scene: Scene, stage: int, *bodies: str) -> Source | None:
     """A kinetic energy that is a line already, with nothing open in it; of all without a body."""
     names = tuple(map(Name, bodies))
     stages = (stage, *(scene.last_event(body, stage) for body in bodies))
-    for each in dict.fromkeys(stages):
-        known = _known_value(scene, Quantity("energy", names, each))
+    for earlier in dict.fromkeys(stages):
+        known = _known_value(scene, Quantity("energy", names, earlier))
         if known is not None:
             return known
     if not bodies and len(scene.model.story.spheres) == 1:
@@ -256,15 +256,15 @@ def _lost_by_losses(scene: Scene, quantity: Quantity, stage: int) -> Formula | N
     happenings = (scene.model.happening(number).step for number in range(1, stage + 1))
     if stage < 2 or any(isinstance(happening, Arrival) for happening in happenings):
         return None
-    each_lost = [Quantity("energy_lost", (), n) for n in range(1, stage + 1)]
-    lost = [_known_value(scene, quantity) for quantity in each_lost]
-    missing = [quantity for quantity, known in zip(each_lost, lost, strict=True) if known is None]
+    losses = [Quantity("energy_lost", (), n) for n in range(1, stage + 1)]
+    lost = [_known_value(scene, quantity) for quantity in losses]
+    missing = [quantity for quantity, known in zip(losses, lost, strict=True) if known is None]
     if len(missing) == 1:
         own_loss = energy_lost_formula(scene, missing[0])
         if not scene.unknown(own_loss.value):
             number_ = write_formula(scene, own_loss)
             scene.desk.know(missing[0], own_loss.value, (number_,))
-            lost = [_known_value(scene, quantity) for quantity in each_lost]
+            lost = [_known_value(scene, quantity) for quantity in losses]
     own = [source for source in lost if source is not None]
     if len(own) != stage:
         return None
@@ -498,7 +498,7 @@ def _lost_by_squares(
         early, late = (square_of(body, stage) for stage in (event - 1, event))
         if early is None or late is None:
             return None
-        terms.append(difference(*(half(tree_of(mass.value), each[0]) for each in (early, late))))
+        terms.append(difference(*(half(tree_of(mass.value), speed[0]) for speed in (early, late))))
         values.append(mass.value * (early[1] - late[1]) / 2)
         own = () if tidy(expanded(values[-1])) == 0 else mass.refs  # of nothing no mass is needed
         refs += [*own, *early[2], *late[2]]
@@ -585,7 +585,7 @@ def total_energy_lost_formula(scene: Scene, quantity: Quantity) -> Formula:
         return replace(own, quantity=quantity, move=Move("define", "total-lost", 1))
     terms, values, refs = [], [], []
     # Lines for speeds that the second takes stand above both.
-    both = [energy_formula(scene, Quantity("energy", (), each)) for each in (0, quantity.stage)]
+    both = [energy_formula(scene, Quantity("energy", (), stage)) for stage in (0, quantity.stage)]
     for own in both:
         number = write_formula(scene, own)
         terms.append(tree_of(own.value))

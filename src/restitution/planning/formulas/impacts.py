@@ -111,7 +111,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
             _parallel(scene, initial.value, vector) for vector in (frame.n, frame.t)
         )
         # Of a direction in letters a sum of its ratios has to be seen: −v(cos θ + sin θ)/√2.
-        in_a_line |= any(each.has(sp.cos, sp.sin) for each in value.atoms(sp.Add))
+        in_a_line |= any(addend.has(sp.cos, sp.sin) for addend in value.atoms(sp.Add))
         if frame.is_slanted and in_a_line:
             initial = initial_as_a_line(scene, body) if form is None else initial
             return by_scalar_product(scene, tree, initial, frame, direction, form)
@@ -124,17 +124,17 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         blow = blown(scene, body, last) if vector is None else vector
         return _of_vector(scene, kind, body, frame, blow, last)
     own = scene.frame(last)
-    for each in ("along", "across"):
-        sign = _parallel(scene, own.direction(each), direction)
+    for own_kind in ("along", "across"):
+        sign = _parallel(scene, own.direction(own_kind), direction)
         if sign:
-            source = settled(scene, own.component(each, body, last)) or after(
-                scene, each, body, own
+            source = settled(scene, own.component(own_kind, body, last)) or after(
+                scene, own_kind, body, own
             )
             axis = source.axis
-            if own.component(each, body, last) != tree:
+            if own.component(own_kind, body, last) != tree:
                 axis = together(axis, own.unit_free, frame.unit_free)
             turned = _put(scene, Source(sign * source.value, source.refs, axis))
-            if (each, sign) != (kind, 1) and frame.is_slanted and turned.value != 0:
+            if (own_kind, sign) != (kind, 1) and frame.is_slanted and turned.value != 0:
                 return _as_a_line(scene, tree, turned, frame)
             return turned
     if vector is not None and not (direction.x and direction.y):

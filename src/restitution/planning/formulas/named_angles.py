@@ -63,7 +63,7 @@ def free_letter(scene: Scene, kind: str) -> str:
     """A letter for an angle of a kind that stands for nothing yet."""
     taken, names = letters_taken(scene), ANGLES[kind]
     numbered = (f"{name}_{n}" for n in range(1, 9) for name in names)
-    return next(each for each in (*names, *numbered) if each not in taken)
+    return next(name for name in (*names, *numbered) if name not in taken)
 
 
 def letters_taken(scene: Scene) -> set[str]:

@@ -22,7 +22,7 @@ def stand_as_vectors(scene: Scene, pair: Iterable[Moving]) -> bool:
     They are given with **i** and **j**, or a line has put them together. Of one along **i** or
     **j** an angle is read off by a tangent.
     """
-    vectors = [_standing(scene, *each) for each in pair]
+    vectors = [_standing(scene, *state) for state in pair]
     a, b = vectors
     if a is None or b is None or not all((*a, *b)):
         return False

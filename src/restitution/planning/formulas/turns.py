@@ -118,7 +118,7 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
     if event is None:
         return
     frame = scene.frame(event)
-    p, q = (_direction(scene, frame, *each) for each in pair)
+    p, q = (_direction(scene, frame, *state) for state in pair)
     if p is None or q is None:
         return
     angles = {p.angle, q.angle}
@@ -152,7 +152,7 @@ def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
 
 def _is_given_to_a_unit(scene: Scene, velocity: Quantity) -> bool:
     """Whether the facts give the angle of a velocity to **i** or **j**."""
-    angles = (Quantity("angle", (velocity, each)) for each in (Unit("i"), Unit("j")))
+    angles = (Quantity("angle", (velocity, unit)) for unit in (Unit("i"), Unit("j")))
     return any(given_angle(scene, angle) is not None for angle in angles)
 
 
@@ -263,7 +263,7 @@ def _met(scene: Scene, frame: Frame, body: str) -> tuple[Ref, ...]:
     """What the component along the line of centres of what a body meets rests on, before it."""
     before = frame.number - 1
     others = (sphere for sphere in scene.spheres(frame.number) if sphere != body)
-    sources = (in_direction(scene, "along", each, before, frame) for each in others)
+    sources = (in_direction(scene, "along", sphere, before, frame) for sphere in others)
     return together(*(source.whole for source in sources))
 
 

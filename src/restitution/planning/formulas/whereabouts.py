@@ -214,7 +214,7 @@ def axis_of_approach(scene: Scene, number: int, body: str, other: str) -> Axis:
     """The direction in which two bodies come nearer to each other: one in which both are known."""
     gaps: list[tuple[int, int, Axis]] = []
     for axis in AXES:
-        paces = [value_of_velocity(scene, each, number - 1, axis) for each in (body, other)]
+        paces = [value_of_velocity(scene, sphere, number - 1, axis) for sphere in (body, other)]
         gap = tidy(paces[0] - paces[1])
         if gap != 0:
             open_ = sum(len(scene.unknown(without_walls(scene, pace))) for pace in paces)

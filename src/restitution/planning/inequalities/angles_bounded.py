@@ -42,15 +42,17 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
     pool: list[Ref] = [fact.id, *extent]
     if not _is_at_most_a_right_angle(extent):
         met = meeting(worths.scene)
-        acute = judge.write((Move("sign"),), [line, *known, *met], _said(Link(tangent, ">", ZERO)))
+        acute = judge.write(
+            (Move("sign"),), [line, *known, *met], _relation(Link(tangent, ">", ZERO))
+        )
         pool += [] if acute is None else [acute]
     limit = tree_of(bound)
     stripped = without_signs(worths.scene, expanded(value - bound), link.sign)
-    compared = judge.write((Move("compare"),), pool, _said(Link(tangent, link.sign, limit)))
+    compared = judge.write((Move("compare"),), pool, _relation(Link(tangent, link.sign, limit)))
     if compared is None or stripped is None:
         worths.back(mark)
         return None
-    put = judge.write((Move("put"),), [compared, line], _said(Link(right, link.sign, limit)))
+    put = judge.write((Move("put"),), [compared, line], _relation(Link(right, link.sign, limit)))
     if put is None:
         worths.back(mark)
         return None
@@ -58,7 +60,7 @@ def write_bounded(worths: Worths, fact: Fact, link: Link, angle: Quantity) -> Bo
     return put, sign, x
 
 
-def _said(link: Link) -> Relation:
+def _relation(link: Link) -> Relation:
     return Relation(((link,),))
 
 

@@ -76,7 +76,7 @@ class ClaimLines:
         """The ranges of the letters in some lines, where lines above say them."""
         desk = self.scene.desk
         inside = {n for number in lines for n in letters(desk.last_link(number).right)}
-        return [line for each in sorted(inside) for line in self.ranges_of(each)]
+        return [line for letter in sorted(inside) for line in self.ranges_of(letter)]
 
     def ranges_of(self, letter: str) -> list[int]:
         """The lines above that say between what a letter is."""
@@ -116,11 +116,11 @@ class ClaimLines:
         self, refs: Sequence[Ref], relation: Relation, known_only: Sequence[Ref] = ()
     ) -> int | None:
         """A line by what is cited, and the ranges of letters."""
-        for each in refs:
-            if isinstance(each, int) and each not in known_only:
-                stated = self.scene.desk.line(each).relation
+        for cited in refs:
+            if isinstance(cited, int) and cited not in known_only:
+                stated = self.scene.desk.line(cited).relation
                 if isinstance(stated, Relation) and same(stated, relation):
-                    return each
+                    return cited
         names: set[str] = set()
         for ref in refs:
             own = (
@@ -181,7 +181,7 @@ class ClaimLines:
         if len(several) < 2:
             return []
         known = roles(self.scene.problem)
-        product = tree_of(sp.Mul(*(known[each].symbol(each) for each in several)))
+        product = tree_of(sp.Mul(*(known[name].symbol(name) for name in several)))
         bounds = (Link(product, ">", ZERO), Link(product, "<=", ONE))
         lines = [
             self.judge.write((Move("sign"),), self.judge.known(several), Relation(((bound,),)))

@@ -94,7 +94,7 @@ class Eliminated(InStages):
                 if written is not None:
                     return written
             for line in self.ties.lines():
-                written = self._by_each_end(line, relation)
+                written = self._by_both_ends(line, relation)
                 if written is not None:
                     return written
             return None
@@ -280,7 +280,7 @@ class Eliminated(InStages):
             number = self.judge.write((Move("triangle"), Move("put")), refs, equation)
         return self.compared([*(refs if number is None else [number])], relation)
 
-    def _by_each_end(self, line: int, relation: Relation) -> int | None:
+    def _by_both_ends(self, line: int, relation: Relation) -> int | None:
         """One end after the other, by an equation and the range of a letter in it."""
         if not _bounds(relation):
             return None

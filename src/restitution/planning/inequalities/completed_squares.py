@@ -142,7 +142,7 @@ def _written(claims: Comparing, asked: Expression, line: int, relation: Relation
     between = claims.judge.write((Move("sign"),), known, Relation((ends,)))
     if completed is None or between is None:
         return None
-    low, high = (tree_of(factored(lead * (each + more))) for each in (0, most))
+    low, high = (tree_of(factored(lead * (remainder + more))) for remainder in (0, most))
     both = Link(low, "<=", subject), Link(subject, "<=", high)
     wanted = both[2 - len(relation.only) :] if power > 1 else relation.only
     last = claims.compared([completed, between], Relation((wanted,)))

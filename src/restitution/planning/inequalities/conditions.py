@@ -318,7 +318,7 @@ class Conditions:
         if product is None:
             return None
         pair, tree, value, refs = product
-        event = max(frame_after(self.scene, *each).number for each in pair)
+        event = max(frame_after(self.scene, *state).number for state in pair)
         opposite = FLIPPED[link.sign]
         stripped = without_signs(self.scene, expanded(value), opposite)
         if stripped is None:
@@ -339,10 +339,10 @@ class Conditions:
         moves = (Move("rearrange"), Move("cancel"), Move("compare"))
         both = x.has(sp.sin) and x.has(sp.cos)
         short = squares_apart(x, sign) if both else Link(tree_of(x), sign, ZERO)
-        for each in (short, solved):
-            if each is None:
+        for form in (short, solved):
+            if form is None:
                 continue
-            after = self.judge.write(moves, [number, *known], Relation(((each,),)))
+            after = self.judge.write(moves, [number, *known], Relation(((form,),)))
             number = number if after is None else after
         return number if wanted is None else self._by_the_offset(number, x, sign, wanted)
 
@@ -384,7 +384,7 @@ class Conditions:
             return None
         for body, stage in pair:
             self.worths.determine(Quantity("velocity", (Name(body),), stage))
-        event = max(frame_after(self.scene, *each).number for each in pair)
+        event = max(frame_after(self.scene, *state).number for state in pair)
         return pair, *scalar_product(self.scene, pair, event, signed=True)
 
     def _with_a_direction(self, angle: Quantity) -> Product | None:
@@ -502,8 +502,8 @@ class Conditions:
                     line = in_factors(self.worths, line, known)
                     if solved is not None:
                         line = multiplied_out(self.worths, line, relation_sign, values, solved)
-                    for each in (solved, relation.only[0]):
-                        if each is None:
+                    for form in (solved, relation.only[0]):
+                        if form is None:
                             continue
                         known = self.worths.known_in(x)
                         after = self.judge.write(
@@ -514,7 +514,7 @@ class Conditions:
                                 Move("compare"),
                             ),
                             [line, *known],
-                            Relation(((each,),)),
+                            Relation(((form,),)),
                         )
                         if after is not None:
                             return after

@@ -365,8 +365,8 @@ class _Extremum:
         sample = self.scene.model.branch.sample
         data = {
             symbol: sp.Float(float(sample[symbol.name]))
-            for each in (value, place, wanted)
-            for symbol in each.free_symbols - {letter}
+            for expression in (value, place, wanted)
+            for symbol in expression.free_symbols - {letter}
             if symbol.name in sample
         }
         near = (
@@ -593,8 +593,8 @@ class _Extremum:
         bound = self.judge.write((Move("monotone"),), pool, self._relation)
         if bound is not None:
             return bound
-        for each in () if self.offset else ranges_of(self.claims, self.symbol.name):
-            bound = self.judge.write((Move("monotone"),), [line, each, *pool[1:]], self._relation)
+        for extent in () if self.offset else ranges_of(self.claims, self.symbol.name):
+            bound = self.judge.write((Move("monotone"),), [line, extent, *pool[1:]], self._relation)
             if bound is not None:
                 return bound
         return None

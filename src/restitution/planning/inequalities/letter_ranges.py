@@ -67,16 +67,16 @@ def _by_conditions(claims: Claims, letter: str) -> int | None:
 
 def _bound(claims: Claims, link: Link, letter: str) -> tuple[Sign, sp.Expr] | None:
     """The sign and the end of a bound of a letter, or of its square; None of anything else."""
-    for each in (link, turned(link)):
-        if each.sign not in ("<", "<=", ">", ">="):
+    for bound in (link, turned(link)):
+        if bound.sign not in ("<", "<=", ">", ">="):
             return None
-        value = sp.sympify(claims.scene.scalar(each.right), strict=True)
+        value = sp.sympify(claims.scene.scalar(bound.right), strict=True)
         if letter in symbol_names(value):
             continue
-        if each.left == Letter(letter):
-            return each.sign, value
-        if _is_square(each.left, letter):
-            return each.sign, tidy(sp.sqrt(value))
+        if bound.left == Letter(letter):
+            return bound.sign, value
+        if _is_square(bound.left, letter):
+            return bound.sign, tidy(sp.sqrt(value))
     return None
 
 

@@ -88,8 +88,8 @@ class Ties:
             yield from dict.fromkeys(self._without_roots(number) for number in lines)
             return
         none = True
-        for each in scene.given:
-            line = self._trial(lambda each=each: self._tie(each))  # type: ignore[misc]
+        for given in scene.given:
+            line = self._trial(lambda equation=given: self._tie(equation))  # type: ignore[misc]
             if line is not None:
                 none = False
                 yield self._with_values(line)
@@ -193,15 +193,15 @@ class Ties:
         scene = self.scene
         numbers: dict[sp.Symbol, sp.Expr] = {}
         refs: list[Ref] = []
-        for each in scene.given:
-            match each.link:
+        for given in scene.given:
+            match given.link:
                 case Link(Letter(name), "=", right) if not letters(right) and not has_quantity(
                     right
                 ):
                     symbol = scene.model.unknowns.letter(name)
                     if symbol in value.free_symbols and name not in apart:
                         numbers[symbol] = sp.sympify(scene.scalar(right), strict=True)
-                        refs.append(each.fact.id)
+                        refs.append(given.fact.id)
         return numbers, refs
 
     def shown_by(self, ref: Ref) -> int | None:

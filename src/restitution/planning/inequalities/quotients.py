@@ -152,7 +152,7 @@ def _letter_for(scene: Scene, tree: Expression) -> str:
     }
     names = {sphere.name for sphere in scene.problem.spheres}
     names |= {wall.name for wall in scene.problem.walls}
-    return next(each for each in "SQNKHFG" if each not in taken | names)
+    return next(letter for letter in "SQNKHFG" if letter not in taken | names)
 
 
 def by_tangent(x: sp.Expr, angle: sp.Symbol, t: sp.Symbol) -> sp.Expr:

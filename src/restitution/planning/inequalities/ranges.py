@@ -429,7 +429,7 @@ def general_answer(result: ItemResult) -> Answer | None:
     forms = result.distinct
     lettered = [form for form in forms if getattr(form.value, "free_symbols", None)]
     wide = [form for form in forms if any(set(text) & {"<", ">"} for text in form.condition)]
-    own = next((each for each in (forms, lettered, wide) if len(each) == 1), None)
+    own = next((form for form in (forms, lettered, wide) if len(form) == 1), None)
     return None if own is None else own[0]
 
 

@@ -35,11 +35,11 @@ def in_factors(worths: Worths, line: int, known: Sequence[Ref]) -> int:
     if len(sums) < 2 or link.right == ZERO:
         return line
     if (
-        all(each.as_base_exp()[0].is_Add for each in sums)
+        all(factor.as_base_exp()[0].is_Add for factor in sums)
         and len(expanded(sp.Mul(*sums)).args) == 2
     ):
         return line  # of the difference of two squares the root is taken
-    sums = [-each if each.is_Add and _begins_below_zero(each) else each for each in sums]
+    sums = [-factor if factor.is_Add and _begins_below_zero(factor) else factor for factor in sums]
     rest = proved_sign(worths.scene.model.inside, sp.cancel(gap / sp.Mul(*sums)))
     if not rest:
         return line
@@ -75,7 +75,7 @@ def _in_tangents(
     sums = [factor for factor in sp.Mul.make_args(above) if factor.is_Add]
     if own.free_symbols != {tangent} or len(sums) != 2 or not all(_is_linear(e) for e in sums):
         return line
-    sums = [-each if sp.Poly(each).LC() < 0 else each for each in sums]
+    sums = [-factor if sp.Poly(factor).LC() < 0 else factor for factor in sums]
     rest = sp.cancel(own / sp.Mul(*sums)).subs(tangent, sp.tan(angle))
     sense = proved_sign(worths.scene.model.inside, rest.rewrite(sp.cos))
     if not sense:
@@ -85,8 +85,8 @@ def _in_tangents(
     poly = sp.Poly(expanded(sp.Mul(*sums)), tangent)
     if 0 in poly.all_coeffs():
         return line  # of the difference of two squares the root is taken
-    sums.sort(key=lambda each: -sp.Poly(each).nth(0) / sp.Poly(each).LC())
-    factors = product(*(tree_of(each.subs(tangent, sp.tan(angle))) for each in sums))
+    sums.sort(key=lambda factor: -sp.Poly(factor).nth(0) / sp.Poly(factor).LC())
+    factors = product(*(tree_of(factor.subs(tangent, sp.tan(angle))) for factor in sums))
     for left in (_in_order(sp.tan(angle), poly)[0], factors):
         relation = Relation(((Link(left, sign, ZERO),),))
         line = worths.judge.write(_MOVES, [line, *known], relation) or line

@@ -74,9 +74,9 @@ def _positive(worths: Worths, quantity: Quantity) -> int | None:
     plain = not sums and all(roles[name].kind == "positive" for name in names if name in roles)
     shown: Showing = "silent" if plain else "line"
     line = worths.judge.write((Move("sign"),), pool, relation, shown=shown)
-    for each in sums if line is None else ():
-        own = Relation(((Link(tree_of(each), ">", ZERO),),))
-        letters_ = symbol_names(each)
+    for addend in sums if line is None else ():
+        own = Relation(((Link(tree_of(addend), ">", ZERO),),))
+        letters_ = symbol_names(addend)
         more = worths.judge.write((Move("sign"),), worths.judge.known(letters_), own)
         pool[:0] = [] if more is None else [more]
     return line or worths.judge.write((Move("compare"),), pool, relation)

@@ -53,13 +53,13 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
     if not _bounds(open_):
         return None  # what was put in since leaves no letter
     links = (Link(low.left, "<", tree), Link(tree, "<", high.right))
-    kept = tuple(link for link, each in zip(links, open_, strict=True) if each is not None)
+    kept = tuple(link for link, equation in zip(links, open_, strict=True) if equation is not None)
     names = worths.known_in(value)
     pool: list[Ref] = [fact.id, number, *refs, *names]
     line = judge.write((Move("compare"),), pool, Relation((kept,)))
     if line is None:
         return None
-    solved = [solve_linear(scene, *each, wanted) for each in open_ if each is not None]
+    solved = [solve_linear(scene, *equation, wanted) for equation in open_ if equation is not None]
     relation = _joined([link for link in solved if link is not None])
     if relation is None or len(relation.only) < len(kept):
         return line
@@ -73,7 +73,7 @@ def _between(worths: Worths, fact: Fact, wanted: Expression | None) -> int | Non
 
 def _bounds(open_: Sequence[tuple[Sign, sp.Expr] | None]) -> bool:
     """Whether one of the ends that a place can come to bounds a letter."""
-    return any(each is not None and each[1].free_symbols for each in open_)
+    return any(equation is not None and equation[1].free_symbols for equation in open_)
 
 
 def is_of_a_path(relation: Relation) -> bool:
@@ -94,8 +94,8 @@ def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> in
         case _:
             raise NotPlannedError("a path to a wall")
     (body, stage), beside_axis, across = _whose(pace), _axis(pace), _axis(over)
-    for each in (pace, over):
-        worths.determine(each)
+    for quantity in (pace, over):
+        worths.determine(quantity)
     begin, start = (coordinate(scene, body, stage, axis) for axis in (beside_axis, across))
     along, towards = (velocity(scene, body, stage, axis) for axis in (beside_axis, across))
     end = scene.scalar(level)
@@ -116,7 +116,7 @@ def write_first_hit(worths: Worths, fact: Fact, wanted: Expression | None) -> in
     names = worths.known_in(value)
     refs = together(begin.refs, start.refs, along.refs, towards.refs)
     beyond = len(fact.relation.options) > 1
-    relations = [_with(fact.relation, there, each) for each in (tree, tree_of(value))]
+    relations = [_with(fact.relation, there, worth) for worth in (tree, tree_of(value))]
     # To the far side of an end the path may not come at all.
     near = [
         n

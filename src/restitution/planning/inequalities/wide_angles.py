@@ -123,8 +123,8 @@ def compared_by_cosine(
         Link(_plain(claims, link.left), link.sign, _plain(claims, link.right))
         for link in relation.only
     )
-    for each in (relation, Relation((links,))):
-        last = claims.judge.write((Move("compare"),), [bounds, *own.known], each)
+    for target in (relation, Relation((links,))):
+        last = claims.judge.write((Move("compare"),), [bounds, *own.known], target)
         if last is not None:
             return last
     return None

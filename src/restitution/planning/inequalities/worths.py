@@ -144,7 +144,7 @@ class Worths:
     def is_lettered(self, angle: Quantity) -> bool:
         """Whether a letter stands for an angle of the motion."""
         named = (line.relation for line in self.scene.desk.lines)
-        return any(isinstance(each, Meaning) and each.quantity == angle for each in named)
+        return any(isinstance(meaning, Meaning) and meaning.quantity == angle for meaning in named)
 
     def letter_for(self, angle: Quantity) -> tuple[str, int]:
         """The letter that stands for an angle of the motion, and the line that introduces it."""

@@ -35,19 +35,26 @@ def write_by_its_way(scene: Scene, velocity: Quantity) -> bool:
     there = _place(scene, body, number)
     if there is None or any(map(scene.unknown, (*start.value, *there.value))):
         return False
-    way = Vector(*(tidy(b - a) for a, b in zip(start.value, there.value, strict=True)))
-    length = tidy(scene.model.story.size(way))
+    displacement = Vector(*(tidy(b - a) for a, b in zip(start.value, there.value, strict=True)))
+    length = tidy(scene.model.story.size(displacement))
     size = scene.scalar(given.link.right)
-    if not any(way) or not all(x.is_number for x in way) or has_nested_roots(length):
+    if (
+        not any(displacement)
+        or not all(x.is_number for x in displacement)
+        or has_nested_roots(length)
+    ):
         return False
-    value = Vector(*(tidy(size * x / length) for x in way))
+    value = Vector(*(tidy(size * x / length) for x in displacement))
     path = tree_of(there.value)
     if any(start.value):
         path = Binary("-", path, tree_of(start.value))
     relation = chain(
         velocity,
         (product(tree_of(size), Binary("/", path, tree_of(length))), None),
-        (product(tree_of(size), unit_tree(Vector(*(tidy(x / length) for x in way)))), "rearrange"),
+        (
+            product(tree_of(size), unit_tree(Vector(*(tidy(x / length) for x in displacement)))),
+            "rearrange",
+        ),
         (tree_of(value), "rearrange"),
     )
     pool = together(given.refs, start.refs, there.refs)

@@ -178,6 +178,6 @@ def write_aim(scene: Scene, number: int) -> Source:
         refs,
         chain(quantity, (tree, None), (tree_of(value), "rearrange")),
     )
-    for axis, each in zip(AXES, value, strict=True):
-        scene.desk.know(coordinate_tree(body, number, axis), each, (number_,))
+    for axis, coordinate in zip(AXES, value, strict=True):
+        scene.desk.know(coordinate_tree(body, number, axis), coordinate, (number_,))
     return scene.desk.know(quantity, value, (number_,))

@@ -66,7 +66,9 @@ def time_of_closing(
 def _distance(scene: Scene, pair: tuple[str, str], stage: int) -> Source | None:
     """How far apart two bodies are at an event, where a line says it."""
     names = tuple(map(Name, pair))
-    lines = (standing(scene, Quantity("distance", each, stage)) for each in (names, names[::-1]))
+    lines = (
+        standing(scene, Quantity("distance", spheres, stage)) for spheres in (names, names[::-1])
+    )
     return next((line for line in lines if line is not None), None)
 
 

@@ -31,9 +31,9 @@ def both_moving(scene: Scene, number: int) -> tuple[str, str] | None:
     pair = (step.first, step.second)
     if circle_of(scene, number) is not None or not any(True for _ in contact_of(scene, number)):
         return None
-    if any(rests(scene, each, number) for each in pair):
+    if any(rests(scene, sphere, number) for sphere in pair):
         return None
-    placed = [story.place(each, last_move(scene, each, number)) for each in pair]
+    placed = [story.place(sphere, last_move(scene, sphere, number)) for sphere in pair]
     return None if None in placed else pair
 
 

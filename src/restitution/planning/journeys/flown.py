@@ -108,7 +108,7 @@ def _time_between(
     scene: Scene, early: int, late: int
 ) -> tuple[Expression, sp.Expr, tuple[Ref, ...]]:
     """The time between two events: by that of each, where lines tell both as numbers."""
-    known = [scene.desk.known(time_tree(each)) for each in (early, late)]
+    known = [scene.desk.known(time_tree(moment)) for moment in (early, late)]
     standing = scene.desk.known(duration_tree(late, early))
     first, last = known
     if first is None or last is None or standing is not None:

@@ -92,7 +92,7 @@ def _time_value(scene: Scene, number: int) -> sp.Expr:
     since = last_move(scene, body, number)
     if axis is None:
         return own
-    first, last = (value_of_coordinate(scene, body, each, axis) for each in (since, number))
+    first, last = (value_of_coordinate(scene, body, stage, axis) for stage in (since, number))
     pace = value_of_velocity(scene, body, since, axis)
     early = _time_value(scene, since) if since else sp.Integer(0)
     return early + (last - first) / pace
@@ -175,7 +175,7 @@ def _without_times(tree: Expression, number: int) -> Expression:
 
 def _over_the_whole_time(scene: Scene, body: str, number: int, steady: Steady) -> sp.Expr:
     """The equation of a way at one component over the time that is given."""
-    first, last = (value_of_coordinate(scene, body, each, steady.axis) for each in (0, number))
+    first, last = (value_of_coordinate(scene, body, stage, steady.axis) for stage in (0, number))
     pace = value_of_velocity(scene, body, 0, steady.axis)
     return tidy(last - first - pace * scene.scalar(steady.time.link.right))
 
@@ -183,7 +183,7 @@ def _over_the_whole_time(scene: Scene, body: str, number: int, steady: Steady) -
 def _write_steady(scene: Scene, path: Path, steady: Steady) -> int:
     """The line of a way at one component over the time that is given."""
     body, number = path.body, path.number
-    first, last = (coordinate(scene, body, each, steady.axis) for each in (0, number))
+    first, last = (coordinate(scene, body, event, steady.axis) for event in (0, number))
     stage = last_move(scene, body, number)
     pace = velocity(scene, body, stage, steady.axis)
     refs = list(pace.refs)
@@ -292,7 +292,7 @@ def write_path(scene: Scene, path: Path) -> int:
         values = [without_walls(scene, value) for value in (pace, first, last, when)]
         if pace == 0 or any(scene.unknown(value) for value in values):
             continue
-        ends = [coordinate(scene, body, each, other) for each in (since, number)]
+        ends = [coordinate(scene, body, stage, other) for stage in (since, number)]
         if since and steady_axis(scene, body, number) == axis:
             write_last_way(scene, number, since)
         if standing(scene, time_tree(number)) is None:
@@ -320,7 +320,7 @@ def write_path(scene: Scene, path: Path) -> int:
     if by_tangent is not None:
         return by_tangent
     for axis, pace in zip(AXES, reversed(paces), strict=True):
-        ends = [coordinate(scene, body, each, axis) for each in (since, number)]
+        ends = [coordinate(scene, body, stage, axis) for stage in (since, number)]
         refs += [ref for end in (*ends, pace) for ref in end.refs]
         sides.append(swept_product(scene, ends[1].value, ends[0].value, pace.value))
     match sides:
@@ -337,7 +337,7 @@ def _write_meeting(scene: Scene, number: int, pair: tuple[str, str]) -> int:
     """That two that both move are in one place then, in the direction that does not tell when."""
     axis = in_the_other(scene, number, pair)
     leg(scene, number)
-    first, second = (coordinate_moved(scene, each, number, axis) for each in pair)
+    first, second = (coordinate_moved(scene, sphere, number, axis) for sphere in pair)
     there = with_the_gap(scene, pair[0], number, axis, tree_of(second.value))
     relation = chain(tree_of(first.value), (there, None))
     refs = together((f"contact {number}",), first.refs, second.refs)
@@ -366,7 +366,7 @@ def _slope_line(
     """The line of a way in the second direction, by that in the first; None if it fails."""
     body, number = path.body, path.number
     since = last_move(scene, body, number)
-    ends = [[coordinate(scene, body, each, AXES[n]) for each in (since, number)] for n in order]
+    ends = [[coordinate(scene, body, stage, AXES[n]) for stage in (since, number)] for n in order]
     (begin, end), (first, last) = ends
     pace, beside = (paces[n].value for n in order)
     distance = slope(scene, end.value, begin.value, beside, pace)

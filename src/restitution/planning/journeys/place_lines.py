@@ -54,8 +54,8 @@ def write_place(
 
 def know_place(scene: Scene, body: str, stage: int, value: Vector, number: int) -> Source:
     """Both coordinates of a place, which a line has, as known from it."""
-    for axis, each in zip(AXES, value, strict=True):
-        scene.desk.know(coordinate_tree(body, stage, axis), each, (number,))
+    for axis, coordinate in zip(AXES, value, strict=True):
+        scene.desk.know(coordinate_tree(body, stage, axis), coordinate, (number,))
     return scene.desk.know(place_tree(body, stage), value, (number,))
 
 

@@ -245,7 +245,7 @@ def _by_the_other(scene: Scene, body: str, stage: int, axis: Axis) -> Source | N
     pace, over = velocity(scene, body, since, axis), velocity(scene, body, since, other)
     distance = tidy(end.value - start_.value)
     value = tidy(first.value + distance * pace.value / over.value)
-    one, two = (by_degrees(scene, body, since, each) for each in (axis, other))
+    one, two = (by_degrees(scene, body, since, letter) for letter in (axis, other))
     shares = None if one is None or two is None else (one, two)
     slope_ = slope(scene, end.value, start_.value, pace.value, over.value, shares)
     quantity = coordinate_tree(body, stage, axis)
@@ -418,14 +418,14 @@ def time_of(scene: Scene, number: int) -> Source:
     legs = _legs(scene, number)
     if len(legs) == 1:
         return legs[number]
-    for each in sorted(legs)[-2:0:-1]:
+    for moment in sorted(legs)[-2:0:-1]:
         # A time that stands is not added up once more.
-        early = standing(scene, time_tree(each))
+        early = standing(scene, time_tree(moment))
         if early is not None:
-            legs = {each: early} | {end: own for end, own in legs.items() if end > each}
+            legs = {moment: early} | {end: own for end, own in legs.items() if end > moment}
             break
     value = tidy(sum(source.value for source in legs.values()))
-    terms = [tree_of(legs[each].value) for each in sorted(legs)]
+    terms = [tree_of(legs[end].value) for end in sorted(legs)]
     line = scene.desk.write(
         Move("put"),
         (*leg_line(scene, number), *(ref for source in legs.values() for ref in source.refs)),
@@ -623,7 +623,7 @@ def _leg_by_a_gap(
 ) -> Source | None:
     """The time in which a pair that moves along an axis closes the gap between them."""
     mark = scene.desk.mark()
-    places = {each: coordinate(scene, each, begin, axis) for each in pair}
+    places = {sphere: coordinate(scene, sphere, begin, axis) for sphere in pair}
     closed = time_of_closing(scene, number, pair, begin, axis, places)
     if closed is None:
         scene.desk.back(mark)
@@ -638,7 +638,7 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
     """
     axis = axis_of_approach(scene, number, body, other)
     first, _ = start(scene)
-    last = {each: last_move(scene, each, number) for each in (body, other)}
+    last = {sphere: last_move(scene, sphere, number) for sphere in (body, other)}
     begin = max(last.values())
     if begin != number - 1 and set(last.values()) != {begin}:
         begin = first
@@ -649,13 +649,13 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
             return begin, closed
     flight = time_since(scene, number, begin)
 
-    def there(each: str) -> tuple[Expression, sp.Expr, Source, tuple[Ref, ...]]:
+    def there(sphere: str) -> tuple[Expression, sp.Expr, Source, tuple[Ref, ...]]:
         """A coordinate in the time as unknown, its part without that, the speed, what it needs."""
-        pace = velocity(scene, each, last[each], axis)
-        near = begin if begin >= last[each] else last[each]
-        if near > last[each]:
-            spot(scene, each, near)
-        place = coordinate(scene, each, near, axis)
+        pace = velocity(scene, sphere, last[sphere], axis)
+        near = begin if begin >= last[sphere] else last[sphere]
+        if near > last[sphere]:
+            spot(scene, sphere, near)
+        place = coordinate(scene, sphere, near, axis)
         if near == begin:
             duration, constant, refs = flight, place.value, begins
         else:

@@ -310,7 +310,7 @@ def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) 
         raise NotPlannedError("the time of a contact whose place is not given")
     t = time_tree(number)
     refs: list[Ref] = [f"contact {number}"]
-    begins = [each.early for each in approaches if each.early is not None]
+    begins = [approach.early for approach in approaches if approach.early is not None]
     begin = begins[0]
     flight = difference(t, tree_of(begin.value))
     lines: list[Ref] = []
@@ -363,7 +363,7 @@ def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) 
         why: tuple[Ref, ...] = (f"order {number}", *begin.refs)
     else:
         why = (f"towards {number}", *lines)
-        why = together(why, refs[1:], *(each.pace.refs for each in approaches))
+        why = together(why, refs[1:], *(approach.pace.refs for approach in approaches))
     kept = scene.judge.enough(Move("reject"), (line,), chosen, (*why, *background(scene, letters)))
     if kept is None:
         raise NotPlannedError("which of two times it is")

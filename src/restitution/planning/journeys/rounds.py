@@ -66,7 +66,7 @@ def rounds(scene: Scene) -> Iterator[Round]:
         own = [n for n in range(1, number) if body in scene.bodies(n)]
         if len(own) != 2 or [chord_from(scene, body, n) for n in own] != [0, own[0]]:
             continue
-        start, end = (scene.value(place_tree(body, each)) for each in (0, number))
+        start, end = (scene.value(place_tree(body, stage)) for stage in (0, number))
         if not all(map(scene.model.identically_zero, end - start)):
             continue
         first, second = own

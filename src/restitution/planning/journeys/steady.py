@@ -69,7 +69,7 @@ def time_at_one_pace(
     between = _events_between(scene, body, number, since)
     if not between or (_times_wanted(scene) & set(between) and not at_once):
         return None
-    ends = [coordinate_given(scene, body, each, axis) for each in (since, number)]
+    ends = [coordinate_given(scene, body, stage, axis) for stage in (since, number)]
     if None in ends:
         return None
     early = [known.value for number in between if (known := scene.desk.known(time_tree(number)))]
@@ -80,7 +80,7 @@ def time_at_one_pace(
         return None  # the sum is as short
     if _are_added(scene, (since, *between, number)):
         return None
-    first, last = (coordinate(scene, body, each, axis) for each in (since, number))
+    first, last = (coordinate(scene, body, stage, axis) for stage in (since, number))
     paces = [velocity(scene, body, stage, axis) for stage in (since, *between)]
     pace = paces[-1]
     distance = tidy(last.value - first.value)

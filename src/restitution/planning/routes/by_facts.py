@@ -19,7 +19,7 @@ from restitution.planning.formulas.impacts import _given_after, after, residual
 from restitution.planning.formulas.ties import tied
 from restitution.planning.routes.course import Course
 from restitution.planning.routes.given_directions import wall_of, write_resolved
-from restitution.planning.routes.givens import candidate, write_given
+from restitution.planning.routes.givens import candidate_of, write_given
 from restitution.planning.routes.off_from_rest import write_speed_from_rest
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError, chain, together
@@ -36,7 +36,7 @@ class ByFacts(Course):
     def _vanishing(self, symbols: frozenset[sp.Symbol], own: Candidate) -> frozenset[sp.Symbol]:
         """Those that are zero in the solution, where an equation holds by that alone."""
         model = self.scene.model
-        put = [self.scene.with_values(each)[0] for each in own.residuals]
+        put = [self.scene.with_values(difference)[0] for difference in own.residuals]
         return frozenset(
             symbol
             for symbol in symbols
@@ -71,11 +71,11 @@ class ByFacts(Course):
                     known = velocity_given(self.scene, body, event)
                     if known is not None and (event, body) in self.scene.model.components:
                         self._take_components(body, event)
-                        return tuple(each for each in left if each.id in known[2])
+                        return tuple(candidate for candidate in left if candidate.id in known[2])
                     if known is not None and self._is_blow_to_take(body, event):
                         take_blow(self.scene, body, event)
                         under = self.scene.desk.under(*known[2])
-                        return tuple(each for each in left if each.id in under)
+                        return tuple(candidate for candidate in left if candidate.id in under)
                 case Quantity("momentum"):
                     if take_momentum(self.scene, given):
                         self._take_all_components()
@@ -175,7 +175,7 @@ class ByFacts(Course):
 
     def _zero(self, given: GivenEquation) -> int | None:
         """The line in which a fact says that a component is 0; None where it is no such fact."""
-        scene, own = self.scene, candidate(given)
+        scene, own = self.scene, candidate_of(given)
         if given.link.sign != "=" or len(own.residuals) != 1 or scene.others:
             return None
         symbols = own.residuals[0].free_symbols & self._letters.keys()
@@ -206,7 +206,7 @@ class ByFacts(Course):
 
     def _fact_ties(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
         """A fact that says how many times one component after an impact the other one is."""
-        ids = {each.id for each in left}
+        ids = {candidate.id for candidate in left}
         for own in left:
             given, open_ = self.equations.givens.get(own.id), self._open(own)
             if given is None or len(open_) != 2 or len(own.residuals) != 1:
@@ -229,7 +229,7 @@ class ByFacts(Course):
         self, laws: AbstractSet[str], open_: frozenset[sp.Symbol], left: Sequence[Candidate]
     ) -> bool:
         """Whether with a fact about both components one law alone tells another letter."""
-        own = [each for each in left if each.id in laws]
+        own = [candidate for candidate in left if candidate.id in laws]
         return len(own) == 1 and len(self._open(own[0]) - open_) == 1
 
     def _tie(self, given: GivenEquation, open_: frozenset[sp.Symbol], gap: sp.Expr) -> bool:
@@ -289,21 +289,21 @@ class ByFacts(Course):
                 return False
         number, _ = self._letters[symbol]
         laws = {f"momentum {number}", f"restitution {number}"}
-        ids = {each.id for each in left}
+        ids = {candidate.id for candidate in left}
         # One that an earlier part has used is there too.
         standing = {law for law in laws - ids if written_law(self.scene, law.split()[0], number)}
         if not laws & ids or not laws <= ids | standing:
             return False
         if self._comes_by_the_coefficient(number, left):
             return True
-        put = [sp.expand(self.scene.with_values(each)[0]) for each in own.residuals]
+        put = [sp.expand(self.scene.with_values(difference)[0]) for difference in own.residuals]
         squared = [value for value in put if sp.diff(value, symbol, 2) != 0]
         if not squared:
             return False
         # Of several solutions each would need the laws anew: that is worth it where they part in
         # the sense, and the laws would leave two letters in one equation.
         signs = {model.sign(model.in_data(symbol)) for model in self.scene.others}
-        unknowns = {x for each in left for x in self._open(each)} - self._letters.keys()
+        unknowns = {x for candidate in left for x in self._open(candidate)} - self._letters.keys()
         parted = signs >= {-1, 1} and len(unknowns) > 1
         plain = all(_is_plain_square(value, symbol) for value in squared)
         return not plain or (bool(signs) and not parted)
@@ -337,7 +337,7 @@ class ByFacts(Course):
         Then the laws tell the components after it by powers of that: w = (1 + e)²u/4.
         """
         unknown = self.scene.unknown(self.scene.coefficient(number).value)
-        laws = (each for each in left if each.id == f"momentum {number}")
+        laws = (candidate for candidate in left if candidate.id == f"momentum {number}")
         put = (self.scene.with_values(x)[0] for law in laws for x in law.residuals)
         symbols = {symbol for value in put for symbol in value.free_symbols}
         # A component after an earlier impact has the coefficient of that in it.
@@ -429,8 +429,8 @@ class ByFacts(Course):
             law = next((x for x in self.equations.laws if x.candidate.id == f"wall {number}"), None)
             if number is None or law is None or law.candidate.id in self.equations.used:
                 continue
-            used = tuple(each for each in left if each in (own, law.candidate))
-            open_ = {s for each in used for s in self._open(each)} - self._letters.keys()
+            used = tuple(candidate for candidate in left if candidate in (own, law.candidate))
+            open_ = {s for candidate in used for s in self._open(candidate)} - self._letters.keys()
             if self._earlier(law) or len(open_) >= len(used):
                 continue
             if write_resolved(self.scene, number, next(iter(open_), None)):

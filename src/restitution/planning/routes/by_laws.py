@@ -89,7 +89,7 @@ class ByLaws(ByFacts):
 
     def _is_linear(self, laws: Sequence[Candidate], symbols: Iterable[sp.Symbol]) -> bool:
         """Whether laws are linear in some letters, with what is known put in."""
-        rows = [self.scene.put(each)[0] for own in laws for each in own.residuals]
+        rows = [self.scene.put(difference)[0] for own in laws for difference in own.residuals]
         slopes = [sp.diff(row, symbol) for row in rows for symbol in symbols]
         # A cosine that is divided by would have to be cited as not zero.
         return not any(

@@ -49,9 +49,9 @@ def points(model: Model) -> tuple[Point, ...]:
             factor = sp.Rational(97 + 2 * n, 100 + 2 * n)
             there[name] = number_of(model.sample[name]) * number_of(factor)
     other: dict[sp.Symbol, float] = {}
-    for each in symbols:
+    for symbol in symbols:
         try:
-            other[each] = float_at(model.in_data(each), there)
+            other[symbol] = float_at(model.in_data(symbol), there)
         except (UndefinedError, KeyError, ArithmeticError):
             return (sample,)
     return sample, other
@@ -173,7 +173,7 @@ class Routes:
             for cost, chosen in routes
             if not any(set(other) < set(chosen) for _, other in routes)
         ]
-        minimal.sort(key=lambda each: (each[0], len(each[1]), each[1]))
+        minimal.sort(key=lambda basis: (basis[0], len(basis[1]), basis[1]))
         return [tuple(self.candidates[n] for n in chosen) for _, chosen in minimal[:most]]
 
     def _wanted(self, goals: Sequence[sp.Expr]) -> list[list[list[float]]]:
@@ -184,10 +184,10 @@ class Routes:
         """Takes gradients beside the solution: at a double root those at it tell nothing."""
         self.points = [
             {
-                each: value * (1 + 0.07 * (1 + self.symbols.index(each)))
-                if each in self.unknowns
+                symbol: value * (1 + 0.07 * (1 + self.symbols.index(symbol)))
+                if symbol in self.unknowns
                 else value
-                for each, value in point.items()
+                for symbol, value in point.items()
             }
             for point in self.points
         ]

@@ -329,9 +329,9 @@ class Course:
         It is the other component, or a letter where that stands in both laws with its value.
         """
         (other,) = (other for other in symbols if other != symbol)
-        if any(other in each.free_symbols for each in residuals):
+        if any(other in difference.free_symbols for difference in residuals):
             return other
-        both = set.intersection(*(set(self.scene.unknown(each)) for each in residuals))
+        both = set.intersection(*(set(self.scene.unknown(difference)) for difference in residuals))
         others = [value for value in both if value != symbol]
         if len(others) != 1:
             raise NotPlannedError(f"{symbol} is not expressed")
@@ -399,8 +399,8 @@ def _two_by_two(
     residuals: tuple[sp.Expr, ...], symbols: tuple[sp.Symbol, ...]
 ) -> dict[sp.Symbol, sp.Expr]:
     """Two linear equations in two unknowns, by determinants."""
-    rows = [[sp.diff(each, s) for s in symbols] for each in residuals]
-    rest = [expanded(-each.subs(dict.fromkeys(symbols, 0))) for each in residuals]
+    rows = [[sp.diff(difference, s) for s in symbols] for difference in residuals]
+    rest = [expanded(-difference.subs(dict.fromkeys(symbols, 0))) for difference in residuals]
     (a, b), (c, d) = rows
     whole = expanded(a * d - b * c)
     return {

@@ -14,7 +14,7 @@ from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.impulse_formulas import body_of_impulse
 from restitution.planning.journeys import paths, rounds
 from restitution.planning.routes.choice import Point, Routes, points
-from restitution.planning.routes.givens import candidate, move_of
+from restitution.planning.routes.givens import candidate_of, move_of
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.desk import NotPlannedError
@@ -44,7 +44,7 @@ class Equations:
         self.laws = [*self._laws(), *self._across()]
         self.givens = {equation.fact.id: equation for equation in scene.given}
         self.paths = {path.candidate.id: path for path in paths.paths(scene)}
-        self.rounds = {each.candidate.id: each for each in rounds.rounds(scene)}
+        self.rounds = {way_round.candidate.id: way_round for way_round in rounds.rounds(scene)}
         self.used: set[str] = set()
         self._taken_at: tuple[tuple[int, int], tuple[Point, ...]] | None = None
 
@@ -90,19 +90,23 @@ class Equations:
         """
         scene = self.scene
         candidates = [
-            Candidate(own.id, own.cost, tuple(scene.with_values(each)[0] for each in own.residuals))
+            Candidate(
+                own.id,
+                own.cost,
+                tuple(scene.with_values(difference)[0] for difference in own.residuals),
+            )
             for own in (
                 *(law.candidate for law in self.laws),
                 *(self._of_given(equation) for equation in scene.given),
                 *(path.candidate for path in self.paths.values()),
-                *(each.candidate for each in self.rounds.values()),
+                *(way_round.candidate for way_round in self.rounds.values()),
                 *self._shown(),
             )
             if own.id not in self.used and not self._holds(own)
         ]
         put = [scene.with_values(goal)[0] for goal in goals]
         unknowns = frozenset(
-            s for each in candidates for x in each.residuals for s in scene.unknown(x)
+            s for candidate in candidates for x in candidate.residuals for s in scene.unknown(x)
         ) | frozenset(s for x in put for s in scene.unknown(x))
         unknowns -= set(expressed)
         routes = Routes(candidates, self._points(), unknowns).cheapest(put)
@@ -119,11 +123,11 @@ class Equations:
         """The residuals of an equation, each without powers of factors that vanish."""
         model = self.scene.model
         plain: list[sp.Expr] = []
-        for each in own.residuals:
-            factors = factor_powers(sp.fraction(one_fraction(_without_root(each)))[0])
+        for difference in own.residuals:
+            factors = factor_powers(sp.fraction(one_fraction(_without_root(difference)))[0])
             zero = [base for base, _ in factors if model.sign(model.in_data(base)) == 0]
             is_power = any(power > 1 and base in zero for base, power in factors)
-            plain.append(sp.Mul(*zero) if is_power else each)
+            plain.append(sp.Mul(*zero) if is_power else difference)
         return tuple(plain)
 
     def _points(self) -> tuple[Point, ...]:
@@ -145,13 +149,13 @@ class Equations:
 
     def _holds(self, own: Candidate) -> bool:
         """Whether an equation tells nothing new: with what is known it holds of itself."""
-        put = [self.scene.with_values(each)[0] for each in own.residuals]
+        put = [self.scene.with_values(difference)[0] for difference in own.residuals]
         changed = all(a is not b for a, b in zip(put, own.residuals, strict=True))
         return changed and all(expanded(value) == 0 or _is_nothing(value) for value in put)
 
     def _of_given(self, equation: GivenEquation) -> Candidate:
         """A given fact; of a velocity only the component along the line of centres."""
-        own = candidate(equation)
+        own = candidate_of(equation)
         if equation.link.sign == "=" and place_trees.is_about_times(equation.link):
             return replace(own, residuals=paths.residuals(self.scene, equation.link))
         match equation.link:

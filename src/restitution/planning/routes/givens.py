@@ -86,7 +86,7 @@ from restitution.vector import Vector
 _COSTS = {"along": 1.0, "across": 1.0, "angle": 1.0, "speed": 1.5, "impulse": 2.0, "energy": 2.4}
 
 
-def candidate(equation: GivenEquation) -> Candidate:
+def candidate_of(equation: GivenEquation) -> Candidate:
     """A given fact as an equation of which routes are made."""
     kinds = [
         node.kind
@@ -123,83 +123,83 @@ _RECORDS = {
 }
 
 
-def write_given(scene: Scene, each: GivenEquation) -> int:
+def write_given(scene: Scene, given: GivenEquation) -> int:
     """Writes the line in which a fact becomes an equation, and returns its number."""
-    own = each.link
-    if is_sine_of_an_offset(each):
-        return write_sine(scene, each)
-    subject = each.fact.relation.only[0].left
+    own = given.link
+    if is_sine_of_an_offset(given):
+        return write_sine(scene, given)
+    subject = given.fact.relation.only[0].left
     if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
         for quantity in (subject, Apply("tan", subject)):
-            standing = quoted_as(scene, each, quantity)
+            standing = quoted_as(scene, given, quantity)
             if standing is not None:
                 return standing
     if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
-        return write_tie(scene, each)
-    if is_sum(scene, each):
-        return write_sum(scene, each)
+        return write_tie(scene, given)
+    if is_sum(scene, given):
+        return write_sum(scene, given)
     if not has_quantity(own.left) and not has_quantity(own.right):
-        return _between_letters(scene, each)
-    ratio = quoted_ratio(scene, each)
+        return _between_letters(scene, given)
+    ratio = quoted_ratio(scene, given)
     if ratio is not None:
         return ratio
     if isinstance(own.left, Quantity):
         write_loss_by_products(scene, own.left)
-        standing = quoted(scene, each, own.left)
+        standing = quoted(scene, given, own.left)
         if standing is not None:
             return standing
-    line = given_along_the_centres(scene, each)
+    line = given_along_the_centres(scene, given)
     if line is not None:
         return line
     if isinstance(own.left, Quantity):
         if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
-            line = sine_of_the_offset(scene, each)
+            line = sine_of_the_offset(scene, given)
             if line is not None:
                 return line
-            return _tangent(scene, _in_cosines(each), angle_of_lines(scene, own.left))
+            return _tangent(scene, _in_cosines(given), angle_of_lines(scene, own.left))
         if own.left.kind == "deflection" and not has_quantity(own.right):
-            return write_deflection(scene, each)
+            return write_deflection(scene, given)
         if own.left.kind == "angle" and not has_quantity(own.right):
-            line = given_turn(scene, each)
+            line = given_turn(scene, given)
             if line is not None:
                 return line
         if own.left.kind == "velocity":
-            return _velocity(scene, each)
+            return _velocity(scene, given)
         if own.left.kind in ("along", "across") and not has_quantity(own.right):
             if any(is_quantity(e, "position") for e in walk(own.left)):
-                return write_given_place(scene, each)
-            return _component(scene, each)
+                return write_given_place(scene, given)
+            return _component(scene, given)
         if own.left.kind == "impulse" and own.left.arguments:
-            return write_impulse(scene, each)
+            return write_impulse(scene, given)
         if own.left.kind == "deflection":
-            line = related_at_a_wall(scene, each)
+            line = related_at_a_wall(scene, given)
             if line is not None:
                 return line
             _decided(scene, own.left)
         if not has_quantity(own.right) and not place_trees.serves(own.left):
-            return _closed(scene, each, formula(scene, own.left))
+            return _closed(scene, given, formula(scene, own.left))
     match own.left:
         case Apply("abs", inside) if isinstance(scene.value(inside), Vector):
-            return _size(scene, each, own.left)
+            return _size(scene, given, own.left)
         case Apply("tan", Quantity(kind) as angle) if kind in UNSIGNED_ANGLES and not has_quantity(
             own.right
         ):
-            line = given_turn(scene, each)
+            line = given_turn(scene, given)
             if line is not None:
                 return line
             if angle.kind == "deflection":
                 _decided(scene, angle)
-            return _tangent(scene, each, formula(scene, angle))
+            return _tangent(scene, given, formula(scene, angle))
         case Apply("sin" | "cos", Quantity("angle")) if not has_quantity(own.right):
-            line = write_by_tangent(scene, each, own.left)
+            line = write_by_tangent(scene, given, own.left)
             if line is not None:
                 return line
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
-            return _tangent(scene, each, cosine_of_deflection(scene, angle))
+            return _tangent(scene, given, cosine_of_deflection(scene, angle))
         case Quantity(kind) if kind in UNSIGNED_ANGLES:
             if is_quantity(own.right, *UNSIGNED_ANGLES):
-                return write_equal_angles(scene, each)
-    return _of_several(scene, each)
+                return write_equal_angles(scene, given)
+    return _of_several(scene, given)
 
 
 _LOSSES = ("energy-lost", "total-lost", "energy", "total")
@@ -515,7 +515,7 @@ def _component(scene: Scene, equation: GivenEquation) -> int:
     )
 
 
-def _velocity(scene: Scene, each: GivenEquation) -> int:
+def _velocity(scene: Scene, given: GivenEquation) -> int:
     raise NotPlannedError("a velocity that is given is put into the laws")
 
 

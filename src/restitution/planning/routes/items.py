@@ -637,13 +637,13 @@ def in_a_frame(scene: Scene, asked: Expression, *, write: bool = False) -> Expre
             frame = scene.frame(stage)
             own = scene.model.story.direction(axis, scene.events)
             own = own if kind == "along" else own.turned_left()
-            for each in ("along", "across"):
-                named, direction = frame.component(each, body, stage), frame.direction(each)
+            for own_kind in ("along", "across"):
+                named, direction = frame.component(own_kind, body, stage), frame.direction(own_kind)
                 if tidy(own.cross(direction)) != 0 or scene.model.sign(own.dot(direction)) <= 0:
                     continue
                 known = scene.desk.known(named)
-                if known is None and write and each == "across":
-                    known = after(scene, each, body, frame)
+                if known is None and write and own_kind == "across":
+                    known = after(scene, own_kind, body, frame)
                 if known is not None and len(known.refs) == 1:
                     return named
     return asked

@@ -56,7 +56,7 @@ def write_with_facts(scene: Scene, solver: Solver, name: str) -> bool:
     given = [ref for letter in sorted(letters(link.right)) for ref in _tangent_of(scene, letter)]
     pools = (given, refs) if given else (refs,)
     tried = (scene.judge.enough(Move("put"), (end.line, *pool), relation) for pool in pools)
-    premises = next((each for each in tried if each is not None), None)
+    premises = next((enough for enough in tried if enough is not None), None)
     if put == value or premises is None:
         solver.back(standing)
         return False

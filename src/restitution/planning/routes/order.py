@@ -19,7 +19,7 @@ from restitution.expression.tree import Letter, letters
 from restitution.planning.formulas.blows import write_blows
 from restitution.planning.routes.by_closing import Closing
 from restitution.planning.routes.course import LAWS, Standing
-from restitution.planning.routes.givens import candidate
+from restitution.planning.routes.givens import candidate_of
 from restitution.planning.writing.candidates import Candidate
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import NotPlannedError
@@ -30,8 +30,11 @@ class Solver(Closing):
 
     def reopen(self) -> None:
         """Equations that were used may be used again, where something in them is open by now."""
-        own = [*(law.candidate for law in self.equations.laws), *map(candidate, self.scene.given)]
-        self.equations.used -= {each.id for each in own if self._open(each)}
+        own = [
+            *(law.candidate for law in self.equations.laws),
+            *map(candidate_of, self.scene.given),
+        ]
+        self.equations.used -= {candidate.id for candidate in own if self._open(candidate)}
 
     def determine(self, goals: Sequence[sp.Expr]) -> None:
         """Writes lines until everything in some values is known.
@@ -96,7 +99,7 @@ class Solver(Closing):
             for own in self.scene.given
             if isinstance(own.link.left, Letter) and not letters(own.link.right)
         }
-        for own in map(candidate, self.scene.given):
+        for own in map(candidate_of, self.scene.given):
             if own.id in self.equations.used or not any(own.id in under for under in rests):
                 continue
             open_ = self._essential(own) - numbers
@@ -112,7 +115,7 @@ class Solver(Closing):
         """Writes the equations of a route, in an order in which each tells something new."""
         scene = self.scene
         left = list(route)
-        self._express_waiting([x for each in left for x in each.residuals])
+        self._express_waiting([x for candidate in left for x in candidate.residuals])
         while left:
             self.reasons.clear()
             step = self._step(left)
@@ -123,14 +126,14 @@ class Solver(Closing):
             if step is None and self.reasons:
                 raise self.reasons[0]
             if step is None:
-                raise NotPlannedError(f"no order of {[each.id for each in left]}")
-            for each in step:
-                left.remove(each)
+                raise NotPlannedError(f"no order of {[candidate.id for candidate in left]}")
+            for candidate in step:
+                left.remove(candidate)
             # What was written on the way to another equation is used too.
-            done = [each for each in left if not self._open(each)]
-            self.equations.used |= {each.id for each in done}
-            left = [each for each in left if each not in done]
-            self._express_waiting([*goals, *(x for each in left for x in each.residuals)])
+            done = [candidate for candidate in left if not self._open(candidate)]
+            self.equations.used |= {candidate.id for candidate in done}
+            left = [candidate for candidate in left if candidate not in done]
+            self._express_waiting([*goals, *(x for candidate in left for x in candidate.residuals)])
             write_blows(scene)
         rest = {symbol for goal in goals for symbol in scene.unknown(goal)}
         rest -= self._separating()
@@ -148,15 +151,18 @@ class Solver(Closing):
         A fact may tell what is asked without them, and yet be written by them.
         """
         open_ = [
-            s for each in left for s in sorted(self._open(each), key=str) if s in self._letters
+            s
+            for candidate in left
+            for s in sorted(self._open(candidate), key=str)
+            if s in self._letters
         ]
-        taken = {each.id for each in left}
+        taken = {candidate.id for candidate in left}
         for symbol in open_:
             try:
                 route = self.equations.routes([symbol], self.waiting)[0]
             except NotPlannedError:
                 continue
-            more = [each for each in route if each.id not in taken]
+            more = [candidate for candidate in route if candidate.id not in taken]
             if more:
                 left += more
                 return True
@@ -167,7 +173,7 @@ class Solver(Closing):
 
         Both solve together, though one may be enough to tell what is asked. Empty without such.
         """
-        ids = {each.id for each in route}
+        ids = {candidate.id for candidate in route}
         more = [
             own.candidate
             for own in self.equations.laws
@@ -175,7 +181,8 @@ class Solver(Closing):
             if own.kind in LAWS
             and own.candidate.id not in ids | self.equations.used
             and f"{other} {own.number}" in ids
-            and self._after(own.number).keys() <= {s for each in route for s in self._open(each)}
+            and self._after(own.number).keys()
+            <= {s for candidate in route for s in self._open(candidate)}
         ]
         return (*route, *more) if more else ()
 
@@ -184,7 +191,7 @@ class Solver(Closing):
 
         What cancels in an answer is no part of its route, and stands open in the laws all the same.
         """
-        taken = {each.id for each in route}
+        taken = {candidate.id for candidate in route}
         last = max(
             (own.number for own in self.equations.laws if own.candidate.id in taken), default=0
         )
@@ -196,7 +203,9 @@ class Solver(Closing):
             and own.candidate.id not in self.equations.used
         )
         more = [law for law in laws if law.id not in taken]
-        rest = tuple(each for each in route if each.id not in {own.id for own in laws})
+        rest = tuple(
+            candidate for candidate in route if candidate.id not in {own.id for own in laws}
+        )
         return (*laws, *rest) if more else ()
 
     def _next(self, left: Sequence[Candidate]) -> tuple[Candidate, ...] | None:
@@ -216,7 +225,7 @@ class Solver(Closing):
         ):
             used = test(left)
             if used:
-                self.equations.used |= {each.id for each in used}
+                self.equations.used |= {candidate.id for candidate in used}
                 return used
         return None
 

@@ -122,7 +122,7 @@ class _Refutation:
             ):
                 if not claims.worths.is_data(quantity) or self._has_an_angle(quantity):
                     lines.append(self._worth(claims, quantity))
-        self.note(tuple(dict.fromkeys(lines or self._found(trees))), trees)
+        self.note(tuple(dict.fromkeys(lines or self._letters_worked_out(trees))), trees)
 
     def _worth(self, claims: Claims, quantity: Quantity) -> int:
         """The line that says what a quantity is; of a right angle, which has no tangent, itself."""
@@ -161,7 +161,7 @@ class _Refutation:
                 )
         self.note((scene.desk.ends.pop().line,), sides=sides)
 
-    def _found(self, trees: Iterable[Expression]) -> Iterator[int]:
+    def _letters_worked_out(self, trees: Iterable[Expression]) -> Iterator[int]:
         """The lines that say what letters are that are worked out."""
         scene = self.scene
         for name in sorted({name for tree in trees for name in letters(tree)}):
@@ -211,13 +211,13 @@ class _Refutation:
         claim = Relation((self.links,)) if self.links else None
         trees = list(trees)
         used = {letter for tree in trees for letter in self._letters(tree)}
-        numbers = {each: value for each, value in self.numbers.items() if each in used}
+        numbers = {name: value for name, value in self.numbers.items() if name in used}
         if not trees:
             numbers = dict(self.numbers)
         desk = self.scene.desk
         note = desk.new_note(self.name, "refuted", claim=claim)
         note = replace(note, premises=self._premises(note, lines, numbers))
-        scales = [each for each, value in numbers.items() if value == 1 and self._is_scale(each)]
+        scales = [name for name, value in numbers.items() if value == 1 and self._is_scale(name)]
         for scale in scales:
             fewer = {other: value for other, value in numbers.items() if other != scale}
             if self._excluded(self._at(note, fewer)):
@@ -290,8 +290,8 @@ class _Refutation:
     def _at(self, note: Note, numbers: Mapping[str, sp.Expr]) -> Note:
         known = roles(self.scene.problem)
         instance = tuple(
-            Link(Letter(each), "=", tree_of(value, angle=known[each].kind == "angle"))
-            for each, value in numbers.items()
+            Link(Letter(name), "=", tree_of(value, angle=known[name].kind == "angle"))
+            for name, value in numbers.items()
         )
         return replace(note, instance=instance)
 

@@ -80,7 +80,7 @@ LAST: tuple[Move, ...] = (
     Move("rearrange"),
     Move("put"),
     Move("cancel"),
-    *(Move("identity", each) for each in ("pythagoras", "double-angle", "sum-of-angles")),
+    *(Move("identity", identity) for identity in ("pythagoras", "double-angle", "sum-of-angles")),
 )
 
 _ONE, _TWO = (Number(Fraction(n)) for n in (1, 2))
@@ -203,7 +203,7 @@ class ShownEquation(ShownAngles):
         scene = self.scene
         components = {own.symbol for own in scene.model.components.values()}
         for equation in scene.given:
-            symbols = {s for each in equation.residuals for s in each.free_symbols}
+            symbols = {s for residual in equation.residuals for s in residual.free_symbols}
             if len(symbols) == 1 and symbols <= components & scene.unknown(sp.Add(*symbols)):
                 return True
         return False
@@ -279,13 +279,13 @@ class ShownEquation(ShownAngles):
             line = by_numbers(self.claims, number, self.link, lambda n: self._last([n, *known]))
             if line is not None:
                 return line
-        for each in lines:
-            others = [other for other in lines if other != each]
-            line = self._last([each, *others, *known])
+        for tie in lines:
+            others = [other for other in lines if other != tie]
+            line = self._last([tie, *others, *known])
             if line is not None:
                 return line
-        for each in lines:
-            line = self._rooted(each, [other for other in lines if other != each], known)
+        for tie in lines:
+            line = self._rooted(tie, [other for other in lines if other != tie], known)
             if line is not None:
                 return line
         raise NotPlannedError("a relation of letters")

@@ -34,7 +34,7 @@ def range_of(scene: Angles, name: str) -> str:
     role = scene.model.unknowns.roles[name]
     if role.low == 0 and role.high == sp.pi / 2 and not any(role.closed):
         return f"acute: {name}"
-    signs = ["<=" if each else "<" for each in role.closed]
+    signs = ["<=" if inside else "<" for inside in role.closed]
     if role.low is None or role.high is None:
         raise NotPlannedError(f"the range of {name} is open")
     ends = [f"{int(sp.deg(value))}°" for value in (role.low, role.high)]
@@ -92,12 +92,12 @@ def write_ratios(scene: Angles, symbol: sp.Symbol) -> None:
     scene.desk.know(own, scene.scalar(right), (ref,))
     others = {ratio: ratio_of(ratio, angle) for ratio in ("sin", "cos", "tan") if ratio != given}
     shown = [ratio for ratio in ("sin", "cos") if ratio != given]
-    links = tuple(Link(Apply(each, letter), "=", tree_of(others[each])) for each in shown)
+    links = tuple(Link(Apply(ratio, letter), "=", tree_of(others[ratio])) for ratio in shown)
     number = scene.desk.write(
         Move("triangle"), (ref, range_of(scene, symbol.name)), Relation((links,))
     )
-    for each in shown:
-        scene.desk.know(Apply(each, letter), others[each], (number,))
+    for ratio in shown:
+        scene.desk.know(Apply(ratio, letter), others[ratio], (number,))
     if "tan" in others:
         scene.desk.know(Apply("tan", letter), others["tan"], (ref, number))
 

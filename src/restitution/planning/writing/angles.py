@@ -22,7 +22,7 @@ from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import Scene
 
-STRAIGHT, RIGHT = (Degrees(Fraction(each)) for each in (180, 90))
+STRAIGHT, RIGHT = (Degrees(Fraction(size)) for size in (180, 90))
 
 
 def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | None:

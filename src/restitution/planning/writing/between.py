@@ -180,8 +180,8 @@ def _terms(tree: Expression, factor: tuple[Expression, ...] = ()) -> Iterator[Ex
                 yield negative(term)
         case Binary("+" | "-" as op, left, right):
             yield from _terms(left, factor)
-            for each in _terms(right, factor):
-                yield each if op == "+" else negative(each)
+            for term in _terms(right, factor):
+                yield term if op == "+" else negative(term)
         case Binary("*", left, Binary("+" | "-") as right):
             yield from _terms(right, (*factor, left))
         case _:

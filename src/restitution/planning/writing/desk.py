@@ -132,7 +132,7 @@ def _is_same(one: Relation | Meaning, other: Relation | Meaning) -> bool:
     if one == other:
         return True
     links = (*one.options[0], *other.options[0])
-    if any(each.sign not in ("<", "<=", ">", ">=") for each in links):
+    if any(equation.sign not in ("<", "<=", ">", ">=") for equation in links):
         return False
     return statement_of(one) == statement_of(other)
 

@@ -79,7 +79,7 @@ def _shortened(derivation: Derivation, line: Line, oracle: Oracle) -> Derivation
         return None
     plain: Expression = quotient
     for part in parts:
-        plain = rebuilt(plain, lambda each, part=part: without_value(each, part))  # type: ignore[misc]
+        plain = rebuilt(plain, lambda node, part=part: without_value(node, part))  # type: ignore[misc]
     names = {name for part in parts for name in _angles(part.plain)}
     if plain == quotient or len(names) != 1 or names & letters(value):
         return None
@@ -164,7 +164,7 @@ def components_put_in(derivation: Derivation, line: Line) -> Iterator[PutIn]:
             continue
         links = own.relation.only
         numbers = numbers_in(own.premises)
-        cited = [each for number in numbers if (each := derivation.line(number)) is not None]
+        cited = [premise for number in numbers if (premise := derivation.line(number)) is not None]
         ratios = tuple(line for line in cited if _is_ratio(line))
         if not ratios:
             continue

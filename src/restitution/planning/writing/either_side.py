@@ -62,13 +62,17 @@ def on_one_side(
     if len(models) < 2 or len(numbers) != 1:
         return ()
     (number,) = numbers
-    own = [each for each in models if each.sign(_line(each.frames[number]).y) > 0]
+    own = [
+        branch_model
+        for branch_model in models
+        if branch_model.sign(_line(branch_model.frames[number]).y) > 0
+    ]
     if 2 * len(own) != len(models):
         return ()
-    if any(each.sign(_line(each.frames[number]).x) <= 0 for each in own):
+    if any(other.sign(_line(other.frames[number]).x) <= 0 for other in own):
         return ()
     if _given_angle(desk, number, own[0].frames[number].wall) is not None:
-        in_numbers = all(x.is_number for each in own for x in each.frames[number].n)
+        in_numbers = all(x.is_number for other in own for x in other.frames[number].n)
         return tuple(own) if in_numbers else ()
     if any(_is_turned(facts, body) for body in desk.events[0].bodies):
         return tuple(own)  # the change of velocity is known

@@ -180,8 +180,8 @@ def _parted(name: str) -> tuple[str, str]:
 
 
 def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
-    def of(each: Any) -> Expression:
-        return _from_layout(each, names)
+    def of(layout: Any) -> Expression:
+        return _from_layout(layout, names)
 
     match layout:
         case lay.Number(digits):
@@ -231,18 +231,18 @@ def product(*factors: Expression) -> Expression:
     """Factors side by side: without ones, with its sign in front, and 0 if one of them is 0."""
     minus = False
     kept: list[Expression] = []
-    for each in factors:
-        while isinstance(each, Negate):
-            minus, each = not minus, each.operand
-        if is_zero(each):
+    for factor in factors:
+        while isinstance(factor, Negate):
+            minus, factor = not minus, factor.operand
+        if is_zero(factor):
             return ZERO
-        if each != ONE:
-            kept.append(each)
+        if factor != ONE:
+            kept.append(factor)
     if not any(map(_begins_with_a_number, kept)):
         kept.sort(key=lambda tree: not is_rational(tree))  # 2w, not w × 2; but 2m × 4/3
     total: Expression = kept[0] if kept else ONE
-    for each in kept[1:]:
-        total = Binary("*", total, each)
+    for factor in kept[1:]:
+        total = Binary("*", total, factor)
     return Negate(total) if minus else total
 
 

@@ -51,7 +51,7 @@ def _by_items(derivation: Derivation) -> Derivation:
     What is given below both may have been put into each at the end. The working is as it was where
     the end of one item rests on lines of a later one.
     """
-    items = {each: n for n, each in enumerate(derivation.asked)}
+    items = {item: n for n, item in enumerate(derivation.asked)}
     order = sorted(derivation.lines, key=lambda line: items.get(line.item or "", len(items)))
     if derivation.cases or order == list(derivation.lines):
         return derivation
@@ -140,7 +140,7 @@ def _is_of_the_axis(line: Line) -> bool:
 
 def _first_ends(derivation: Derivation) -> dict[int, str]:
     """The first item that ends at a line, by the numbers of such lines."""
-    items = {each: n for n, each in enumerate(derivation.asked)}
+    items = {item: n for n, item in enumerate(derivation.asked)}
     first: dict[int, str] = {}
     for end in derivation.items:
         known = first.get(end.line)
@@ -408,7 +408,7 @@ class _Gathering:
     def _lower_to_the_line_on_it(self, line: Line) -> None:
         """Puts what is known of letters above the first line that rests on it, in its item."""
         order, at = self._order, self._order.index(line)
-        users = [n for n, each in enumerate(order) if line.number in each.premises]
+        users = [n for n, other in enumerate(order) if line.number in other.premises]
         if any(end.line == line.number for end in self._derivation.items) or not users:
             return
         own = order[users[0]]
@@ -419,7 +419,7 @@ class _Gathering:
         """Puts a line that rests on data alone, and the letters in it, at the start of its item."""
         order = self._order
         lets = [other for other in order if other.number in line.premises]
-        start = next(n for n, each in enumerate(order) if each.item == line.item)
+        start = next(n for n, other in enumerate(order) if other.item == line.item)
         for other in reversed((*lets, line)):
             order.remove(other)
             order.insert(start, other)
@@ -443,13 +443,13 @@ class _Gathering:
         if isinstance(line.relation, Meaning):
             return None
         for n in near:
-            each = self._order[n]
-            if self._is_later(each, line):
+            other = self._order[n]
+            if self._is_later(other, line):
                 return n
-            if each.move.id == "law" and each.move.record in _LAWS:
-                if each.move.event != line.move.event:
+            if other.move.id == "law" and other.move.record in _LAWS:
+                if other.move.event != line.move.event:
                     continue
-                if each.move.record != "unchanged" or line.move.record == "component":
+                if other.move.record != "unchanged" or line.move.record == "component":
                     return n
         return None
 

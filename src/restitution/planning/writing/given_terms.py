@@ -37,8 +37,8 @@ def turn_round(model: Model, wanted: frozenset[str]) -> bool:
             continue
         turned = True
         del model.final[symbol]
-        for each in list(model.final):
-            model.final[each] = _put(model.final[each], changes)
+        for letter in list(model.final):
+            model.final[letter] = _put(model.final[letter], changes)
         model.final[other] = changes[other]
         for key, component in model.components.items():
             model.components[key] = replace(component, value=model.final[component.symbol])
@@ -126,6 +126,6 @@ def _of_two(model: Model, symbol: sp.Symbol, poly: sp.Poly, other: sp.Symbol) ->
 
 def _put(x: sp.Expr, changes: dict[sp.Expr, sp.Expr]) -> sp.Expr:
     """An expression with the ratios of a letter put in, and then the letter."""
-    ratios = {each: value for each, value in changes.items() if not each.is_Symbol}
-    rest = {each: value for each, value in changes.items() if each.is_Symbol}
+    ratios = {term: value for term, value in changes.items() if not term.is_Symbol}
+    rest = {symbol: value for symbol, value in changes.items() if symbol.is_Symbol}
     return tidy(x.xreplace(ratios).xreplace(rest))

@@ -87,16 +87,16 @@ def without_signs(scene: Scene, gap: sp.Expr, sign: Sign) -> tuple[Sign, sp.Expr
             turned ^= own < 0
             if base.is_Add and power.is_odd:
                 sums.append((base, own < 0))
-    for each in sp.Mul.make_args(below):
-        base, power = each.as_base_exp()
+    for divisor in sp.Mul.make_args(below):
+        base, power = divisor.as_base_exp()
         if power.is_Integer and power % 2 == 0:
             continue
         # What stands below a line is not zero: so the ends of letters do not matter.
-        own = certain(scene, each) or proved_sign(scene.model.inside, each)
+        own = certain(scene, divisor) or proved_sign(scene.model.inside, divisor)
         if own is None:
             if kept and sign not in _STRICT:
                 return None
-            kept.append(base if power.is_Integer else each)
+            kept.append(base if power.is_Integer else divisor)
             sign = _STRICT_OF[sign]
         elif own < 0:
             turned = not turned

@@ -267,7 +267,7 @@ def _of_angle(
         return ()
     if low == 0 and high == sp.pi / 2 and not any(closed):
         return (f"acute: {name}",)
-    signs = ["<=" if each else "<" for each in closed]
+    signs = ["<=" if inside else "<" for inside in closed]
     ends = [sp.deg(value) for value in (low, high)]
     if not all(end.is_Rational for end in ends):
         return ()

@@ -39,7 +39,7 @@ def over_one_line(scene: Scene, right: Expression, final: Expression) -> tuple[E
         return ()
     kept: list[Expression] = []
     for tree in lines:
-        if not any(alike(tree, each) for each in (right, final, *kept)):
+        if not any(alike(tree, form) for form in (right, final, *kept)):
             kept.append(tree)
     return tuple(kept)
 

@@ -264,11 +264,11 @@ def rearranged_from(
 def _angles(claim: Claim, other: Entry) -> frozenset[str]:
     """The letters that stand in a sine, cosine or tangent, or beside degrees."""
     names: set[str] = set()
-    for each in (claim, other.claim):
-        sides = each.left, each.right
-        names |= inside_angles(each.left) | inside_angles(each.right)
+    for bound in (claim, other.claim):
+        sides = bound.left, bound.right
+        names |= inside_angles(bound.left) | inside_angles(bound.right)
         if any(isinstance(side, Degrees) for side in sides):
-            names |= letters(each.left) | letters(each.right)
+            names |= letters(bound.left) | letters(bound.right)
     return frozenset(names)
 
 

@@ -95,7 +95,7 @@ def _has_value(side: Expression, value: Array) -> bool:
         if is_binary(node, "/")
         if isinstance(node.left, Number) and isinstance(node.right, Number) and node.right.value
     ]
-    return any(np.allclose(float(each.value), value) for each in tops)
+    return any(np.allclose(float(top.value), value) for top in tops)
 
 
 def _approach(step: Impact, number: int, world: World) -> Array:

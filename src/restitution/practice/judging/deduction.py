@@ -149,17 +149,17 @@ def _within(tree: Expression, entry: Entry, opened: tuple[str, ...]) -> Iterator
     """The symbols of a tree; a letter that means a sum or a product counts by what is in it."""
     pending = [tree]
     while pending:
-        each = pending.pop()
-        if isinstance(each, Letter):
-            meant = entry.meanings.get(each.name, each)
-            if each.name in opened or isinstance(meant, Quantity) or meant == each:
-                yield each if each.name in opened else meant
+        node = pending.pop()
+        if isinstance(node, Letter):
+            meant = entry.meanings.get(node.name, node)
+            if node.name in opened or isinstance(meant, Quantity) or meant == node:
+                yield node if node.name in opened else meant
             else:
-                yield from _within(meant, entry, (*opened, each.name))
-        elif isinstance(each, Quantity):
-            yield each
+                yield from _within(meant, entry, (*opened, node.name))
+        elif isinstance(node, Quantity):
+            yield node
         else:
-            pending.extend(children(each))
+            pending.extend(children(node))
 
 
 def _follows(
@@ -229,7 +229,7 @@ class _Plane:
         if np.count_nonzero(there) < 2:
             return False
         apart, size = apart[:, there], size[:, there]
-        rounded = any(each.decimals for each in (entry, *earlier))
+        rounded = any(given.decimals for given in (entry, *earlier))
         close = (_ROUNDED if rounded else _CLOSE) * (size + 1e-3)
         return bool(np.all(np.isfinite(apart)) and np.all(np.abs(apart) <= close))
 
@@ -268,10 +268,10 @@ class _Plane:
         """Left less right, and the size of the sides, shape (1 or 2, points)."""
         with np.errstate(all="ignore"):
             left, right = (self._tree(t, entry, x) for t in (entry.claim.left, entry.claim.right))
-        a, b = (each if isinstance(each, tuple) else (each,) for each in (left, right))
+        a, b = (side if isinstance(side, tuple) else (side,) for side in (left, right))
         if len(a) != len(b):
             raise _UnfitError
-        one, other = (np.stack([np.broadcast_to(p, (_POINTS,)) for p in each]) for each in (a, b))
+        one, other = (np.stack([np.broadcast_to(p, (_POINTS,)) for p in parts]) for parts in (a, b))
         return one - other, np.maximum(np.abs(one), np.abs(other))
 
     def _tree(self, tree: Expression, entry: Entry, x: Array, opened: tuple[str, ...] = ()) -> Any:

@@ -258,11 +258,11 @@ class Doubts:
             if line.verdict == "true" and line.uses and line.uses[0].principle == "momentum"
         ]
         names = _names_in_doubt(line)
-        by_momentum = named and any(names <= each for each in momenta)
+        by_momentum = named and any(names <= pair for pair in momenta)
         doubtful: set[str] = set()
         for name, meaning in self.meanings.best.at(line.line.number).items():
             if name in names and meaning.by == "inferred" and not is_phrase(name):
-                support = sum(name in each for each in true) + _SURE * (
+                support = sum(name in proved for proved in true) + _SURE * (
                     name in worked or by_momentum
                 )
                 odd = is_odd(name, meaning.quantity)

@@ -153,23 +153,23 @@ class Following(OwnValues):
         for claim in filter(unnamed_in, link.readings):
             for world in worlds:
                 known = iter(self.naming.candidates(self._base))
-                for angle, each in with_angles(claim, world, known):
-                    grade = self.accuracy(each, world, line, link)
+                for angle, own in with_angles(claim, world, known):
+                    grade = self.accuracy(own, world, line, link)
                     if grade is not None:
                         sources = sources_of(claim, self.entries) if verdict == "follows" else ()
                         meant = tuple((name, angle) for name in unnamed_in(claim))
-                        return JudgedLink(verdict, each, grade, sources, meant=meant)
+                        return JudgedLink(verdict, own, grade, sources, meant=meant)
         return None
 
     def _with_own_numbers(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A line that is true with what the student's wrong numbers stand for."""
         for claim in self._in_all_meanings(link, line):
-            for each, numbers in self._own_numbers.put_back(claim):
+            for own, numbers in self._own_numbers.put_back(claim):
                 grade = next(
-                    (g for w in self.worlds if (g := self.accuracy(each, w, line, link))), None
+                    (g for w in self.worlds if (g := self.accuracy(own, w, line, link))), None
                 )
                 if grade is not None:
-                    return JudgedLink("follows", claim, grade, numbers, right=each)
+                    return JudgedLink("follows", claim, grade, numbers, right=own)
         return None
 
     def _with_own_fixed(self, line: ScriptLine, link: Link) -> JudgedLink | None:
@@ -490,9 +490,9 @@ class Following(OwnValues):
                     if right or any(
                         same_left(e.claim, claim) and e.right and e.is_value for e in entries
                     ):
-                        for each in single:
-                            other = replace(self._entry_of(line, link, each), right=False)
-                            if not any(self.accuracy(each, w, line, link) for w in self.worlds):
+                        for root in single:
+                            other = replace(self._entry_of(line, link, root), right=False)
+                            if not any(self.accuracy(root, w, line, link) for w in self.worlds):
                                 self._roots.append(other)
                         return JudgedLink("true", claim, "exact", remark=OTHER_ROOT)
         return None
@@ -579,7 +579,7 @@ class Following(OwnValues):
                 case _:
                     continue
             for entry, decimals in equations:
-                columns = {each.column for each in decimals}
+                columns = {decimal.column for decimal in decimals}
                 if letter not in walk(entry.claim.left) or not decimals:
                     continue
                 if entry.number != line.number and columns & {x.column for x in link.decimals}:

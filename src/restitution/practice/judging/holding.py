@@ -145,9 +145,9 @@ class Holding:
             if grade is not None:
                 return grade
         others = (*of_natures(claim, meanings), *of_known_speeds(claim, world)) if unlike else ()
-        for each in others:
+        for other in others:
             try:
-                grade = agrees(each, world, meanings, link.decimals, line.scope)
+                grade = agrees(other, world, meanings, link.decimals, line.scope)
             except RestitutionError:
                 continue
             if grade is not None:
@@ -310,13 +310,13 @@ class Holding:
                     if alone
                     else ()
                 )
-                for each in (*senses, *further):
-                    other = replace(claim, left=exchanged(claim.left, {label: each}))
+                for label_tree in (*senses, *further):
+                    other = replace(claim, left=exchanged(claim.left, {label: label_tree}))
                     grade = self._best_accuracy(other, worlds, line, link)
                     if grade is None or (grade == "coarse" and best is not None):
                         continue
                     sources = sources_of(claim, self.entries) if verdict == "follows" else ()
-                    meant_here = ((label.name, each),)
+                    meant_here = ((label.name, label_tree),)
                     best = JudgedLink(verdict, other, grade, sources, meant=meant_here)
                     if grade != "coarse":
                         return best
@@ -371,16 +371,16 @@ class Holding:
         """Two labels, one over the other, that name their quantities at other moments."""
         match claim.left:
             case Binary("/", Letter(above), Letter(below)) if is_phrase(above) and is_phrase(below):
-                pairs = product(*(self._meanings_under(each, line) for each in (above, below)))
+                pairs = product(*(self._meanings_under(part, line) for part in (above, below)))
             case _:
                 return None
         for one, other in islice(pairs, _PAIRS):
-            each = replace(claim, left=Binary("/", one, other))
-            grade = self._best_accuracy(each, worlds, line, link)
+            own = replace(claim, left=Binary("/", one, other))
+            grade = self._best_accuracy(own, worlds, line, link)
             if grade is not None and grade != "coarse":
                 sources = sources_of(claim, self.entries) if verdict == "follows" else ()
                 meant = ((above, one), (below, other))
-                return JudgedLink(verdict, each, grade, sources, meant=meant)
+                return JudgedLink(verdict, own, grade, sources, meant=meant)
         return None
 
     def _meanings_under(self, phrase: str, line: ScriptLine) -> Iterator[Expression]:

@@ -331,7 +331,7 @@ class _Sitting(Doubts):
             script = Script(tuple(_reread(line, value, datum) for line in self.script.lines))
             if self._judge(self.meanings.best).is_true(script):
                 return tuple(_as_misread(lines, str(value)))
-        turned = (each for each in left_for_lost(self.bench.problem) if each[0] != each[1])
+        turned = (pair for pair in left_for_lost(self.bench.problem) if pair[0] != pair[1])
         instead = chain(turned, self._read_instead(lines))
         for value, datum in islice(instead, _MISREADINGS):
             if self._is_true_with(value, datum):
@@ -514,13 +514,13 @@ def _factors_in(line: ScriptLine) -> Iterator[Fraction]:
         for side in (link.readings[0].left, link.readings[0].right):
             pending = [side]
             while pending:
-                each = pending.pop()
-                if isinstance(each, Number | Degrees):
-                    values[each.value] = None
-                elif is_binary(each, "^"):
-                    pending.append(each.left)
+                node = pending.pop()
+                if isinstance(node, Number | Degrees):
+                    values[node.value] = None
+                elif is_binary(node, "^"):
+                    pending.append(node.left)
                 else:
-                    pending.extend(children(each))
+                    pending.extend(children(node))
     return (value for value in values if value not in (1, 2))
 
 

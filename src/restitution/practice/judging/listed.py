@@ -53,7 +53,7 @@ def as_components(line: ScriptLine, worlds: Sequence[World], meanings: Meanings)
 def _only_lists(line: ScriptLine, world: World) -> bool:
     """Whether a line has no words but those of a list."""
     bodies = {name.lower() for name in (*world.walls, *world.start)}
-    words = (each.lower() for each in _WORD.findall(line.text) if not _FUNCTION.search(each))
+    words = (word.lower() for word in _WORD.findall(line.text) if not _FUNCTION.search(word))
     return all(word in _LISTING or word in bodies for word in words)
 
 

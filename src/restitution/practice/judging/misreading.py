@@ -91,7 +91,7 @@ class _Exchange:
             self.seen += 1
             return Number(self.typed) if self.seen - 1 == self.wanted else value
         if isinstance(value, tuple):
-            return tuple(self.of(each) for each in value)
+            return tuple(self.of(part) for part in value)
         if not is_dataclass(value) or isinstance(value, type | Find | Show):
             return value
         put: dict[str, Any] = {}

@@ -266,7 +266,7 @@ def of_vectors(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim
         return
     for sphere in world.problem.spheres:
         own = Quantity("impulse", (Name(sphere.name),), size.stage)
-        yield from (replace(claim, left=each) for each in (own, Apply("abs", own)))
+        yield from (replace(claim, left=side) for side in (own, Apply("abs", own)))
 
 
 def by_components(claim: Claim, meanings: Meanings, world: World) -> Iterator[Claim]:
@@ -358,8 +358,8 @@ def with_units(claim: Claim, world: World) -> Iterator[Claim]:
     masses, speeds = ((None, *map(Letter, sorted(set(s) & world.letters.keys()))) for s in _SCALES)
     for mass, speed in product(masses, speeds):
         square = Binary("^", speed, Number(Fraction(2))) if speed is not None else None
-        for each in dict.fromkeys((speed, square)):
-            factors = [part for part in (mass, each) if part is not None]
+        for amount in dict.fromkeys((speed, square)):
+            factors = [part for part in (mass, amount) if part is not None]
             if factors:
                 right = claim.right
                 for part in factors:

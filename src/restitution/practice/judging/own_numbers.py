@@ -117,7 +117,8 @@ class OwnNumbers:
         sources = [size for _, sizes in meant.values() for size in sizes]
         lines = tuple(dict.fromkeys(self._known[size][1] for size in sources))
         forms = [
-            [each for tree in trees for each in (tree, Negate(tree))] for trees, _ in meant.values()
+            [signed for tree in trees for signed in (tree, Negate(tree))]
+            for trees, _ in meant.values()
         ]
         for trees in islice(product(*forms), _TRIED):
             put = dict(zip(meant, trees, strict=True))

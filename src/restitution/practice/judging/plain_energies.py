@@ -127,7 +127,7 @@ def is_of_exchanged_squares(entry: Entry, world: World) -> bool:
                 Binary("^", Quantity(kind, (before, line)), _TWO) for kind in ("along", "across")
             )
             wrong, right = (_with_square_of_e(*pair) for pair in ((along, into), (into, along)))
-            ratios = [_ratios_for(side, each, entry, world) for each in (wrong, right)]
+            ratios = [_ratios_for(side, square, entry, world) for square in (wrong, right)]
             if _are_constant(ratios[0]) and not _are_constant(ratios[1]):
                 return True
     return False

@@ -77,8 +77,10 @@ def is_change_of_momentum(impulse: Expression, value: Expression, world: World) 
         ]
         for terms in _two_terms(value):
             for one, other in permutations(terms):
-                before = any(_are_near(one, each, entry, world) for each in momenta[0])
-                if before and any(_are_near(other, each, entry, world) for each in momenta[1]):
+                before = any(_are_near(one, momentum, entry, world) for momentum in momenta[0])
+                if before and any(
+                    _are_near(other, momentum, entry, world) for momentum in momenta[1]
+                ):
                     return True
     return False
 
@@ -109,7 +111,7 @@ def _are_near(own: Expression, wanted: Expression, entry: Entry, world: World) -
 def is_impulse_reversed(entry: Entry, world: World) -> bool:
     """Whether a velocity after an impulse is worked out with the impulse in the other sense."""
     given = (node for tree in trees(world.problem) for node in walk(tree))
-    if not any(is_quantity(each, "impulse") for each in given):
+    if not any(is_quantity(quantity, "impulse") for quantity in given):
         return False
     meant = meant_by(entry)
     inside = unsigned(meant)

@@ -138,7 +138,7 @@ def is_across_exchanged(entry: Entry, world: World) -> bool:
     for number, pair in _pairs(world):
         if body not in pair or velocity.stage not in (None, number):
             continue
-        other = next(each for each in pair if each != body)
+        other = next(sphere for sphere in pair if sphere != body)
         line = _line(number)
         wanted = _velocity(other, number - 1)
         if _has_part("across", typed, wanted, line, entry, world) and _has_part(
@@ -163,7 +163,7 @@ def is_restitution_parallel(entry: Entry, world: World) -> bool:
         kept = Quantity("along", (before, line))
         across, along = (Quantity(kind, (typed, line)) for kind in ("across", "along"))
         if has_value(slowed, across, entry, world) and any(
-            has_value(each, along, entry, world) for each in (kept, Negate(kept))
+            has_value(component, along, entry, world) for component in (kept, Negate(kept))
         ):
             return True
     return False

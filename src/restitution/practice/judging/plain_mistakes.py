@@ -156,7 +156,7 @@ def _with_whole_energies(tree: Expression, entry: Entry, world: World) -> Expres
             square = Binary("*", Quantity("mass", (name,)), Binary("^", part, _TWO))
             energy = Quantity("energy", (name,), number)
             along, of_all = (
-                _spread_of(each, world) for each in (Binary("/", square, _TWO), energy)
+                _spread_of(form, world) for form in (Binary("/", square, _TWO), energy)
             )
             if not (np.all(along > _TINY) and np.all(of_all > along * (1 + _ROUNDED))):
                 continue
@@ -198,7 +198,7 @@ def is_whole_speed(entry: Entry, world: World) -> bool:
         case Quantity("along", (Quantity("velocity", (Name(),) as body, stage), _)):
             claim = replace(entry.claim, left=Quantity("speed", body, stage))
             turned = replace(claim, right=Negate(claim.right))
-            return any(holds_in(replace(entry, claim=each), world) for each in (claim, turned))
+            return any(holds_in(replace(entry, claim=form), world) for form in (claim, turned))
     return False
 
 
@@ -247,7 +247,7 @@ def _are_sizes(
         own = [world.spread(world.scalar(x, entry.meanings, scope=entry.scope)) for x in terms]
     except RestitutionError:
         return False
-    one, other = (np.sort(np.abs(np.stack(each)), axis=0) for each in (own, wanted))
+    one, other = (np.sort(np.abs(np.stack(values)), axis=0) for values in (own, wanted))
     ratios = one / other
     return bool(np.all(np.ptp(ratios, axis=0) <= _ROUNDED * ratios[0]))
 
@@ -265,7 +265,7 @@ def _is_energy_of_one(entry: Entry, world: World) -> bool:
         return False
     if meant.arguments or len(world.start) < 2:
         return False
-    single = [_energy_of(Name(each), meant) for each in world.start]
+    single = [_energy_of(Name(sphere), meant) for sphere in world.start]
     return any(
         holds_in(replace(entry, claim=replace(entry.claim, left=reduce(_plus, some))), world)
         for number in range(1, len(single))
@@ -445,7 +445,7 @@ def _is_angle_of_other_wall(entry: Entry, world: World) -> bool:
         if isinstance(step, Impact) and step.first == body
     ]
     second = next((number for number, other in struck if other == wall), 0)
-    earlier = [each for each in struck if each[0] < second and each[1] != wall]
+    earlier = [impact for impact in struck if impact[0] < second and impact[1] != wall]
     return any(
         has_value(Quantity("angle", (velocity, Name(other))), entry.claim.right, entry, world)
         for number, other in earlier
@@ -470,7 +470,7 @@ def _is_share_by_speeds(entry: Entry, world: World) -> bool:
             share = ratio if kind == "energy" else Binary("-", Number(Fraction(1)), ratio)
             percent = Binary("*", share, Number(Fraction(100)))
             return any(
-                has_value(each, entry.claim.right, entry, world) for each in (share, percent)
+                has_value(tree, entry.claim.right, entry, world) for tree in (share, percent)
             )
     return False
 
@@ -482,9 +482,9 @@ def is_direct(number: int, world: World) -> bool:
     if line is None or not isinstance(step, Impact):
         return False
     motion = Telling(world, degrees=False)
-    spheres = [each for each in (step.first, step.second) if each in world.start]
+    spheres = [sphere for sphere in (step.first, step.second) if sphere in world.start]
     across = (world.spread(motion.velocity(sphere, number - 1).cross(line)) for sphere in spheres)
-    return all(bool(np.all(np.abs(each) < _TINY)) for each in across)
+    return all(bool(np.all(np.abs(component) < _TINY)) for component in across)
 
 
 def is_zero(tree: Expression, world: World) -> bool:
@@ -528,8 +528,8 @@ def sign_of_a_component(
     line = Quantity("line_of_centres", (), use.event)
     for stage in (use.event - 1, use.event):
         along = [
-            Quantity("along", (Quantity("velocity", (Name(each),), stage), line))
-            for each in (step.first, step.second)
+            Quantity("along", (Quantity("velocity", (Name(sphere),), stage), line))
+            for sphere in (step.first, step.second)
         ]
         if not not_negative(Negate(Binary("*", *along)), world):
             continue  # they move the same way

@@ -162,9 +162,7 @@ class Judge(Unlabelled):
         if mistake.variants and not any(use.altered in mistake.variants for use in uses):
             uses = tuple(dict.fromkeys((*uses_of_variants(explained.variants, mistake), *uses)))
         if mistake.kind == "misconception" and not mistake.variants:
-            uses = tuple(
-                each if each.altered is None else of_mistake(mistake, each) for each in uses
-            )
+            uses = tuple(use if use.altered is None else of_mistake(mistake, use) for use in uses)
         mended = explained.mended if mistake.kind == "slip" else None
         return replace(line, mistake=mistake, uses=uses, mended=mended)
 
@@ -250,7 +248,7 @@ class Judge(Unlabelled):
         links = self._links(line)
         if (equation := self._without_title(line, links)) is not None:
             line, links = equation, links[1:]
-        verdict = next(each for each in _WORST if any(link.verdict == each for link in links))
+        verdict = next(worse for worse in _WORST if any(link.verdict == worse for link in links))
         place = next(k for k, link in enumerate(links) if link.verdict == verdict)
         worst = links[place]
         if verdict == "false" and self._is_only_supposed(line):
@@ -461,13 +459,17 @@ class Judge(Unlabelled):
         judged: list[JudgedLink] = []
         known = len(self.entries)
         for link in line.links:
-            each = self._link(line, link)
-            if each.verdict in ("unread", "false") and judged and self._is_of_unlike(line, link):
-                each = self._from_start(line, link, judged) or each
-            judged.append(each)
-            numeric = is_numeric(each.claim.left) and is_numeric(each.claim.right)
-            if each.verdict in ("false", "follows") and not numeric:
-                self.entries.append(self._entry(line, link, each))
+            judged_link = self._link(line, link)
+            if (
+                judged_link.verdict in ("unread", "false")
+                and judged
+                and self._is_of_unlike(line, link)
+            ):
+                judged_link = self._from_start(line, link, judged) or judged_link
+            judged.append(judged_link)
+            numeric = is_numeric(judged_link.claim.left) and is_numeric(judged_link.claim.right)
+            if judged_link.verdict in ("false", "follows") and not numeric:
+                self.entries.append(self._entry(line, link, judged_link))
         if len(self.entries) > known:
             del self.entries[known:]
             self._own = -1, ()
@@ -687,7 +689,7 @@ class Judge(Unlabelled):
                     entry = replace(entry, claim=judged.right, right=True)
                 own = self.uses_of_entry(entry)
                 uses.update(dict.fromkeys(own))
-                if all(each.principle != "value" for each in own):
+                if all(use.principle != "value" for use in own):
                     stated.update(dict.fromkeys(own[:1]))
         if len(uses) > 1:
             uses.pop(Use("arithmetic"), None)

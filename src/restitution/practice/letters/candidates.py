@@ -429,7 +429,7 @@ def is_odd(letter: str, quantity: Expression) -> bool:
     """Whether nobody would take a letter for a quantity by its look: T for a tangent."""
     kinds = {_KINDS.get(node.kind) for node in walk(quantity) if isinstance(node, Quantity)}
     tangent = is_function(quantity, "tan")
-    known = "tangent" if tangent else next((each for each in _ORDER if each in kinds), None)
+    known = "tangent" if tangent else next((kind for kind in _ORDER if kind in kinds), None)
     usual = kinds_of(letter, False)
     if known == "angle":
         return usual[0] not in TURNS and letter[:1] not in "abxy"

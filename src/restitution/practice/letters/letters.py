@@ -285,7 +285,7 @@ class _Search(LettersOfLines):
         others = [set(phrase.split()) for phrase in self.phrases if phrase != name]
         if self.around.problem.walls or not words & _PERPENDICULAR or words & _ALONG:
             return trees
-        if not any(each & _ALONG and not each & _PERPENDICULAR for each in others):
+        if not any(phrase & _ALONG and not phrase & _PERPENDICULAR for phrase in others):
             return trees
         across = [tree for tree in trees if not _is_along_the_line(tree)]
         return across or trees
@@ -297,7 +297,7 @@ class _Search(LettersOfLines):
         firsts: list[tuple[str, ScriptLine]] = []
         items: list[Item] = []
         for line in self.lines:
-            segment = sum(each.line <= line.number for each in breaks)
+            segment = sum(cut.line <= line.number for cut in breaks)
             for link, names in self.items[line.number]:
                 used: dict[str, int] = {}
                 for name in sorted(names):
@@ -347,24 +347,24 @@ class _Search(LettersOfLines):
         """Whether a name is a letter of the student's own."""
         return not is_phrase(name) and name not in self.around.letters
 
-    def _shown(self, each: NamedComponent, slot: int) -> Item:
+    def _shown(self, named: NamedComponent, slot: int) -> Item:
         """What a vector with the value of a letter in it tells of the letter."""
-        frame = Frame(self.around.world.now(each.line.scope))
-        component = self.around.staged(each.component, each.line.scope)
-        claim = Claim(Letter(each.letter), "=", component)
-        used = {each.letter: slot}
-        line = each.line.number
+        frame = Frame(self.around.world.now(named.line.scope))
+        component = self.around.staged(named.component, named.line.scope)
+        claim = Claim(Letter(named.letter), "=", component)
+        used = {named.letter: slot}
+        line = named.line.number
         return Item(line, (claim,), used, _SHOWN, (), frame, fresh=False, shown=True)
 
     def _cost(self, whole: Interpretation, breaks: Sequence[_Break], lines: Iterable[int]) -> float:
         """The cost of letters that change their meanings, less where several lines support it."""
         changed = [m.since for m in whole.meanings if m.since and m.by == "inferred"]
         cost = 0.0
-        ends = [*(each.line for each in breaks[1:]), _LAST]
-        for each, end in zip(breaks, ends, strict=False):
-            if any(since >= each.line for since in changed):
-                several = sum(each.line <= number < end for number in lines) > 1
-                cost += each.cost if several else each.alone
+        ends = [*(later.line for later in breaks[1:]), _LAST]
+        for cut, end in zip(breaks, ends, strict=False):
+            if any(since >= cut.line for since in changed):
+                several = sum(cut.line <= number < end for number in lines) > 1
+                cost += cut.cost if several else cut.alone
         return cost
 
     def _item(self, link: Link, line: ScriptLine, used: Mapping[str, int]) -> Item:
@@ -482,7 +482,7 @@ class _Search(LettersOfLines):
                 break
             tried: list[tuple[float, _Break, set[int]]] = []
             for number in self._places()[:_PLACES]:
-                if all(number != each.line for each in breaks):
+                if all(number != cut.line for cut in breaks):
                     one = _Break(number, _BREAK, _ALONE)
                     new = self.interpretations(sorted((*breaks, one), key=lambda b: b.line))
                     interpretations += new
@@ -490,7 +490,7 @@ class _Search(LettersOfLines):
                     tried.append((score, one, set(self.failing)))
             if not tried:
                 break
-            _, one, self.failing = max(tried, key=lambda each: each[0])
+            _, one, self.failing = max(tried, key=lambda entry: entry[0])
             breaks = (*breaks, one)
         return interpretations
 
@@ -500,7 +500,7 @@ class _Search(LettersOfLines):
         places: list[int] = []
         above = 0
         for line in self.lines:
-            names = {name for _, each in self.items[line.number] for name in each}
+            names = {name for _, letters in self.items[line.number] for name in letters}
             if names & seen and not self._belong_together(above, line.number):
                 places.append(line.number)
             seen |= names

@@ -280,7 +280,7 @@ class LettersOfLines:
         Behind several impacts nobody knows of which a letter speaks.
         """
         impacts = sum(isinstance(event, Impact) for event in self.around.events)
-        asked = [each for each in self.around.asked if isinstance(each, Quantity)]
+        asked = [quantity for quantity in self.around.asked if isinstance(quantity, Quantity)]
         stages = {(x.arguments[0], x.stage) for x in asked if x.kind in ("velocity", "speed")}
         own = [x for x in after if (Name(x.body or ""), x.event) in stages]
         open_ = {x.body for x in after if not x.given}

@@ -41,8 +41,8 @@ class Slot:
 
     def values_of(self, tester: Tester, places: Sequence[int]) -> Value:
         """The values of some options, of one nature, in a world."""
-        each = [(place, tester.value(self.options[place].quantity, {})) for place in places]
-        return stacked(tester, each)
+        values = [(place, tester.value(self.options[place].quantity, {})) for place in places]
+        return stacked(tester, values)
 
 
 def slot_of(
@@ -68,7 +68,7 @@ def slot_of(
         key = _key(tester, value)
         if value is None or key is None:
             continue
-        same = (candidate.body, candidate.event, key, _way(tester, candidate.quantity))
+        same = (candidate.body, candidate.event, key, _direction_key(tester, candidate.quantity))
         if same in seen:
             continue
         seen.add(same)
@@ -132,7 +132,7 @@ def _key(tester: Tester, value: Value | None) -> Any:
     return _nature(value), tuple(np.round(flat * np.sign(first), 7))
 
 
-def _way(tester: Tester, tree: Expression) -> Any:
+def _direction_key(tester: Tester, tree: Expression) -> Any:
     """A key of the line along which a component is taken, None for what is no component.
 
     A fact may make the components along two lines equal: they are two quantities all the same.
@@ -161,15 +161,15 @@ def same_size(one: Value, other: Value) -> bool:
     )
 
 
-def stacked(tester: Tester, each: Sequence[tuple[int, Value]]) -> Value:
+def stacked(tester: Tester, values: Sequence[tuple[int, Value]]) -> Value:
     """Values of one nature, with shape (options, samples)."""
     columns = [
         np.stack([tester.world.spread(part) for part in parts])
-        for parts in zip(*(_parts(value) for _, value in each), strict=True)
+        for parts in zip(*(_parts(value) for _, value in values), strict=True)
     ]
     if len(columns) == 2:
         return Vector(*columns)
-    return angle(columns[0]) if isinstance(each[0][1], Angle) else columns[0]
+    return angle(columns[0]) if isinstance(values[0][1], Angle) else columns[0]
 
 
 def shaped(value: Value, rows: Any, axes: int, axis: int) -> Value:

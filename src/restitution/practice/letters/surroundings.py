@@ -190,7 +190,7 @@ class Surroundings:
             for candidate in self.candidates
             if candidate.start
         )
-        return any(same_size(value, each) for each in known if each is not None)
+        return any(same_size(value, speed) for speed in known if speed is not None)
 
     def directions(self, lines: Iterable[ScriptLine]) -> tuple[Expression, ...]:
         """Vectors of any length, such as 3i + 4j: in scalar products, or as data.
@@ -283,8 +283,8 @@ def declarations(
     letters_declared: list[DeclaredLetter] = []
     fixed: list[FixedLetter] = []
     for letter, trees_ in declared.items():
-        each = trees_ if isinstance(trees_, tuple | list) else (trees_,)
-        whole = tuple(around.staged(tree, ANYWHERE) for tree in each)
+        meanings = trees_ if isinstance(trees_, tuple | list) else (trees_,)
+        whole = tuple(around.staged(tree, ANYWHERE) for tree in meanings)
         if whole:
             letters_declared.append(DeclaredLetter(letter, whole, "", 0))
     for line in script.lines:

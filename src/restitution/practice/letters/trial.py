@@ -292,9 +292,9 @@ def _factors(tree: Expression) -> Iterator[Expression]:
 def inside_angles(tree: Expression) -> frozenset[str]:
     """The letters that stand inside a trigonometric function of a tree."""
     return frozenset(
-        each.name
+        letter.name
         for node in walk(tree)
         if isinstance(node, Apply) and node.function in _TRIGONOMETRIC
-        for each in walk(node.argument)
-        if isinstance(each, Letter)
+        for letter in walk(node.argument)
+        if isinstance(letter, Letter)
     )

@@ -104,10 +104,10 @@ def _component(
             whose, when = f"component of the impulse on {body}", _during(stage, problem)
         case _:
             whose, when = f"component of the {words_of(of, problem)}", ""
-    return f"{whose} {_way(kind, axis, problem, turned)}{when}"
+    return f"{whose} {_direction(kind, axis, problem, turned)}{when}"
 
 
-def _way(kind: str, axis: Expression, problem: Problem, turned: bool) -> str:
+def _direction(kind: str, axis: Expression, problem: Problem, turned: bool) -> str:
     """The direction of a component, with its sense."""
     match axis:
         case Unit(name) if kind == "along":

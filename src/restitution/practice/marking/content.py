@@ -77,11 +77,11 @@ class MarkingContent:
             "messages": [_message(message) for message in self.messages],
             "asks": [
                 {
-                    "letter": each.letter,
-                    "text": each.text,
-                    "proposals": [{"meaning": m, "words": w} for m, w in each.proposals],
+                    "letter": ask.letter,
+                    "text": ask.text,
+                    "proposals": [{"meaning": m, "words": w} for m, w in ask.proposals],
                 }
-                for each in self.asks
+                for ask in self.asks
             ],
             "error": self.error,
         }

@@ -220,7 +220,7 @@ def _add(
         if not _possible(item, answer):
             continue
         display, wrong = _shown(answer), usual[part, place]
-        if all(not each.startswith(f"{display} (") for each in wrong):
+        if all(not entry.startswith(f"{display} (") for entry in wrong):
             title = MISCONCEPTIONS[name].title
             wrong.append(f"{display} ({title[:1].lower() + title[1:]})")
 

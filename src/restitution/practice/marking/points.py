@@ -13,7 +13,6 @@ from itertools import pairwise
 
 from restitution.expression.tree import Binary, Degrees, Number, letters, walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.each_point import OF_VALUES, EachPoint, is_of_what_stays
 from restitution.practice.marking.grounds import LAWS
 from restitution.practice.marking.lines import (
     as_true,
@@ -25,6 +24,7 @@ from restitution.practice.marking.lines import (
 )
 from restitution.practice.marking.marks import Marks, PointMark
 from restitution.practice.marking.scheme import MarkPoint, Scheme
+from restitution.practice.marking.single_points import OF_VALUES, SinglePoints, is_of_what_stays
 from restitution.practice.marking.values import Values
 
 _UNSOUND = ("false", "unsupported", "follows")
@@ -52,7 +52,7 @@ def marked(judgement: Judgement, schemes: Sequence[Scheme], values: Values) -> M
     return max(tried, key=lambda marks: (marks.earned / max(marks.of, 1), marks.open))
 
 
-class _Examiner(EachPoint):
+class _Examiner(SinglePoints):
     """One working marked by one scheme."""
 
     def marks(self) -> Marks:

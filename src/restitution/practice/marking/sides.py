@@ -517,7 +517,7 @@ class Sides:
         return scattered_world(self._base, self.unknown)
 
     @cached_property
-    def _told(self) -> World | None:
+    def _lawful(self) -> World | None:
         """A world in which all laws hold, with other letters than the question leads to."""
         return told_world(self._base, self.unknown) if self.unknown else None
 

@@ -643,7 +643,9 @@ class Values(LineContents):
         The differences of the sides of both are multiples of one another, and not zero: in any
         story, or in one with other values of what the question asks for.
         """
-        worlds = (self._scattered, self._told) if point.principle != "fact" else (self._scattered,)
+        worlds = (
+            (self._scattered, self._lawful) if point.principle != "fact" else (self._scattered,)
+        )
         return any(self._states_in(world, point, line) for world in worlds if world is not None)
 
     def _states_in(self, world: World, point: MarkPoint, line: JudgedLine) -> bool:

@@ -72,7 +72,7 @@ def next_question(attempts: Sequence[Mapping[str, object]], day: int) -> Next:
         topic, name = mistake
         return Next(topic, known[topic][-1].level, name)
     due = [name for name in _IDS if name in known and _is_due(known[name], day)]
-    for name in (*(each for each in due if known[each][-1].lost_method), *due):
+    for name in (*(subject for subject in due if known[subject][-1].lost_method), *due):
         return Next(name, level_of(known[name]), None)
     for name in _IDS:
         if name not in known:
@@ -185,7 +185,7 @@ def _attempt(data: object) -> _Attempt | None:
         return None
     named = data.get("mistakes")
     mistakes = tuple(
-        each for each in (named if isinstance(named, list | tuple) else ()) if _is_id(each)
+        name for name in (named if isinstance(named, list | tuple) else ()) if _is_id(name)
     )
     share = earned / of if of else 0.0
     return _Attempt(data["topic"], level, day, share, data.get("lost_method") is True, mistakes)

@@ -72,7 +72,7 @@ def difference(solution: Solution, mistake: str) -> float:
     """How far a mistake's answers lie from the right ones: the largest share, 0 where it is not."""
     known = answers_of(solution)
     right = known.get(RIGHT)
-    worlds = [each for name, each in known.items() if _mistake(name) == mistake]
+    worlds = [answers for name, answers in known.items() if _mistake(name) == mistake]
     if right is None or not worlds:
         return 0.0
     return max(max(_shares(right, world), default=0.0) for world in worlds)
@@ -135,7 +135,7 @@ class _Desk:
             if changed is None or not self._is_sensible(changed):
                 continue
             led = self._answers(changed.problem)
-            if led is not None and any(each is not None for each in led):
+            if led is not None and any(answer is not None for answer in led):
                 yield name, led
 
     def alike_for_good(self, one: str, other: str) -> bool:
@@ -158,7 +158,7 @@ class _Desk:
 
     def _is_sensible(self, changed: AlteredProblem) -> bool:
         """Whether the signs that are put in by hand are those of the components in the truth."""
-        trees = [sense for each in changed.at for sense in each.senses]
+        trees = [sense for place in changed.at for sense in place.senses]
         trees += [
             result.sense for one in changed.at for result in one.results if result.sense is not None
         ]
@@ -265,7 +265,7 @@ def _rebuilt(value: Any, dice: Dice) -> Any:
     if isinstance(value, Quantity):
         return value
     if isinstance(value, tuple) and not hasattr(value, "_fields"):
-        return tuple(_rebuilt(each, dice) for each in value)
+        return tuple(_rebuilt(part, dice) for part in value)
     if is_dataclass(value) and not isinstance(value, type):
         changes = {
             field.name: _rebuilt(getattr(value, field.name), dice)

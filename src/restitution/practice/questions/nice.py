@@ -66,7 +66,7 @@ def unlike_numbers(d: Dice, first: range, second: range) -> tuple[int, int]:
 
 def acute(d: Dice, most: int = 13) -> Acute:
     """A Pythagorean angle, with a hypotenuse up to ``most``."""
-    return Acute(*d.of([each for each in TRIPLES if each[2] <= most]))
+    return Acute(*d.of([triple for triple in TRIPLES if triple[2] <= most]))
 
 
 def coefficient(d: Dice, *sizes: Fraction | int) -> Fraction:

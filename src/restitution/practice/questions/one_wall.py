@@ -99,7 +99,7 @@ def _impact(
         sphere(s, motion, weight),
         *facts,
         f"{s} hits W: e = {ratio(e)}",
-        *(each.replace("(P", f"({s}") for each in asked),
+        *(quantity.replace("(P", f"({s}") for quantity in asked),
     )
 
 

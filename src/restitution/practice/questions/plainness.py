@@ -126,8 +126,8 @@ def _route(solution: Solution) -> list[int]:
 def _numbers(value: Any) -> Iterator[sp.Expr]:
     """The exact numbers and terms of a value, of a vector one by one."""
     if isinstance(value, tuple | list):
-        for each in value:
-            yield from _numbers(each)
+        for part in value:
+            yield from _numbers(part)
     else:
         yield sp.sympify(value, strict=True)
 

@@ -73,7 +73,7 @@ class State:
         if not isinstance(data, dict) or not isinstance(data.get("attempts"), list):
             raise StatementError("this is no file of practice: it has no list of attempts")
         opened = data.get("open")
-        attempts = [each for each in data["attempts"] if isinstance(each, dict)]
+        attempts = [attempt for attempt in data["attempts"] if isinstance(attempt, dict)]
         return State(attempts, opened if isinstance(opened, dict) else None)
 
 
@@ -113,7 +113,7 @@ def _by_part(value: object) -> dict[str | None, list[str]]:
 
 
 def _lines(value: object) -> list[str]:
-    return [each for each in value if isinstance(each, str)] if isinstance(value, list) else []
+    return [line for line in value if isinstance(line, str)] if isinstance(value, list) else []
 
 
 @dataclass(frozen=True)

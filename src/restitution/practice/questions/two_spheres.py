@@ -47,7 +47,7 @@ def _vectors(d: Dice, c: Pair, *asked: str, letter: str = "", e: str | None = No
         f"sphere A: mass {m1}, velocity {_in_axes(c.p1, c.s1, turned, letter)}",
         f"sphere B: mass {m2}, {second}",
         f"A hits B: along {_axis(turned)}" + (f", e = {restitution}" if restitution else ""),
-        *(each.replace("AFTER_A", _in_axes(c.q1, c.s1, turned, letter)) for each in asked),
+        *(quantity.replace("AFTER_A", _in_axes(c.q1, c.s1, turned, letter)) for quantity in asked),
     )
 
 
@@ -75,7 +75,7 @@ def _simple_struck(d: Dice, angle: Acute, scale: int = 1) -> tuple[str, str, Fra
         speed = Fraction(angle.along * scale)
         total = c.m1 + c.m2
         after = ((c.m1 - c.e * c.m2) * speed / total, (1 + c.e) * c.m1 * speed / total)
-        if after[0] and all(each.denominator <= 5 for each in after):
+        if after[0] and all(component.denominator <= 5 for component in after):
             break
     return number(c.m1), number(c.m2), c.e
 
@@ -122,7 +122,7 @@ def _at_rest_3_in_letters(d: Dice) -> str:
     angle = acute(d, 5)
     m1, m2, e = _simple_struck(d, angle)
     one, other = (
-        times(Fraction(each) * (1 if "." not in m1 + m2 else 10), "m") for each in (m1, m2)
+        times(Fraction(mass) * (1 if "." not in m1 + m2 else 10), "m") for mass in (m1, m2)
     )
     return _struck(
         d,
@@ -178,7 +178,7 @@ def _moving(d: Dice, *asked: str, direct: bool = False, letters: bool = False) -
     """Two speeds, at angles to the line of centres, towards each other or one after the other."""
     one = acute(d, 13)
     other = Acute(
-        *d.of([each for each in TRIPLES[:4] if each[0] * one.along != each[1] * one.across])
+        *d.of([triple for triple in TRIPLES[:4] if triple[0] * one.along != triple[1] * one.across])
     )
     scale, second = d.between(1, 2), d.between(1, 2)
     p1, p2 = Fraction(one.along * scale), -Fraction(other.along * second)

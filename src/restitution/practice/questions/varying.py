@@ -86,11 +86,15 @@ def variant(problem: Problem, seed: int = 1) -> Variant:
             waiting.append(drawn)
             if any(drawn.beyond) and len(waiting) < choices:
                 continue
-            best = next((each for each in sorted(waiting, key=_by_excess) if fit(each)), None)
+            best = next(
+                (candidate for candidate in sorted(waiting, key=_by_excess) if fit(candidate)), None
+            )
             if best is not None:
                 return _headed(best, seed, notes)
             waiting.clear()
-        best = next((each for each in sorted(waiting, key=_by_excess) if fit(each)), None)
+        best = next(
+            (candidate for candidate in sorted(waiting, key=_by_excess) if fit(candidate)), None
+        )
         if best is not None:
             return _headed(best, seed, notes)
     raise UnsupportedError(
@@ -233,7 +237,7 @@ def _redrawn(problem: Problem, dice: Dice) -> Problem:
         for sphere in problem.spheres
     )
     title = problem.title
-    if title is not None and any(each.isdigit() for each in title):
+    if title is not None and any(character.isdigit() for character in title):
         title = None  # it tells a number that is another one now
     return replace(changed, title=title, spheres=spheres)
 

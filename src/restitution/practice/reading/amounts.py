@@ -85,7 +85,7 @@ def stage_behind(match: re.Match[str], _: Problem) -> str:
 
 def listed_energy(match: re.Match[str], _: Problem) -> str:
     """The energy that is meant in a list: *after 13* behind *KE before 25*."""
-    known = [each[0] for each in _ENERGY.finditer(match.string, 0, match.end())]
+    known = [amount[0] for amount in _ENERGY.finditer(match.string, 0, match.end())]
     if not known or not _only_lists(match.string[: match.start()]):
         return match[0]
     stage = {"initially": "before", "finally": "after"}.get(match[1].lower(), match[1].lower())
@@ -132,5 +132,5 @@ def sets_off(match: re.Match[str], problem: Problem) -> str:
     """The speed with which a sphere goes on: a number alone may be an angle."""
     body, speed, value, unit = match.groups()
     spheres = {sphere.name for sphere in problem.spheres}
-    of_speed = bool(speed or unit) or any(each.isalpha() for each in value)
+    of_speed = bool(speed or unit) or any(character.isalpha() for character in value)
     return f"speed of {body} after = {value}" if body in spheres and of_speed else match[0]

@@ -481,7 +481,7 @@ class Chains:
             return
         if label.kind == "name" or isinstance(first, Letter | Apply):
             self.declared.body = self.statements.body = self.body_of(label)
-        known = frozenset[str]().union(*(letters(each.tree) for each in read[0]))
+        known = frozenset[str]().union(*(letters(side.tree) for side in read[0]))
         evaluates = all(letters(sides[0].tree) <= known for sides in read[1:])
         lost = any(HEADS.get(word) == "loss" for word in label.name.split())
         law = is_law(read) and not (lost and known <= self.usage.letters)

@@ -196,7 +196,7 @@ def _plain_character(character: str) -> str:
     if compatible in _SAME:
         return _SAME[compatible]
     simple = unicodedata.normalize("NFKD", compatible)
-    bare = "".join(each for each in simple if not unicodedata.combining(each))
+    bare = "".join(part for part in simple if not unicodedata.combining(part))
     if not bare or unicodedata.category(character) in ("So", "Cf", "Cc", "Zs", "Zl", "Zp", "Mn"):
         return bare if bare.isascii() and bare.strip() else " "
     return bare

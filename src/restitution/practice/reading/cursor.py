@@ -41,12 +41,12 @@ class Cursor:
         A kind is asked as a whole, and from its second occurrence each alone as well.
         """
         number = self.counts[kind] = self.counts.get(kind, -1) + 1
-        each = f"{kind}/{number}"
+        question = f"{kind}/{number}"
         self.asked.setdefault(kind, options)
         if number and number < 4:
             self.asked.setdefault(f"{kind}/0", options)
-            self.asked.setdefault(each, options)
-        return self.picks.get(each, self.picks.get(kind, 0)) % options
+            self.asked.setdefault(question, options)
+        return self.picks.get(question, self.picks.get(kind, 0)) % options
 
     def kind(self, ahead: int = 0) -> str:
         """The kind of a token ahead; empty behind the last one."""

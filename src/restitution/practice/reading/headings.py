@@ -92,7 +92,7 @@ def case_of(text: str) -> int:
 def scope_of(words: str, problem: Problem, current: Scope) -> Scope | None:
     """The scope that the words of a heading open, or None where they are no heading."""
     listed = words_of(words)
-    low = [each.lower() for each in listed]
+    low = [word.lower() for word in listed]
     features = features_of(listed, problem)
     if features.heads - {"direction"} or len(listed) > 9:
         return None
@@ -121,10 +121,10 @@ def _event_of(
     impacts = [n for n, event in enumerate(events, 1) if isinstance(event, Impact)]
     walls = {wall.name for wall in problem.walls}
     low = [word.lower() for word in words]
-    spoken = any(each in EVENT_WORDS for each in low)
-    if counted is None and (spoken or "wall" in low or any(each in STAGES for each in low)):
-        counted = next((ORDINALS[each] for each in low if each in ORDINALS), None)
-        digits = [int(each) for each in low if each.isdigit()]
+    spoken = any(word in EVENT_WORDS for word in low)
+    if counted is None and (spoken or "wall" in low or any(word in STAGES for word in low)):
+        counted = next((ORDINALS[word] for word in low if word in ORDINALS), None)
+        digits = [int(word) for word in low if word.isdigit()]
         counted = counted or (digits[0] if digits else None)
     kicks = [n for n, event in enumerate(events, 1) if isinstance(event, Kick)]
     if kicks and counted is None and _BLOWS & set(low):

@@ -114,4 +114,4 @@ class Moments:
         impact = self.events[event - 1]
         if not isinstance(impact, Impact):
             return []
-        return [each for each in (impact.first, impact.second) if each in self.spheres]
+        return [body for body in (impact.first, impact.second) if body in self.spheres]

@@ -33,7 +33,7 @@ def with_owners(
 
 
 def _owned(line: Plain, shared: Collection[str], spheres: Collection[str]) -> Plain:
-    labels = [each for each in _LABEL.finditer(line.text) if each[1] in spheres]
+    labels = [label for label in _LABEL.finditer(line.text) if label[1] in spheres]
     text = ""
     columns: tuple[int, ...] = ()
     start = 0

@@ -155,14 +155,14 @@ def read_phrase(
     if event is not None and features.event is None and not features.heads & _OF_THE_WHOLE:
         features = replace(features, event=_counted(event, features, problem))
     stages: tuple[Literal["after", "before"], ...] = ("after", "before")
-    staged = [replace(features, stage=each) for each in stages]
+    staged = [replace(features, stage=stage) for stage in stages]
     if features.stage:
         staged = [replace(features, timed=True)]
     if features.heads == {"energy"} and not (features.stage or features.names):
         # As a title it may stand for what is lost: KE: 50 - 34 = 16.
         staged.append(replace(features, heads=frozenset(("energy", "loss"))))
     return _unique(
-        chain.from_iterable(_Reader(each, problem, until).candidates() for each in staged)
+        chain.from_iterable(_Reader(reading, problem, until).candidates() for reading in staged)
     )
 
 
@@ -557,10 +557,10 @@ class _Reader(Moments):
     def energy_of_components(self, event: int, body: str | None) -> Expression:
         """The part of a kinetic energy that components along a direction have."""
         terms: list[Expression] = []
-        for each in self.spheres if body is None else (body,):
-            component = next(self.components(self.of("velocity", each, event), event, each))
+        for sphere in self.spheres if body is None else (body,):
+            component = next(self.components(self.of("velocity", sphere, event), event, sphere))
             square = Binary("^", component, Number(Fraction(2)))
-            half = Binary("*", Number(Fraction(1, 2)), Quantity("mass", (Name(each),)))
+            half = Binary("*", Number(Fraction(1, 2)), Quantity("mass", (Name(sphere),)))
             terms.append(Binary("*", half, square))
         return reduce(lambda one, other: Binary("+", one, other), terms)
 
@@ -569,7 +569,7 @@ class _Reader(Moments):
         after = self.after(event)
         named = [name for name in self.features.names if name in self.spheres]
         size = Quantity("impulse", (), after)
-        vectors = [Quantity("impulse", (Name(each),), after) for each in named[:2]]
+        vectors = [Quantity("impulse", (Name(name),), after) for name in named[:2]]
         yield size
         yield from vectors
         yield Negate(size)
@@ -598,7 +598,7 @@ class _Reader(Moments):
             yield Quantity("deflection", (Name(body),), self.after(event))
             if event > 1:
                 ends = (
-                    Quantity("velocity", (Name(body),), each) for each in (self.after(event), 0)
+                    Quantity("velocity", (Name(body),), stage) for stage in (self.after(event), 0)
                 )
                 yield Quantity("angle", tuple(ends))
 
@@ -698,7 +698,7 @@ class _Reader(Moments):
         met = self.bodies_met(event)
         bare = heads == {"ratio"} and not self.features.percent
         if len(met) == 2 and ("mass" in heads or bare):
-            first, second = (Quantity("mass", (Name(each),)) for each in met)
+            first, second = (Quantity("mass", (Name(body),)) for body in met)
             yield Binary("/", first, second)
             yield Binary("/", second, first)
 

@@ -95,7 +95,7 @@ def _with_verdict(
 ) -> Segment:
     """A segment with what the words behind it say of it; ``last`` are those that end the line."""
     behind = pieces[place + 1].before if place + 1 < len(pieces) else tuple(last)
-    words = [each for each in behind if each.isalpha()]
+    words = [word for word in behind if word.isalpha()]
     while words and words[0] in _LEADING:
         words = words[1:]
     denied = len(words) > 1 and words[0] in ("no", "not")
@@ -360,8 +360,8 @@ def _is_solved_for(tokens: Sequence[Token], first: int, place: int, second: int)
     left = tokens[start:first]
     if _is_contradicted(left, value, behind, own):
         return True
-    given = {each.name for each in value if each.kind == "letter"}
-    plain = given <= {each.name for each in behind if each.kind == "letter"} - {own}
+    given = {token.name for token in value if token.kind == "letter"}
+    plain = given <= {token.name for token in behind if token.kind == "letter"} - {own}
     elsewhere = any(token.kind == "letter" and token.name == own for token in behind)
     kinds = [token.kind for token in left if token.kind != "-"]
     multiple = kinds in (["number", "letter"], ["letter", "^", "number"])
@@ -372,7 +372,7 @@ def _is_contradicted(
     left: Sequence[Token], value: Sequence[Token], behind: Sequence[Token], own: str
 ) -> bool:
     """Whether a chain would say of a number that it is another: ``14 = 5a + 4 a = 2``."""
-    end = next((n for n, each in enumerate(behind) if n and each.gap), len(behind))
+    end = next((n for n, token in enumerate(behind) if n and token.gap), len(behind))
     sides = (left, behind[:end])
     numbers = [side[0].value for side in sides if [x.kind for x in side] == ["number"]]
     return len(numbers) == 2 and numbers[0] != numbers[1] and any(x.name == own for x in value)

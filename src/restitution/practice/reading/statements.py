@@ -287,7 +287,7 @@ class _Reader(Chains):
         """Whether a relation is what an inequality leads to: ``if v < 0 → 2 - k < 0``."""
         leads = "then" in words or any(word.endswith((">", "→")) for word in words)
         supposed = self.statements.supposed if self.supposes and leads else ()
-        return bool(supposed) and all(each.sign != "=" for each in supposed)
+        return bool(supposed) and all(claim.sign != "=" for claim in supposed)
 
     def _is_under_case(self, segment: Segment, following: Sequence[Segment]) -> bool:
         """Whether a relation holds in the case before it: ``least when e = 0, v = u cos α``."""

@@ -81,7 +81,9 @@ def usage_of(lines: Sequence[str], problem: Problem) -> Usage:
     alone = _alone(lines, metres)
     trigonometric = set(_in_functions(text))
     greek = {GREEK_SIGNS[sign] for sign in text if sign in GREEK_SIGNS}
-    greek |= {each for each in GREEK if any(each in run.lower() for run in runs if len(each) > 2)}
+    greek |= {
+        letter for letter in GREEK if any(letter in run.lower() for run in runs if len(letter) > 2)
+    }
     spheres = frozenset(sphere.name for sphere in problem.spheres)
     aliases = _aliases(of_question | greek, of_question, trigonometric, alone, text)
     aliases |= _subscripts(spheres, of_question | (alone - trigonometric), runs)
@@ -173,7 +175,7 @@ def _alone(lines: Sequence[str], metres: bool) -> set[str]:
     glued = {"m": _BEFORE_METRES if metres else _BEFORE_A_UNIT, "s": _BEFORE_GLUED}
     alone: set[str] = set()
     for line in lines:
-        for match in _ALONE.finditer(_SPEED_UNIT.sub(lambda each: " " * len(each[0]), line)):
+        for match in _ALONE.finditer(_SPEED_UNIT.sub(lambda unit: " " * len(unit[0]), line)):
             behind = line[match.end() :].lstrip()
             word = re.match(r"[A-Za-z]{3,}", behind)
             if match[1] in "aI" and word and word[0].lower() in PROSE | PHRASE_WORDS:
@@ -196,7 +198,9 @@ def _in_functions(text: str) -> Iterator[str]:
         if run and run[0].lower() in PROSE | PHRASE_WORDS:
             continue
         rest = _RUN.match(text, match.start(1))
-        if rest and any(rest[0].lower().startswith(each) for each in ("sin", "cos", "tan", *GREEK)):
+        if rest and any(
+            rest[0].lower().startswith(function) for function in ("sin", "cos", "tan", *GREEK)
+        ):
             continue
         yield match[1]
 

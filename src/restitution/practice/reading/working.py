@@ -60,16 +60,18 @@ def read_working(
     then. Never raises: lines beyond the limits, and lines that
     are no mathematics, are ``unread``.
     """
-    lines = text.splitlines() if isinstance(text, str) else [str(each) for each in text]
+    lines = text.splitlines() if isinstance(text, str) else [str(line) for line in text]
     typed = [(n, line) for n, line in enumerate(lines, 1) if line.strip()][: MAX_LINES + 1]
     texts = with_angles([line[: MAX_LENGTH + 1] for _, line in typed[:MAX_LINES]], problem)
     of_question = {*letters_of_question(problem), *declared}
     plains = [plain(without_steady_motion(text, of_question)) for text in texts]
-    usage = usage_of([each.text for each in plains], problem)
+    usage = usage_of([line.text for line in plains], problem)
     plains = list(with_owners(plains, problem, {*usage.letters, *declared}))
-    aliases = {each: meant for each, meant in usage.aliases.items() if each not in declared}
-    aliases |= {each: each for each in declared if len(each) == 2 and each in usage.aliases}
-    own = {each: meant for each, meant in aliases.items() if meant not in GREEK_ANGLES}
+    aliases = {letter: meant for letter, meant in usage.aliases.items() if letter not in declared}
+    aliases |= {
+        letter: letter for letter in declared if len(letter) == 2 and letter in usage.aliases
+    }
+    own = {letter: meant for letter, meant in aliases.items() if meant not in GREEK_ANGLES}
     known = {*usage.letters, *declared}
     script = without_quoted(_read(typed, plains, problem, replace(usage, aliases=aliases)), known)
     if own == aliases:
@@ -82,7 +84,9 @@ def _read(
     typed: Sequence[tuple[int, str]], plains: Sequence[Plain], problem: Problem, usage: Usage
 ) -> Script:
     reader = _Reader(problem, usage)
-    script_lines = [reader.line(number, line, each) for (number, line), each in zip(typed, plains)]
+    script_lines = [
+        reader.line(number, line, shown) for (number, line), shown in zip(typed, plains)
+    ]
     if len(typed) > MAX_LINES:
         number, line = typed[MAX_LINES]
         fault = f"a working has at most {MAX_LINES} lines: this one and those below are not read"

@@ -79,7 +79,7 @@ def grades(
         by_link.append(_grades(link, world, meanings, decimals, scope, True, noted))
         if noted and _are_small(noted) and by_link[-1].any():
             by_link.append(_grades(link, world, meanings, decimals, scope, False, []))
-    return min(by_link, key=lambda each: (each.max(), each.sum()))
+    return min(by_link, key=lambda grade: (grade.max(), grade.sum()))
 
 
 def difference(
@@ -120,7 +120,7 @@ def _difference(
     if lines:
         left, right = _directed(left, right)
     if isinstance(left, Vector) or isinstance(right, Vector):
-        a, b = (as_vector(each) for each in (left, right))
+        a, b = (as_vector(side) for side in (left, right))
         size = np.maximum(np.hypot(*a), np.hypot(*b))
         return _columns(world, a.x - b.x, a.y - b.y), _columns(world, size, size)
     if isinstance(left, Angle) or isinstance(right, Angle):
@@ -227,7 +227,9 @@ def _moved(
     put: Sequence[Mapping[int, Array]],
 ) -> Array:
     """By how much the difference of the sides changes where a decimal is put at either end."""
-    ends = [difference(claim, world, meanings, scope, degrees=degrees, put=each)[0] for each in put]
+    ends = [
+        difference(claim, world, meanings, scope, degrees=degrees, put=change)[0] for change in put
+    ]
     with np.errstate(all="ignore"):
         changes = [end - apart for end in ends]
         if is_angular(claim, world, meanings, scope):

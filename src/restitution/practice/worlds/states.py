@@ -154,7 +154,7 @@ def assembled(base: World, tables: Sequence[Mapping[tuple[int, str], Vector]]) -
         own = [table.get(key, base.after[key]) for table in tables]
         return Vector(*(np.concatenate([base.spread(v[k]) for v in own]) for k in (0, 1)))
 
-    each = {
+    copied = {
         name: {key: of(value) for key, value in getattr(base, name).items()}
         for name in ("letters", "start", "lines", "walls", "times")
     }
@@ -162,7 +162,7 @@ def assembled(base: World, tables: Sequence[Mapping[tuple[int, str], Vector]]) -
         name: tuple(replace(stop, where=of(stop.where), jump=of(stop.jump)) for stop in known)
         for name, known in base.stops.items()
     }
-    put: dict[str, Any] = {**each, "after": {key: joined(key) for key in base.after}}
+    put: dict[str, Any] = {**copied, "after": {key: joined(key) for key in base.after}}
     return replace(base, samples=n * base.samples, stops=stops, **put)
 
 
@@ -465,7 +465,7 @@ class _Search:
             if worth[best] < 1e-9:
                 continue
             tried = self._solved(claim, now, self.places[best], table[0], slopes[best])
-            largest = max(largest, tried, key=lambda each: int(each[0].sum()))
+            largest = max(largest, tried, key=lambda attempt: int(attempt[0].sum()))
             if largest[0].sum() > self.base.samples // 2:
                 break
         return largest

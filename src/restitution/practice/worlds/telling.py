@@ -132,7 +132,7 @@ class Telling:
         if isinstance(tree, Expression):
             return self._kept(("property", tree, now), lambda: self._plain(tree, now))
         if isinstance(tree, tuple | list):
-            return Vector(*(self.read(each, now) for each in tree))
+            return Vector(*(self.read(part, now) for part in tree))
         return np.float64(tree)
 
     def _plain(self, tree: Expression, now: int) -> Value:

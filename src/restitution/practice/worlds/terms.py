@@ -69,7 +69,7 @@ def law_put_in(
         except UnvaluedError:
             continue
         matches = list(_matches(tried, values, exact))
-        matches.sort(key=lambda each: not _mentions_coefficient(claim, each.slots, tried.world))
+        matches.sort(key=lambda match: not _mentions_coefficient(claim, match.slots, tried.world))
         for usual in (True, False):
             for match in matches:
                 if match.fits(usual=usual):
@@ -226,7 +226,7 @@ class _Match:
         self.true = [number[: tried.rows] for number in numbers]
         self.free = [number[loose] for number in numbers]
         kept = [term for term in slots.terms if np.any(np.abs(term[: tried.rows]) > _NOTHING)]
-        self.terms = [(each[: tried.rows], each[loose]) for each in kept]
+        self.terms = [(term[: tried.rows], term[loose]) for term in kept]
         self.masks = range(1, 2 ** len(self.true))
         self.sums = [self._sum(self.true, mask) for mask in range(2 ** len(self.true))]
 
@@ -259,7 +259,9 @@ class _Match:
             )
 
     def _is_usual(self, factor: Array) -> bool:
-        return any(np.all(np.abs(np.abs(factor * each) - 1) < self.near) for each in self.cancelled)
+        return any(
+            np.all(np.abs(np.abs(factor * letter) - 1) < self.near) for letter in self.cancelled
+        )
 
     def _covers(self, factor: Array, masks: tuple[int, ...]) -> bool:
         used = sum(masks)
@@ -371,8 +373,8 @@ def _products(claim: Claim) -> Iterator[tuple[Expression, Expression | _Divided]
             rest = factors[:place] + factors[place + 1 :]
             if rest:
                 product = rest[0]
-                for each in rest[1:]:
-                    product = _times(product, each)
+                for further in rest[1:]:
+                    product = _times(product, further)
                 yield factor, product
 
 

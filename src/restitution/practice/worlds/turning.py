@@ -45,7 +45,7 @@ def turned(world: AnyMotion, changed: frozenset[str], fixed: frozenset[int]) -> 
 
 def _speaks_of(tree: Any, names: frozenset[str]) -> bool:
     if isinstance(tree, tuple | list):
-        return any(_speaks_of(each, names) for each in tree)
+        return any(_speaks_of(part, names) for part in tree)
     return isinstance(tree, Expression) and not letters(tree).isdisjoint(names)
 
 

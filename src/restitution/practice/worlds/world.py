@@ -176,7 +176,7 @@ def stacked(worlds: Sequence[World]) -> World:
             [np.broadcast_to(np.asarray(v, dtype=float), (n,)) for v, n in zip(values, sizes)]
         )
 
-    def each(name: str) -> dict[Any, Any]:
+    def entries(name: str) -> dict[Any, Any]:
         tables = [getattr(world, name) for world in worlds]
         keys = [key for key in tables[0] if all(key in table for table in tables)]
         return {key: joined([table[key] for table in tables]) for key in keys}
@@ -193,7 +193,7 @@ def stacked(worlds: Sequence[World]) -> World:
         for name in first.stops
     }
     tables: dict[str, Any] = {
-        name: each(name) for name in ("letters", "start", "after", "lines", "walls", "times")
+        name: entries(name) for name in ("letters", "start", "after", "lines", "walls", "times")
     }
     return replace(first, samples=sum(sizes), stops=stops, **tables)
 

@@ -87,7 +87,7 @@ def _unbroken(layout: Layout) -> str:
     if isinstance(layout, Relation):
         first, *rest = map(_unbroken, layout.operands)
         signs = zip(layout.signs, rest, strict=True)
-        pieces = [f"{sign}{NO_BREAK}{each}" for sign, each in signs]
+        pieces = [f"{sign}{NO_BREAK}{side}" for sign, side in signs]
         if not pieces:
             return first
         # An equation goes to the next line as a whole, a chain only if it is short.
@@ -152,7 +152,7 @@ def _row(chain: Chain, left: str, room: int, width: int) -> list[TextLine]:
     lines: list[str] = []
     if first is not None and INDENT + columns(left) > width:
         *above, left = _broken(first, limit - INDENT)
-        lines += [" " * INDENT + each for each in above]
+        lines += [" " * INDENT + line for line in above]
         pad = " " * INDENT
     current = pad + left
     start = " " * (INDENT + room)
@@ -198,7 +198,7 @@ def _row(chain: Chain, left: str, room: int, width: int) -> list[TextLine]:
         words = note.removeprefix(",").lstrip()
         right = columns(start) + 1 + max(map(columns, chain.signs), default=0) + 1
         indent = right if right + columns(words) <= own else INDENT + 2
-        rows += plain([" " * indent + each for each in wrapped(words, own - indent)])
+        rows += plain([" " * indent + line for line in wrapped(words, own - indent)])
     if chain.mark:
         rows[-1] = replace(rows[-1], mark=chain.mark)
     return rows
@@ -220,7 +220,7 @@ def _over_a_bar(chain: Chain, left: Fraction, width: int) -> list[TextLine]:
         width,
     )
     top, under = (
-        TextLine(" " * (INDENT + (room - columns(each)) // 2) + each) for each in (above, below)
+        TextLine(" " * (INDENT + (room - columns(line)) // 2) + line) for line in (above, below)
     )
     return [top, rest[0], under, *rest[1:]]
 

@@ -83,7 +83,7 @@ def to_pdf(document: Document) -> bytes:
 def to_markup(document: Document) -> str:
     """The document as markup."""
     setup = paper(document.title, document.head)
-    if document.kind == "sheet" or any(isinstance(each, Equations) for each in document.blocks):
+    if document.kind == "sheet" or any(isinstance(block, Equations) for block in document.blocks):
         setup += PREAMBLE
     # The title of a sheet stands above every page.
     title = f"#text(size: 1.3em, strong({literal(document.title)}))"
@@ -149,7 +149,7 @@ def _block(block: Block, is_held: bool) -> list[str]:
             return [f"#block(height: {height:g}mm, width: 100%, breakable: true)"]
         case Together(inside):
             texts = _blocks(inside)
-            plain_blocks = [each for each in inside if not isinstance(each, Picture)]
+            plain_blocks = [content for content in inside if not isinstance(content, Picture)]
             if len(to_blocks(plain_blocks)) >= _LONG:
                 return texts
             whole = "\n\n".join(texts)

@@ -77,7 +77,10 @@ def vector(x: Any, y: Any) -> Layout:
             if x < 0 and y < 0:
                 return negative(product(from_sympy(common), Brackets(vector(-x, -y))))
             return product(from_sympy(common), Brackets(vector(x, y)))
-    sizes = (each if isinstance(each, Layout) else from_sympy(each) for each in (x, y))
+    sizes = (
+        component if isinstance(component, Layout) else from_sympy(component)
+        for component in (x, y)
+    )
     terms = [
         _component(size, axis)
         for size, axis in zip(sizes, ("i", "j"), strict=True)
@@ -144,9 +147,9 @@ def from_sympy(value: Any, *, degrees: bool = False) -> Layout:
     if isinstance(value, sympy.Set):
         return Words(str(value))
     if isinstance(value, tuple | sympy.Tuple):
-        return Coordinates(tuple(from_sympy(each, degrees=degrees) for each in value))
+        return Coordinates(tuple(from_sympy(component, degrees=degrees) for component in value))
     if isinstance(value, sympy.core.relational.Relational):
-        sides = tuple(from_sympy(each, degrees=degrees) for each in (value.lhs, value.rhs))
+        sides = tuple(from_sympy(side, degrees=degrees) for side in (value.lhs, value.rhs))
         return Relation(sides, (SIGNS.get(value.rel_op, value.rel_op),))
     if isinstance(value, sympy.And | sympy.Or):
         word = " and " if isinstance(value, sympy.And) else " or "
@@ -256,7 +259,7 @@ def _numbers_first(others: list[Expr]) -> bool:
     letters = set().union(*[other.free_symbols for other in others])
     if any(other.has(*DIRECT) for other in others):
         return True
-    if any(_class(each) == "coefficient" for each in letters):
+    if any(_class(factor) == "coefficient" for factor in letters):
         return True
     return all(
         (other / other.as_coeff_Mul()[0]).is_Symbol
@@ -437,10 +440,10 @@ def _assemble(
 ) -> Layout:
     p, q = int(rational.p), int(rational.q)
     surd = 1
-    for each in surds:
-        surd *= int(each)
+    for root in surds:
+        surd *= int(root)
     below_surd = 1
-    gathered = [each for each in roots_above if not each.is_Rational]
+    gathered = [radicand for radicand in roots_above if not radicand.is_Rational]
     inside_above: list[Expr] = list(roots_above)
     inside_below: list[Expr] = []
     merged = bool(gathered)
@@ -465,7 +468,7 @@ def _assemble(
     root_above = None
     if len(inside_above) + len(inside_below) > 1:
         # √(2(a + b)/(3c)), and no quotient within a quotient.
-        quotients = [each.as_numer_denom() for each in inside_above]
+        quotients = [radicand.as_numer_denom() for radicand in inside_above]
         inside_above = [above for above, _ in quotients if above != 1]
         inside_below.extend(below for _, below in quotients if below != 1)
     if inside_below and not inside_above:
@@ -543,7 +546,7 @@ def _plain_product(bases: Sequence[Expr]) -> Layout:
                 base = other
             rest.append((base, S.One))
     factors: list[Layout] = [] if number == 1 else [Number(str(number))]
-    factors.extend(_power_layout(*each) for each in sorted(rest, key=_factor_order))
+    factors.extend(_power_layout(*factor) for factor in sorted(rest, key=_factor_order))
     layout = product(*factors) if factors else ONE
     return layout.inside if isinstance(layout, Brackets) and layout.kind == "()" else layout
 

@@ -184,14 +184,14 @@ def _simple(value: Rational) -> bool:
 def _display_pair(x: Any, y: Any, build: Any, decimals: bool = False) -> Layout:
     first, second = sympy.sympify(x, strict=True), sympy.sympify(y, strict=True)
     whole: Layout = build(first, second)
-    rounded = [_rounded(each, False, decimals) for each in (first, second)]
+    rounded = [_rounded(value, False, decimals) for value in (first, second)]
     ready = all(
         layout is not None or _number_and_letters(value)[0] is not None
         for layout, value in zip(rounded, (first, second), strict=True)
     )
     if not ready or all(layout is None for layout in rounded):
         return whole
-    long = any(_is_long(each) for each in (first, second))
+    long = any(_is_long(value) for value in (first, second))
     parts = [
         layout if layout is not None else _with_three_figures(value)
         for layout, value in zip(rounded, (first, second), strict=True)

@@ -36,7 +36,7 @@ def from_set(values: Any, name: Any, *, degrees: bool = False) -> Layout:
         return Relation((end(low), subject, end(high)), (before, after))
     if isinstance(values, sympy.FiniteSet):
         ordered = sorted(values.args, key=_set_order)
-        cases = [Relation((subject, end(each)), ("=",)) for each in ordered]
+        cases = [Relation((subject, end(value)), ("=",)) for value in ordered]
         return cases[0] if len(cases) == 1 else Phrase(tuple(cases), " or ")
     if isinstance(values, sympy.Union):
         return _from_union(values, subject, degrees)

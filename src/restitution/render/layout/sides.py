@@ -17,8 +17,8 @@ def equation(*sides: Any) -> Relation:
 
 def relation(first: Any, *rest: Any) -> Relation:
     """A chain such as ``relation(0, "<", e, "<=", 1)``."""
-    signs = tuple(SIGNS.get(each, each) for each in rest[0::2])
-    return Relation(tuple(as_layout(each) for each in (first, *rest[1::2])), signs)
+    signs = tuple(SIGNS.get(sign, sign) for sign in rest[0::2])
+    return Relation(tuple(as_layout(side) for side in (first, *rest[1::2])), signs)
 
 
 def as_layout(value: Any) -> Layout:

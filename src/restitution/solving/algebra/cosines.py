@@ -73,8 +73,8 @@ def without_cosines(x: sp.Expr, symbol: sp.Symbol) -> sp.Expr | None:
     except _OtherError:
         return None
     whole = sp.Integer(0)
-    for power, each in zip(range(len(parts) - 1, -1, -1), split, strict=True):
-        for surds, total in each.items():
+    for power, by_surds in zip(range(len(parts) - 1, -1, -1), split, strict=True):
+        for surds, total in by_surds.items():
             folded = [(c, min(k % circle.order, -k % circle.order)) for k, c in total.items()]
             own = [
                 sp.Rational(c.numerator, c.denominator) * sp.chebyshevt(k, cosine)

@@ -341,18 +341,18 @@ def _sum_of_letters(x: sp.Expr, y: sp.Expr, samples: Samples) -> sp.Expr | None:
             whole = FIELD.arctan2(at(y, values), at(x, values))
         except UndefinedError:
             continue
-        own = [values[each.name] for each in angles]
+        own = [values[letter.name] for letter in angles]
         if chosen is None:
             combination = _whole_numbers(whole, own)
             if combination is None:
                 return None
             chosen, twelfths = combination
-        rest = whole - sum(n * each for n, each in zip(chosen, own, strict=True))
+        rest = whole - sum(n * term for n, term in zip(chosen, own, strict=True))
         if (rest - twelfths * FIELD.pi / 12).sign:
             return None
     if chosen is None:
         return None
-    terms = [n * each for n, each in zip(chosen, angles, strict=True)]
+    terms = [n * letter for n, letter in zip(chosen, angles, strict=True)]
     return sp.Add(*terms, twelfths * sp.pi / 12)
 
 
@@ -375,7 +375,7 @@ def _number(x: sp.Expr) -> sp.Expr:
 def along_and_across(value: Vector, line: Vector, samples: Samples) -> sp.Expr:
     """A speed from the components of a velocity along a line and perpendicular to it."""
     length = sp.sqrt(tidy(line.dot(line)))
-    parts = [neat(each / length) for each in (value.dot(line), value.cross(line))]
+    parts = [neat(product / length) for product in (value.dot(line), value.cross(line))]
     # √6 − √2 e as √2 (√3 − e): the root goes outside.
     scale, parts = min(
         ((s, [tidy(part * sp.sqrt(s)) for part in parts]) for s in (1, 2, 3)),

@@ -115,7 +115,7 @@ def to_set(pieces: Sequence[Piece]) -> sp.Set:
     """Intervals as one SymPy set, the ends in textbook form."""
     sets = []
     for low, high in pieces:
-        a, b = (forms.bound(each.value) for each in (low, high))
+        a, b = (forms.bound(end.value) for end in (low, high))
         if a == b:
             sets.append(sp.FiniteSet(a))
         else:

@@ -73,8 +73,8 @@ class Field:
 
     def __init__(self, expressions: Iterable[sp.Expr], first: Sequence[sp.Expr] = ()) -> None:
         kinds = _Atoms()
-        for each in (*first, *expressions):
-            kinds.visit(each)
+        for expression in (*first, *expressions):
+            kinds.visit(expression)
         self.surds = _coprime(kinds.radicands)
         surds = {sp.Pow(n, sp.S.Half, evaluate=False): n for n in self.surds}
         others = (kinds.plain | kinds.roots | set(surds)) - set(first)

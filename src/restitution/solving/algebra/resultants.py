@@ -35,7 +35,7 @@ def resultant(f: sp.Expr, g: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     elif m == 0 or n == 0:
         result = field.power(a[0], n) if m == 0 else field.power(b[0], m)
     else:
-        one, other = (without_denominators(from_powers(each)) for each in (a, b))
+        one, other = (without_denominators(from_powers(polynomial)) for polynomial in (a, b))
         result = field.normal(one.resultant(other).set_ring(field.ring))
     return field.expression(without_denominators(_primitive(result)))
 
@@ -50,7 +50,10 @@ def _eliminating(field: Field, a: Sequence[Element], b: Sequence[Element]) -> fl
     reduced = {r.index: r.power - 1 for r in field.relations}
     terms = 1.0
     for index in range(1, len(field.atoms)):
-        top = [max((mono[index] for part in each for mono in part), default=0) for each in (a, b)]
+        top = [
+            max((mono[index] for part in polynomial for mono in part), default=0)
+            for polynomial in (a, b)
+        ]
         grown = n * top[0] + m * top[1]
         terms *= 1 + min(grown, reduced.get(index, grown))
     size = n * max(map(bits, a)) + m * max(map(bits, b))

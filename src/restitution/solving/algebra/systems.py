@@ -473,8 +473,8 @@ def _by_resultant(
             for value in roots(reduced, x):
                 results.append(({**values, x: neat(value)}, rest))
         return results
-    for each in with_x:
-        r = resultant(equation, each, x)
+    for other in with_x:
+        r = resultant(equation, other, x)
         if r == 0:
             raise UnsupportedError("equations with a common part")
         without.append(r)

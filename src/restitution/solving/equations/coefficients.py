@@ -107,7 +107,7 @@ def without_impossible(
     if branches and not kept:
         named = {name for tree in trees for name in letters(tree)}
         wrong = impossible_coefficients(branches[0])
-        blamed = next((each for each in wrong if each.letters & named), wrong[0])
+        blamed = next((impossible for impossible in wrong if impossible.letters & named), wrong[0])
         e = blamed.step.e
         place = line_and_column(e.place if e is not None and not blamed.letters else None)
         error = ImpossibleError(f"{blamed.text} rejected: {COEFFICIENTS}", *place)
@@ -143,7 +143,7 @@ def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool
 
     try:
         fixed = _gradients(facts, values, unknowns)
-        if any((each + 1).sign == 0 for each in own.values()):
+        if any((coefficient + 1).sign == 0 for coefficient in own.values()):
             fixed = [row for row in fixed if not any(row[len(branch.values) :])]
         return any(not _is_combination(row, fixed) for row in _gradients(asked, values, unknowns))
     except (RestitutionError, ArithmeticError):
@@ -153,8 +153,8 @@ def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool
 def _freed(branch: Branch, setting: Setting) -> tuple[Setting, Sample]:
     """The setting with a coefficient of its own for every impact in question, and their values."""
     wrong = impossible_coefficients(branch)
-    events = {each.event for each in wrong}
-    names = {name for each in wrong for name in each.letters}
+    events = {impossible.event for impossible in wrong}
+    names = {name for impossible in wrong for name in impossible.letters}
     own: Sample = {}
     parts = []
     number = 0
@@ -191,24 +191,24 @@ def _gradients(
         )
         for name in names
     ]
-    rows = [[(each[n] - here[n]).fraction for each in moved] for n in range(len(here))]
+    rows = [[(point[n] - here[n]).fraction for point in moved] for n in range(len(here))]
     sizes = [max(map(abs, row), default=Fraction(0)) for row in rows]
     return [[x / size if size else x for x in row] for row, size in zip(rows, sizes, strict=True)]
 
 
 def _is_combination(row: Sequence[Fraction], of: Sequence[Sequence[Fraction]]) -> bool:
     """Whether a row is a linear combination of others: by elimination."""
-    rest = [list(each) for each in of]
+    rest = [list(gradient) for gradient in of]
     row = list(row)
     for column in range(len(row)):
-        sizes = [abs(each[column]) for each in rest]
+        sizes = [abs(line[column]) for line in rest]
         if not sizes or max(sizes) < SMALL:
             if abs(row[column]) > SMALL:
                 return False
             continue
         pivot = rest[sizes.index(max(sizes))]
-        rest = [each for each in rest if each is not pivot]
-        for each in (*rest, row):
-            share = each[column] / pivot[column]
-            each[:] = [a - share * b for a, b in zip(each, pivot, strict=True)]
+        rest = [line for line in rest if line is not pivot]
+        for line in (*rest, row):
+            share = line[column] / pivot[column]
+            line[:] = [a - share * b for a, b in zip(line, pivot, strict=True)]
     return True

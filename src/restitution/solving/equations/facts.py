@@ -180,7 +180,7 @@ def _ordered(
         is_open = within_a_half_turn(story, one, other, now)
         evaluator = story.evaluator(0)
         a, b = (evaluator.as_angle(x) for x in (small, large)) if is_open else (None, None)
-        if a is None or b is None or all(story.field.is_zero(each.y) for each in (a, b)):
+        if a is None or b is None or all(story.field.is_zero(angle.y) for angle in (a, b)):
             # Of 0° and 180° the difference has no sine that would tell which is the greater.
             first, last = (x.measure() if isinstance(x, Angle) else x for x in (small, large))
             return Condition(last - first, relation, reason, "fact")
@@ -226,9 +226,9 @@ def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:
             return _met_by_places(relation, story, now, reason, refused)
         conditions = [_approach(story, event, one, other, now)]
         rebounds = [
-            each
+            rebound
             for pair in ((one, other), (other, one))
-            for each in _rebound(story, event, *pair, now)
+            for rebound in _rebound(story, event, *pair, now)
         ]
         if rebounds:
             return _met_after_a_rebound(relation, story, conditions[0], rebounds, reason, refused)

@@ -160,7 +160,7 @@ class Setting:
         ]
         if outside:
             # An impossible coefficient is blamed only where nothing else is wrong.
-            return next((each for each in outside if each[1] != "coefficient"), outside[0])
+            return next((letter for letter in outside if letter[1] != "coefficient"), outside[0])
         try:
             story = story or self.tell(Numbers(values))
         except ImpossibleError as error:
@@ -275,7 +275,7 @@ class Setting:
             possible = admission.oracle.possible
             if possible.answer == "proved" and possible.witness is not None:
                 values = sample(free, known, rng)
-                values |= {name: number_of(each) for name, each in possible.witness.items()}
+                values |= {name: number_of(number) for name, number in possible.witness.items()}
                 trial = Trial(assignment, (), None, None, admission, story)
                 reason = self._objection(trial, values, stories, possible.witness)
                 if reason is None:
@@ -283,7 +283,7 @@ class Setting:
                 else:
                     reasons[reason] += 1
         if as_they_look is not None and as_they_look is not accepted[0]:
-            accepted.sort(key=lambda each: each is not as_they_look)
+            accepted.sort(key=lambda attempt: attempt is not as_they_look)
             stories.insert(0, self.tell(Numbers(as_they_look)))
         if accepted and reasons[EQUATION]:
             admission = admission.with_senses(accepted)

@@ -164,7 +164,7 @@ def _solved(
 
 def _smallest(inside: Sequence[frozenset[sp.Symbol]]) -> tuple[int, ...] | None:
     """The first of the smallest groups of equations with as many unknowns as equations."""
-    usable = [n for n, each in enumerate(inside) if each]
+    usable = [n for n, letters in enumerate(inside) if letters]
     for size in range(1, min(_LARGEST, len(usable)) + 1):
         for group in combinations(usable, size):
             if len(frozenset[sp.Symbol]().union(*(inside[n] for n in group))) == size:

@@ -180,7 +180,7 @@ def _ordered(region: Family, name: str, borders: Sequence[sp.Expr]) -> tuple[Sam
     """Values of the other data, and the borders in the order that they always seem to have."""
     rng = random.Random(31)
     role = region.roles[name]
-    others = [each for each in region.data() if each != name]
+    others = [letter for letter in region.data() if letter != name]
     seen: list[tuple[Sample, list[sp.Expr]]] = []
     for _ in range(SAMPLES if others else 1):
         drawn = sample(others, region.roles, rng)

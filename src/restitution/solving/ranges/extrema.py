@@ -238,7 +238,7 @@ def _in_cases(outcome: Outcome, item: Extremum, several: list[Case], angle: bool
         answers.append(with_condition(answer, answer.layout, limits))
     line = None if item.place is None else item.place.line
     proofs: list[Proof] = [case.proof for case in several]
-    proof = next((each for each in proofs if each != "algebra"), proofs[0])
+    proof = next((kind for kind in proofs if kind != "algebra"), proofs[0])
     return ItemResult(item, line, item.text, "extremum", tuple(answers), proof=proof)
 
 
@@ -315,7 +315,8 @@ def _elsewhere(
             continue
         symbol = role.symbol(coefficient)
         if not any(
-            each.has(symbol) for each in (value, candidate.value, *candidate.where.values())
+            expression.has(symbol)
+            for expression in (value, candidate.value, *candidate.where.values())
         ):
             continue
         kept = [
@@ -417,7 +418,7 @@ class _Winners:
         """The extremum at some values of the data."""
         rng = random.Random(31)
         drawn = [sample(self.data(), _roles(self._region.outcome), rng) for _ in range(DRAWS_TRIED)]
-        shapes = ((self.pieces_at(each), each) for each in drawn)
+        shapes = ((self.pieces_at(drawing), drawing) for drawing in drawn)
         return list(islice((shape for shape in shapes if shape[0]), DRAWS))
 
     def pieces_at(
@@ -469,7 +470,7 @@ class _Winners:
         seen = 0
         for number in range(_TRIED):
             drawn = sample(self.data(), self.roles, rng, number % 3 == 2)
-            put = {symbol: x for symbol, x in _told(facts) if symbol.name in drawn}
+            put = {symbol: x for symbol, x in _solved_letters(facts) if symbol.name in drawn}
             drawn |= {symbol.name: at(x, drawn) for symbol, x in put.items()}
             if asked.objection(drawn) is not None:
                 continue
@@ -490,7 +491,7 @@ def _with_signs(value: sp.Expr, drawn: Sample) -> sp.Expr:
     return value.replace(sp.sign, lambda x: sp.Integer(at(x, drawn).sign))
 
 
-def _told(facts: Sequence[Formula]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+def _solved_letters(facts: Sequence[Formula]) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
     """The letters of which an equation among facts tells the value."""
     for fact in facts:
         if isinstance(fact, Relation) and fact.operator == "=":

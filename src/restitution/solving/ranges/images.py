@@ -411,8 +411,8 @@ def _tangent_at(end: sp.Expr, closed: bool) -> sp.Expr | None:
 
 def _nearest_pairs(seen: Sequence[Seen], low: Enclosed, high: Enclosed) -> list[tuple[Seen, Seen]]:
     """Places of values up to one number and from another on, the nearest pairs first."""
-    below = [each for each in seen if each[0] <= low]
-    above = [each for each in seen if each[0] >= high]
+    below = [point for point in seen if point[0] <= low]
+    above = [point for point in seen if point[0] >= high]
 
     def distance(pair: tuple[Seen, Seen]) -> float:
         (_, one), (_, other) = pair

@@ -167,7 +167,7 @@ def _approached(x: sp.Expr, symbol: sp.Symbol, point: sp.Expr, below: bool) -> s
             under = sp.S.Zero
     except (ZeroDivisionError, TypeError):
         return None
-    if any(each.has(*_NO_VALUE) for each in (value, under)):
+    if any(form.has(*_NO_VALUE) for form in (value, under)):
         return None
     if under != 0:
         return value / under

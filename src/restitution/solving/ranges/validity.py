@@ -96,10 +96,10 @@ def _at_equations(outcome: Outcome, trial: Trial) -> Iterator[Demand]:
         if not unknowns or operations_in(equation) > LONGEST_EQUATION:
             continue
         try:
-            each = factors(polynomial_of(equation, unknowns))
+            equation_factors = factors(polynomial_of(equation, unknowns))
         except (sp.PolynomialError, UnsupportedError):
             continue
-        for factor in each:
+        for factor in equation_factors:
             if not factor.free_symbols & unknowns:
                 yield Demand(Relation(factor, "!="), "", "fact")
 
@@ -356,7 +356,7 @@ def _needed(base: Oracle, demands: list[Demand]) -> list[Demand]:
 
 
 def _size(demand: Demand) -> int:
-    return sum(int(sp.count_ops(each.value)) for each in relations(demand.formula))
+    return sum(int(sp.count_ops(inequality.value)) for inequality in relations(demand.formula))
 
 
 def _limits(
@@ -379,7 +379,7 @@ def _limits(
         bounds = bounds_of(name, region, base.roles)
         if _has_roots(region):
             plain = list(_plainly(base, trial, demands))
-            if sum(len(each.text) for each in plain) < len(bounds.text):
+            if sum(len(limitation.text) for limitation in plain) < len(bounds.text):
                 yield from plain
                 return
         yield bounds
@@ -410,7 +410,7 @@ def _has_roots(values: sp.Set) -> bool:
 
 def _plainly(base: Oracle, trial: Trial, demands: Sequence[Demand]) -> Iterator[Limitation]:
     """The inequalities themselves, without those that follow from the others."""
-    facts = list(dict.fromkeys(each for d in demands for each in relations(d.formula)))
+    facts = list(dict.fromkeys(inequality for d in demands for inequality in relations(d.formula)))
     for fact in facts:
         others = [other for other in facts if other != fact]
         if base.decide(fact) or base.with_facts(others).decide(fact):
@@ -422,24 +422,26 @@ def _inequalities(base: Oracle, trial: Trial, facts: Sequence[Relation]) -> Iter
     """Inequalities themselves; two that bound what was found for a letter as one, if shorter."""
     left = list(facts)
     for name, root in trial.root.values.items():
-        for low in [each for each in left if each.value == root]:
-            high = next((each for each in left if (each.value + root).is_number), None)
+        for low in [inequality for inequality in left if inequality.value == root]:
+            high = next(
+                (inequality for inequality in left if (inequality.value + root).is_number), None
+            )
             if high is None or not {low.operator, high.operator} <= {">", ">="}:
                 continue
             plain = *_inequality(base, low), *_inequality(base, high)
             chain = _chain(name, low, high)
-            if len(chain.text) < sum(len(each.text) for each in plain):
-                left = [each for each in left if each not in (low, high)]
+            if len(chain.text) < sum(len(limitation.text) for limitation in plain):
+                left = [inequality for inequality in left if inequality not in (low, high)]
                 yield chain
-    for each in left:
-        yield from _inequality(base, each)
+    for inequality in left:
+        yield from _inequality(base, inequality)
 
 
 def _chain(name: str, low: Relation, high: Relation) -> Limitation:
     """The limitation 0 ≤ e ≤ 1 for the value of e."""
     value, top = forms.tidy(low.value), high.value + low.value
     (before, shown_before), (after, shown_after) = (
-        ("<", "<") if each.operator == ">" else ("<=", "≤") for each in (low, high)
+        ("<", "<") if bound.operator == ">" else ("<=", "≤") for bound in (low, high)
     )
     layout, own = (
         relation(sp.Integer(0), shown_before, x, shown_after, top) for x in (value, sp.Symbol(name))
@@ -514,10 +516,10 @@ def _chains(name: str, values: sp.Set) -> Iterator[str]:
         yield text
 
 
-def _inequality(base: Oracle, each: Relation) -> Iterator[Limitation]:
+def _inequality(base: Oracle, inequality: Relation) -> Iterator[Limitation]:
     """An inequality itself, without the factors whose sign is known; nothing if all are."""
-    above, below = (_of_open_sign(base, x) for x in sp.together(each.value).as_numer_denom())
-    operator = each.operator
+    above, below = (_of_open_sign(base, x) for x in sp.together(inequality.value).as_numer_denom())
+    operator = inequality.operator
     if operator == ">=" and above.is_number:
         operator = ">"  # what divides is not zero
     quotient = above / below if operator == ">=" else above * below

@@ -188,7 +188,7 @@ class AlteredLaws:
         self, residuals: list[Residual], given: Components
     ) -> dict[tuple[str, str], Scalar]:
         """The components at which linear residuals vanish, some of them given."""
-        names = [each for each in self.unknowns if each not in given]
+        names = [unknown for unknown in self.unknowns if unknown not in given]
         zero, one = self._number(0), self._number(1)
         at_zero = {**dict.fromkeys(names, zero), **given}
         units = [{**at_zero, name: one} for name in names]

@@ -157,11 +157,11 @@ class Story(State):
             return impact(self, number, step)
         standing = self.frames.standing(self, number, step)
         latest = {name: self.tracks[name].velocities[-1] for name in standing}
-        for name, each in standing.items():
+        for name, sphere in standing.items():
             track = self.tracks[name]
-            track.velocities[-1] = (latest[name][0], each.velocity)
-            if track.places and each.place is not None:
-                track.places[-1] = (track.places[-1][0], *each.place)
+            track.velocities[-1] = (latest[name][0], sphere.velocity)
+            if track.places and sphere.place is not None:
+                track.places[-1] = (track.places[-1][0], *sphere.place)
         happening = impact(self, number, step)
         for name, velocity in latest.items():
             self.tracks[name].velocities[-1] = velocity

@@ -89,7 +89,7 @@ def _of_who_met(state: State, key: tuple[str, str]) -> Vector | None:
     for event in reversed(state.happenings):
         spheres = set(event.bodies) & set(state.spheres)
         together |= spheres if spheres & together else set()
-    sides = (state.contact_lines.get((each, wall)) for each in sorted(together))
+    sides = (state.contact_lines.get((sphere, wall)) for sphere in sorted(together))
     return next((side for side in sides if side is not None), None)
 
 

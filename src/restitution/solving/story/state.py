@@ -338,9 +338,9 @@ class State(ABC):
         for tree in trees(self.problem):
             times = [
                 node
-                for each in walk(tree)
-                if isinstance(each, Quantity) and isinstance(each.stage, AtTime)
-                for node in walk(each.stage.time)
+                for quantity in walk(tree)
+                if isinstance(quantity, Quantity) and isinstance(quantity.stage, AtTime)
+                for node in walk(quantity.stage.time)
             ]
             inside |= {time.name for time in times if isinstance(time, Letter)}
             if id(tree) not in asked:

@@ -104,9 +104,9 @@ class Carried:
         """Whether a line says a component of a velocity, by a letter for it or by its name."""
         assert isinstance(line.relation, Relation)
         left = line.relation.only[0].left
-        for each in self._derivation.lines:
-            if isinstance(each.relation, Meaning) and left == Letter(each.relation.letter):
-                left = each.relation.quantity
+        for earlier in self._derivation.lines:
+            if isinstance(earlier.relation, Meaning) and left == Letter(earlier.relation.letter):
+                left = earlier.relation.quantity
         return is_quantity(left, "along", "across")
 
     def beside(
@@ -152,7 +152,7 @@ class Carried:
         if not there:
             return sentence, lines
         names = [self._name(line) for line in there]
-        whole = (*self._sources_of(there), *(each for each in put if each not in names))
+        whole = (*self._sources_of(there), *(name for name in put if name not in names))
         slots = ((name, whole if name == "letters" else slot) for name, slot in sentence.slots)
         rest = [line for line in lines if line not in there]
         return replace(sentence, slots=tuple(slots)), rest

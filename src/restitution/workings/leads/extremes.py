@@ -128,7 +128,9 @@ def _by_angle(
                 lines = derivation.lines_in(own.premises)
             case _:
                 continue
-        sines = [each.relation for each in lines if letter_of_offset(each) == angle.name]
+        sines = [
+            relation.relation for relation in lines if letter_of_offset(relation) == angle.name
+        ]
         if not sines or not isinstance(sines[0], Relation):
             continue
         letter, there = (in_letters(side, positive=True) for side in (place.left, place.right))

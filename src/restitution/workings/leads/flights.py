@@ -291,8 +291,8 @@ def _is_a_coordinate(derivation: Derivation, line: Line) -> bool:
 def _alone_displaced(derivation: Derivation, line: Line) -> Unit | None:
     """The axis along which two places are as far apart as a line tells; None where both count."""
     assert isinstance(line.relation, Relation)
-    for each in map(derivation.line, (ref for ref in line.premises if isinstance(ref, int))):
-        match None if each is None else each.relation:
+    for premise in map(derivation.line, (ref for ref in line.premises if isinstance(ref, int))):
+        match None if premise is None else premise.relation:
             case (
                 Relation(
                     options=(

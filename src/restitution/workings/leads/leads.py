@@ -89,7 +89,7 @@ class Leads(Titles):
 
     def _before_a_fact(self, line: Line) -> Iterator[Sentence]:
         """What is said before a line that takes a fact of the data."""
-        given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+        given = [fact for ref in line.premises if (fact := self._derivation.fact(str(ref)))]
         needed = self._of_the_story(line)
         if needed is not None:
             yield needed
@@ -272,7 +272,7 @@ class Leads(Titles):
             ((body, stage),) = moving
             return say(self._from_rest(line, body, stage), body=body)
         if moving:
-            rested = [went_from_rest(self._derivation, self._naming, *each) for each in moving]
+            rested = [went_from_rest(self._derivation, self._naming, *state) for state in moving]
             bodies = tuple(body for body, _ in moving)
             name: SentenceId = "derived.each-along" if not all(rested) else "derived.each-from-rest"
             return say(name, bodies=bodies)
@@ -280,7 +280,7 @@ class Leads(Titles):
 
     def _of_a_sense(self, line: Line) -> Sentence | None:
         """The given direction that tells which way a component points."""
-        given = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+        given = [fact for ref in line.premises if (fact := self._derivation.fact(str(ref)))]
         for fact in given if line.move.id == "compare" else ():
             match fact.relation.options[0][0]:
                 case Link(Quantity("direction", (Name(),), int()), "=", Degrees()) if (
@@ -313,7 +313,7 @@ class Leads(Titles):
             for line in cited
             if isinstance(line.relation, Relation)
         }
-        facts = [each for ref in line.premises if (each := self._derivation.fact(str(ref)))]
+        facts = [given for ref in line.premises if (given := self._derivation.fact(str(ref)))]
         values = tuple(
             self._naming.relation(fact.relation)
             for fact in facts

@@ -212,8 +212,8 @@ class LinesAround:
             for line in self._derivation.lines
             if isinstance(line.relation, Meaning)
         }
-        for each in filter(None, map(self._cited, line.premises)):
-            own = each.relation
+        for premise in filter(None, map(self._cited, line.premises)):
+            own = premise.relation
             match own.quantity if isinstance(own, Meaning) else own.options[0][0].left:
                 case Letter(name) if name in letters:
                     quantity = letters[name]
@@ -228,8 +228,8 @@ class LinesAround:
         """The body that moves along the line of centres, of two between which an angle is."""
         if line.move.record != "tan" or len(line.move.bodies) != 2:
             return None
-        for each in filter(None, map(self._cited, line.premises)):
-            match each.relation:
+        for premise in filter(None, map(self._cited, line.premises)):
+            match premise.relation:
                 case Relation(((Link(left, "="), *_) as links,)) if is_zero(links[-1].right):
                     match left:
                         case Quantity("along" | "across", (Quantity("velocity", (Name(body),)), _)):
@@ -238,7 +238,7 @@ class LinesAround:
 
     def _ends_square(self, line: Line) -> bool:
         """Whether a line rests on one by which a component is zero after the impact."""
-        relations = (each.relation for each in filter(None, map(self._cited, line.premises)))
+        relations = (premise.relation for premise in filter(None, map(self._cited, line.premises)))
         return any(
             isinstance(relation, Relation) and is_zero(relation.options[0][-1].right)
             for relation in relations
@@ -247,11 +247,11 @@ class LinesAround:
     def _standing(self, line: Line) -> dict[str, str]:
         """The bodies of which a component is zero by the lines that are cited, by its kind."""
         refs = numbers_in(line.premises)
-        cited = [each for ref in refs if (each := self._derivation.line(ref)) is not None]
+        cited = [premise for ref in refs if (premise := self._derivation.line(ref)) is not None]
         meanings = {e.relation.letter: e.relation for e in cited if isinstance(e.relation, Meaning)}
         still: dict[str, str] = {}
-        for each in cited:
-            match each.relation:
+        for premise in cited:
+            match premise.relation:
                 case Relation(((Link(left, "=", right),),)) if is_zero(right):
                     if isinstance(left, Letter) and left.name in meanings:
                         left = meanings[left.name].quantity
@@ -301,8 +301,8 @@ class LinesAround:
                     pass
                 case _:
                     continue
-            for each in filter(None, map(self._cited, own.premises)):
-                subject = each.relation
+            for premise in filter(None, map(self._cited, own.premises)):
+                subject = premise.relation
                 left = subject.only[0].left if isinstance(subject, Relation) else subject.quantity
                 meaning = self._naming.meanings.get(left.name) if isinstance(left, Letter) else None
                 left = left if meaning is None else meaning.quantity

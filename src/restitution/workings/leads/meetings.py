@@ -77,7 +77,7 @@ def closing_of(relation: Meets, naming: Naming) -> Sentence | None:
     """That the gap between spheres closes, or does not, where it was claimed otherwise."""
     pair = {relation.first.name, relation.second.name}
     met = [event for event in naming.events.values() if set(event.bodies) == pair]
-    if not met or "wall" in {naming.bodies.get(each) for each in pair}:
+    if not met or "wall" in {naming.bodies.get(member) for member in pair}:
         return None
     one, other = met[-1].bodies
     name = "claim.gap-does-not-close" if relation.happens else "claim.gap-closes"

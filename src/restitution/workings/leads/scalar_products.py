@@ -77,17 +77,17 @@ def product_title(derivation: Derivation, naming: Naming, line: Line) -> Sentenc
                 (e.number for e in derivation.events if e.number < stage and body in _names(e)),
                 default=0,
             )
-            both = tuple(Quantity("velocity", (body,), each) for each in (early, stage))
+            both = tuple(Quantity("velocity", (body,), moment) for moment in (early, stage))
             short = _directions(derivation, line, both)
             if short is None:
                 return say("derived-between.title-turned")
-            first, second = (naming.layout(tree_of(each)) for each in short)
+            first, second = (naming.layout(tree_of(vector)) for vector in short)
             return say("derived-between.title-turned-along", first=first, second=second)
         case Quantity("angle", (Quantity("velocity"), Quantity("velocity")) as pair):
             short = _directions(derivation, line, pair)
             if short is not None:
                 one, other = map(naming.layout, pair)
-                first, second = (naming.layout(tree_of(each)) for each in short)
+                first, second = (naming.layout(tree_of(vector)) for vector in short)
                 return say(
                     "derived-between.title-along", one=one, other=other, first=first, second=second
                 )

@@ -123,7 +123,7 @@ class SourceLeads(LinesAround):
             case "case":
                 yield say("derived.since", facts=(self._of_its_case(line),))
             case "made":
-                yield say(self._made(line))
+                yield say(self._combination(line))
             case "formula":
                 yield say("derived.formula")
             case "solve" if equations:
@@ -218,7 +218,7 @@ class SourceLeads(LinesAround):
         relation = line.relation
         return self._naming.relation(relation) if isinstance(relation, Relation) else None
 
-    def _made(self, line: Line) -> SentenceId:
+    def _combination(self, line: Line) -> SentenceId:
         """What a line makes of values above it: their ratio, their product, or their difference."""
         assert isinstance(line.relation, Relation)
         match line.relation.options[0][0].left:

@@ -58,7 +58,7 @@ class Staying:
 
     def together(self, line: Line, other: Line) -> bool:
         """Whether two such lines are about one impact, in one case."""
-        one, two = (self._cases.get(each.number) for each in (line, other))
+        one, two = (self._cases.get(own.number) for own in (line, other))
         return line.move.event == other.move.event and one == two
 
     def is_idle(self, line: Line) -> bool:

@@ -119,7 +119,7 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
         """Whether a line rests on speeds or kinetic energies that are given or stand above."""
         lines = map(self._derivation.line, (ref for ref in line.premises if isinstance(ref, int)))
         facts = map(self._derivation.fact, (ref for ref in line.premises if isinstance(ref, str)))
-        relations = (each.relation for each in (*lines, *facts) if each is not None)
+        relations = (premise.relation for premise in (*lines, *facts) if premise is not None)
         kinds = {
             node.kind
             for relation in relations

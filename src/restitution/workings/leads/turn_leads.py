@@ -83,8 +83,13 @@ def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
     if not isinstance(base.relation, Relation) or not isinstance(line.relation, Relation):
         return False
     before, after = (
-        {node for tree in trees_of(each.relation) for node in walk(tree) if isinstance(node, Apply)}
-        for each in (base, line)
+        {
+            node
+            for tree in trees_of(statement.relation)
+            for node in walk(tree)
+            if isinstance(node, Apply)
+        }
+        for statement in (base, line)
     )
     rests = {
         node.argument.right
@@ -103,14 +108,14 @@ def _is_of_the_rest(base: Line | Fact, line: Line) -> bool:
     )
 
 
-def _has_threefold(each: Line | Fact) -> bool:
+def _has_threefold(statement: Line | Fact) -> bool:
     """Whether a line has a ratio of three times an angle, or of a third of one."""
-    if not isinstance(each.relation, Relation):
+    if not isinstance(statement.relation, Relation):
         return False
     three = Number(Fraction(3))
     arguments = (
         node.argument
-        for tree in trees_of(each.relation)
+        for tree in trees_of(statement.relation)
         for node in walk(tree)
         if isinstance(node, Apply)
     )
@@ -450,8 +455,8 @@ class TurnLeads(LinesAround):
         """The given bound by which the coefficient of a wall, which is a letter, is not zero."""
         fact = self._derivation.fact(f"e {event}")
         letter = None if fact is None else fact.relation.only[0].right
-        for each in self._derivation.facts if isinstance(letter, Letter) else ():
-            for link in each.relation.options[0] if each.kind == "range" else ():
+        for range_fact in self._derivation.facts if isinstance(letter, Letter) else ():
+            for link in range_fact.relation.options[0] if range_fact.kind == "range" else ():
                 for own in (link, Link(link.right, FLIPPED.get(link.sign, link.sign), link.left)):
                     if own.left == letter and own.sign == ">" and is_zero(own.right):
                         return self._naming.relation(Relation(((own,),)))

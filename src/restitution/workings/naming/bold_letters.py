@@ -153,9 +153,9 @@ class BoldLetters:
             part = used.get((body, number), self.part)
             others = (e for (e, event), own in used.items() if (event, own) == (number, part))
             new = sorted(e for e in {body, *others} if (e, number) not in self._velocities)
-            for each in new:
-                self._velocities[each, number] = self._letter(each, number)
-            letters = tuple(self._velocities[each, number] for each in new)
+            for sphere in new:
+                self._velocities[sphere, number] = self._letter(sphere, number)
+            letters = tuple(self._velocities[sphere, number] for sphere in new)
             name = "derived.velocity" if len(new) == 1 else "derived.velocities"
             words = say(name, bodies=tuple(new))
             late_ = say("derived.when", quantity=words, when=self.when(number))
@@ -223,7 +223,7 @@ class BoldLetters:
 
     def _free(self, kind: str) -> str | None:
         """The letter of a unit vector: another one where the first stands for a time."""
-        return next((each for each in _LETTERS[kind] if each not in self.taken), None)
+        return next((letter for letter in _LETTERS[kind] if letter not in self.taken), None)
 
     def _is_told_by_the_wall(self, body: str) -> bool:
         """Whether a velocity at the start is given by its angle with a wall."""
@@ -352,7 +352,7 @@ class BoldLetters:
         if "along" in kinds and into and self._is_a_line(number, direction):
             name = _OF_A_LINE[event.wall, which]
             kept = (*kinds, "wall") if event.wall else kinds
-            slots = {each: own for each, own in slots.items() if each in kept}
+            slots = {slot: own for slot, own in slots.items() if slot in kept}
             slots["along"] = self._units[number, "along"]
         if event.wall and name == _UNITS[True, which] and "along" in kinds:
             normal = _whole(direction)[0]

@@ -77,7 +77,7 @@ class Ends:
             item: [e for e in self._parts if self._parts[e] == self._parts[item]].index(item)
             for item in self._parts
         }
-        asked = [each for _, step in problem.steps() for each in _asked(step)]
+        asked = [question for _, step in problem.steps() for question in _asked(step)]
         self._asked: Mapping[str, Item | Show] = (
             dict(zip(self._parts, asked, strict=True)) if len(asked) == len(self._parts) else {}
         )
@@ -231,7 +231,7 @@ class Ends:
             if len(spoken) == len(self._parts):
                 self._named = dict(zip(self._parts, spoken, strict=True))
         words = self._named.get(item)
-        return self.text(item) if words is None else _laid(words)
+        return self.text(item) if words is None else _operand(words)
 
     def is_place(self, line: Line) -> bool:
         """Whether it is a place that was asked."""
@@ -316,7 +316,7 @@ class Ends:
         return say("derived.the", quantity=side) if words else side
 
 
-def _laid(words: Words) -> lay.Layout | str:
+def _operand(words: Words) -> lay.Layout | str:
     """Words of a question as an operand."""
     pieces = [word.text if isinstance(word, Emphasis | Typed) else word for word in words]
     if all(isinstance(piece, str) for piece in pieces):

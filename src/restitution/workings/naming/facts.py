@@ -75,8 +75,8 @@ def fact_in_words(naming: Naming, fact: Fact) -> Sentence | lay.Layout:
     left, right = naming.side(link.left), naming.side(link.right)
     if link.sign in ("parallel to", "perpendicular to"):
         left, right = (
-            say("derived.the", quantity=each) if is_quantity(own, "momentum") else each
-            for own, each in ((link.left, left), (link.right, right))
+            say("derived.the", quantity=side) if is_quantity(own, "momentum") else side
+            for own, side in ((link.left, left), (link.right, right))
         )
         name = "claim.parallel" if link.sign == "parallel to" else "claim.perpendicular"
         name = {">": "claim.same-direction", "<": "claim.opposite"}.get(sense, name)

@@ -89,9 +89,9 @@ class Moments:
         bodies, size = set(event.bodies), 0
         while size != len(bodies):
             size = len(bodies)
-            for each in self.events.values():
-                if bodies & set(each.bodies):
-                    bodies |= set(each.bodies)
+            for other in self.events.values():
+                if bodies & set(other.bodies):
+                    bodies |= set(other.bodies)
         return [impact for impact in self.impacts if bodies & set(impact.bodies)]
 
     def _settled(self, tree: Quantity) -> int | None:

@@ -99,7 +99,7 @@ def _made_negative(
     derivation: Derivation, line: Line, dropped: tuple[Link, ...]
 ) -> tuple[tuple[Link, ...], Link] | None:
     """A root and the letter that it makes negative, by the one line that is cited beside it."""
-    match [each.relation for ref in line.premises[1:] if (each := _line(derivation, ref))]:
+    match [premise.relation for ref in line.premises[1:] if (premise := _line(derivation, ref))]:
         case [Relation(((Link(Letter() as other, "="), *_) as links,))]:
             root = dropped[0].left
             if len(line.premises) != 2 or not isinstance(root, Letter) or root == other:
@@ -248,7 +248,7 @@ def _solved(gaps: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[sp.E
                 break
         else:
             return []
-    return [values[each] for each in unknowns]
+    return [values[unknown] for unknown in unknowns]
 
 
 def equations_of(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Expression]]:

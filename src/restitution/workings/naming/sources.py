@@ -366,7 +366,9 @@ class Sources:
         parts = set(walk(left)) - {left}
         above = [self._lines[number].relation for number in cited if number in self._lines]
         subjects = [
-            each.only[0].left for each in above if isinstance(each, Relation) and _gives_value(each)
+            relation.only[0].left
+            for relation in above
+            if isinstance(relation, Relation) and _gives_value(relation)
         ]
         return (
             len(subjects) == len(cited) > 0

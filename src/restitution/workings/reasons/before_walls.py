@@ -32,7 +32,7 @@ def walls_ahead(
     radius, and of walls that are not along **i** or **j**.
     """
     place = _place_at(line)
-    above = None if place is None else _way(derivation, line)
+    above = None if place is None else _flight(derivation, line)
     if place is None or above is None or any(sphere.radius for sphere in problem.spheres):
         return
     body, end = place
@@ -88,7 +88,7 @@ def _are_opposite(
         sums = [in_letters(Binary("+", *pair)) for pair in zip(one, other, strict=True)]
     except RestitutionError:
         return False
-    return all(each == 0 for each in sums)
+    return all(total == 0 for total in sums)
 
 
 def _place_at(line: Line) -> tuple[str, Vector] | None:
@@ -107,7 +107,7 @@ def _place_at(line: Line) -> tuple[str, Vector] | None:
     return body, Vector(x, y)
 
 
-def _way(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
+def _flight(derivation: Derivation, line: Line) -> tuple[Vector, int] | None:
     """From where a body comes to a place, and after which event."""
     for own in (line, *derivation.lines_in(line.premises)):
         if own.move.record != "straight-line" or own.move.event is None:

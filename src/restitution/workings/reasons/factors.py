@@ -183,11 +183,11 @@ def _factor_beside(derivation: Derivation, line: Line, signs: frozenset[str]) ->
             sums = [e for e in parts if isinstance(e, Binary) or e == Letter(name)]
         case _:
             return None
-    put = [in_letters_alone(exchanged(each, {Letter(name): value})) for each in sums]
+    put = [in_letters_alone(exchanged(addend, {Letter(name): value})) for addend in sums]
     left = [
-        each
-        for each, own in zip(sums, put, strict=True)
-        if name in letters(each) and own is not None and sp.cancel(own) != 0
+        addend
+        for addend, own in zip(sums, put, strict=True)
+        if name in letters(addend) and own is not None and sp.cancel(own) != 0
     ]
     return left[0] if len(sums) == 2 and len(left) == 1 else None
 

@@ -186,4 +186,4 @@ def way_of(tree: Expression, name: str, ends: Sequence[Link], bound: Relation) -
 
 def worth(tree: Expression, name: str, at: Any) -> Any:
     """What a tree is worth where one letter has a value, all others being 2/3."""
-    return evaluate(tree, lambda each: at if each == name else _OTHERS)
+    return evaluate(tree, lambda letter: at if letter == name else _OTHERS)

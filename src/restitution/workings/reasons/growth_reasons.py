@@ -134,7 +134,7 @@ class GrowthReasons:
                 limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
             else:
                 return
-            value, end = (None if each is None else self._layout(each) for each in limit)
+            value, end = (None if bound is None else self._layout(bound) for bound in limit)
             if value is not None:
                 # Of what grows the limit may be another.
                 named = not itself or whole not in (above[0].left, above[0].right)
@@ -194,9 +194,9 @@ class GrowthReasons:
         Where a range is asked, its ends are limits.
         """
         above = {line.number}
-        for each in self._derivation.lines:
-            if above & set(each.premises):
-                above.add(each.number)
+        for earlier in self._derivation.lines:
+            if above & set(earlier.premises):
+                above.add(earlier.number)
         end = next((item for item in self._derivation.items if item.line in above), None)
         if end is None:
             return False

@@ -73,7 +73,7 @@ class Known:
         bounds: list[Link] = []
         own = [self._reason(ref, line) for ref in line.premises]
         cited = [e for ref in line.premises if (e := self._shapes.relation_of(ref)) is not None]
-        for reason in (self._without_a_pole(line, each) for each in self._narrowed(own)):
+        for reason in (self._without_a_pole(line, bound) for bound in self._narrowed(own)):
             match reason:
                 case Relation() as relation if half := half_of_an_acute(relation, cited):
                     slots = self._layout(half[0]), self._naming.layout(half[1])

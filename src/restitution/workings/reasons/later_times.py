@@ -36,8 +36,8 @@ def later_than(derivation: Derivation, naming: Naming, line: Line) -> Sentence |
     }
     event = Quantity("time", (), line.move.event)
     cited = [own for ref in line.premises if isinstance(ref, int) and (own := derivation.line(ref))]
-    for each in cited:
-        match each.relation:
+    for premise in cited:
+        match premise.relation:
             case Relation((links,)) if links[0].left == event and len(times) == 1:
                 (time,) = times
                 if not isinstance(time, Letter) or _is_worked_out(derivation, stated):

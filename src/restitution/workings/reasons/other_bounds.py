@@ -117,7 +117,7 @@ def _note_of_walls(naming: Naming, line: Line, reached: Sequence[Reached]) -> Se
     """That the body which comes first to such a wall comes there between its ends."""
     assert isinstance(line.relation, Relation)
     body = reached[0][0].bodies[0]
-    own = [each for each in reached if each[0].bodies[0] == body]
+    own = [wall_end for wall_end in reached if wall_end[0].bodies[0] == body]
     walls = tuple(dict.fromkeys(event.bodies[1] for event, _ in own))
     bounds = tuple(naming.relation(Relation(((*links,),))) for _, links in own)
     sides, places = (

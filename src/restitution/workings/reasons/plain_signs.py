@@ -65,7 +65,7 @@ def are_squares(squared: Relation, plain: Relation, roles: Mapping[str, Role]) -
 
 def _is_square_of(square: Expression, tree: Expression) -> bool:
     try:
-        whole, root = (in_letters(each, positive=True) for each in (square, tree))
+        whole, root = (in_letters(form, positive=True) for form in (square, tree))
     except (RestitutionError, TypeError, ValueError):
         return False
     if not isinstance(whole, sp.Expr) or not isinstance(root, sp.Expr):

@@ -176,7 +176,7 @@ class RightAngles:
         match line.relation.options:
             case ((Link(Apply("tan", angle), "="), *_),) if line.move.id == "put" and ends:
                 pole = self._pole_at(line, angle, line.relation.only[-1].right)
-                return None if pole is None else self._said(pole)
+                return None if pole is None else self._sentence(pole)
         return None
 
     def _right_angle(self, line: Line) -> Sentence | None:
@@ -187,7 +187,7 @@ class RightAngles:
         )
         if pole is None or again or (pole.upright and self._is_spoken_of_below(line)):
             return None
-        return self._said(pole)
+        return self._sentence(pole)
 
     def _is_spoken_of_below(self, line: Line) -> bool:
         """Whether a line that is made of a tangent says for which letters it holds all the same."""
@@ -204,7 +204,7 @@ class RightAngles:
             for other in below
         )
 
-    def _said(self, pole: _Pole) -> Sentence:
+    def _sentence(self, pole: _Pole) -> Sentence:
         """That an angle is a right one, or for which letters it is any."""
         if not pole.upright:
             apart = Relation(((replace(pole.at, sign="!="),),))

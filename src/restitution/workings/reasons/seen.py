@@ -121,7 +121,7 @@ def _under_one_root(*factors: sp.Expr) -> sp.Expr:
     if len(sums) < 2:
         return sp.Mul(*factors)
     rest = [factor for factor in factors if factor not in sums]
-    return sp.Mul(*rest, sp.sqrt(sp.expand(sp.Mul(*(each.base for each in sums)))))
+    return sp.Mul(*rest, sp.sqrt(sp.expand(sp.Mul(*(addend.base for addend in sums)))))
 
 
 def _facts(ends: Sequence[Link], roles: Mapping[str, Role]) -> Iterator[Formula]:

@@ -34,7 +34,7 @@ def merged(bounds: list[Link]) -> Iterator[Relation]:
     while rest:
         link = rest.pop(0)
         for other in rest:
-            low, high = (_upwards(each) for each in (link, other))
+            low, high = (_upwards(own) for own in (link, other))
             if low.right != high.left:
                 low, high = high, low
             if low.right == high.left:

@@ -18,9 +18,9 @@ def about(step: Step | Sentence) -> str | None:
     """
     for sentence in (step,) if isinstance(step, Sentence) else _sentences(step):
         texts = [
-            SENTENCES[each]
-            for each in (f"{sentence.topic}.why", f"{sentence.topic}.mistakes")
-            if each in SENTENCES
+            SENTENCES[name]
+            for name in (f"{sentence.topic}.why", f"{sentence.topic}.mistakes")
+            if name in SENTENCES
         ]
         if texts:
             return " ".join(texts)

@@ -63,11 +63,11 @@ class Row:
             spoken += [str(say("list.comma"))]
             spoken += words_of(self.reasons, str(say("list.comma")))
         number = (say("derived.value", value=self.number),) if self.number else ()
-        for each in (self.asides, number):
-            if each:
+        for aside in (self.asides, number):
+            if aside:
                 # A number behind words stands apart from them.
-                gap = "" if not spoken else 3 * NO_BREAK if each is number else " "
-                spoken += [f"{gap}(", *words_of(each, str(say("list.semicolon"))), ")"]
+                gap = "" if not spoken else 3 * NO_BREAK if aside is number else " "
+                spoken += [f"{gap}(", *words_of(aside, str(say("list.semicolon"))), ")"]
         return tuple(spoken)
 
 

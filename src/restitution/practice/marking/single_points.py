@@ -72,7 +72,7 @@ def _is_inequality(point: MarkPoint) -> bool:
     return point.link is not None and point.link.sign in FLIPPED
 
 
-class EachPoint(Grounds):
+class SinglePoints(Grounds):
     """The lines of a working, and what each point of one scheme finds in them."""
 
     def _first(self, point: MarkPoint) -> PointMark:
