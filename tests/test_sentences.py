@@ -1,4 +1,4 @@
-"""The sentences of a working: each is used, is filled as it asks, and stands in one file."""
+"""The sentences of a working: each is used, is filled as it asks, and stands in one package."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ import restitution.examples
 from restitution import examples
 from restitution.explaining.lines.marks import Mark, written
 from restitution.explaining.lines.saying import Sentence, operand, say, slots_of, topic_of, words_of
-from restitution.explaining.lines.sentences import SENTENCES
+from restitution.explaining.lines.sentences import SENTENCES, SUBJECTS
+from restitution.explaining.lines.usual_mistakes import USUAL_MISTAKES
 from restitution.language import parse
 from restitution.render import layout as lay
 from restitution.render.text import to_text
@@ -22,7 +23,6 @@ from restitution.workings import explain
 
 # Who reads and writes lines in the language of statements, and judges them, writes no sentences.
 NOT_FOR_READERS = {
-    "sentences.py",
     "principles.py",
     "algebra.py",
     "at_events.py",
@@ -60,7 +60,10 @@ MODULES = {
     for folder in (PACKAGE, SOURCE / "components", SOURCE / "explaining")
     for path in sorted(folder.rglob("*.py"))
     if folder.name != "explaining"
-    or (path.parent.name != "moves" and path.name not in NOT_FOR_READERS | OF_MISTAKES)
+    or (
+        path.parent.name not in ("moves", "sentences")
+        and path.name not in NOT_FOR_READERS | OF_MISTAKES
+    )
 }
 
 # Two words that are no sentence: how statements are written, markup, and what errors call things.
@@ -115,7 +118,13 @@ def test_every_sentence_is_used() -> None:
         assert used or (rest in ("why", "mistakes") and topic in topics), name
 
 
-def test_sentences_stand_in_one_file() -> None:
+def test_a_sentence_stands_in_one_module() -> None:
+    """An id that two modules had would be that of the last one, without a word."""
+    ids = [name for subject in SUBJECTS for name in subject.SENTENCES]
+    assert sorted([*ids, *USUAL_MISTAKES]) == sorted(SENTENCES)
+
+
+def test_sentences_stand_in_one_package() -> None:
     """No two words in a row among the strings of the modules, but for a few that are none."""
     for path, tree in MODULES.items():
         excepted = {id(each) for each in silent(tree)}

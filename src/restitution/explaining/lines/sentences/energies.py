@@ -1,0 +1,55 @@
+"""Kinetic energies, and what is lost of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+SENTENCES: Mapping[str, str] = {
+    "loss-spheres.why": (
+        "Kinetic energy is ½m × (sum of the squares of the components). Those across the line "
+        "of centres stay, so what is lost comes from those along it, of both spheres."
+    ),
+    "loss-spheres.title": "Kinetic energy lost, by the components that change",
+    "loss-wall.why": (
+        "Kinetic energy is ½m × (sum of the squares of the components). The one along the wall "
+        "stays, so what is lost comes from the perpendicular one alone: ½m × (its square before "
+        "− its square after)."
+    ),
+    "loss-wall.title": "Kinetic energy lost, by the component that changes",
+    "energy-ratio.title": "Ratio of the kinetic energies, in which half the mass cancels",
+    "energy-ratio.why": (
+        "The kinetic energy of one body is half its mass times the square of its speed. In the "
+        "ratio of two of its energies half the mass cancels, and the squares of its speeds are "
+        "left."
+    ),
+    "fraction-lost.title": "Fraction of the kinetic energy that is lost, in which the mass cancels",
+    "fraction-lost.percentage": (
+        "Percentage of the kinetic energy that is lost, in which the mass cancels"
+    ),
+    "fraction-lost.at-a-wall": (
+        "Fraction of the kinetic energy that is lost, by the component that changes, as the mass "
+        "cancels"
+    ),
+    "fraction-lost.percentage-at-a-wall": (
+        "Percentage of the kinetic energy that is lost, by the component that changes, as the mass "
+        "cancels"
+    ),
+    "fraction-lost.why": (
+        "The kinetic energy of one body is half its mass times the square of its speed. Where one "
+        "body loses energy, half its mass stands above and below in the fraction that is lost, and "
+        "squares of speeds are left."
+    ),
+    "change-of-energy.title": "Change of kinetic energy, by the component that changes",
+    "change-of-energy.why": (
+        "The component that does not change adds the same to the kinetic energy before and after, "
+        "so only the component along the line of centres counts. The energy after is put first: "
+        "what is lost is negative."
+    ),
+    "derived-energy.title": "Kinetic energy",
+    "derived-energy.why": (
+        "Kinetic energy is half the mass times the square of the speed, and that square is the sum "
+        "of the squares of the components. It has no direction: the energies of several bodies "
+        "are added."
+    ),
+    "derived-energy.speed": "Speed, from the kinetic energy",
+}

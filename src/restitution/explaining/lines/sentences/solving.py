@@ -1,0 +1,55 @@
+"""What is done to equations, and by which formula."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+SENTENCES: Mapping[str, str] = {
+    "made.fraction-lost": "Fraction of the kinetic energy that is lost:",
+    "made.percentage-lost": "Percentage of the kinetic energy that is lost:",
+    "made.ratio": "Taking the ratio:",
+    "made.product": "Multiplying:",
+    "made.difference": "Taking the difference:",
+    "made.difference-of-energies": "Subtracting the energies:",
+    "made.difference-of-velocities": "Subtracting the velocities:",
+    "made.by-these": "With these values:",
+    "derived.combine": "Eliminating {letter} from {equations:and}:",
+    "derived.add": "From {equations:and}:",
+    "derived.divided": "Dividing top and bottom by {factor}:",
+    "derived.divide": "Dividing {first} by {second}:",
+    "derived.square-add": "Squaring and adding {equations:and}:",
+    "derived.solve": "Solving {equations:and}:",
+    "derived.solve-this": "Solving this equation:",
+    "derived.formula": "By the quadratic formula:",
+    "derived.multiple": "Comparing the two vectors:",
+    "derived.put": "Substituting for {letters:and}:",
+    "derived.put-in": "Substituting for {letters:and} in {equation}:",
+    "derived.put-last": "Substituting in {equation}:",
+    "derived.by": "{how:capital}:",
+    "derived.by-from": "From {equations:and}, {how}:",
+    "derived.pythagoras": "as sin² + cos² = 1",
+    "derived.double-angle": "by the formulae for the double angle",
+    "derived.multiple-angle": "by the formulae for multiple angles",
+    "derived.by-formula": "by the formula {formula}",
+    "derived.half-angle": "by the formulae for the half angle",
+    "derived.tangent-of-sum": "by the formula for the tangent of a sum",
+    "derived.tangent-of-difference": "by the formula for the tangent of a difference",
+    "derived.sum-of-angles": "by the formulae for a sum of angles",
+    "derived.difference-of-angles": "by the formulae for a difference of angles",
+    "derived.complement": "by the complement of the angle",
+    "derived.since": "Since {facts:and}:",
+    "derived.since-put": "Since {facts:and}, substituting for {letters:and}:",
+    "derived.since-put-in": ("Since {facts:and}, substituting for {letters:and} in {equation}:"),
+    "derived.since-in": "Since {facts:and}, from {equations:and}:",
+    "derived.since-by": "Since {facts:and}, {how}:",
+    "derived.divided-by": "Dividing by {factor}:",
+    "derived.cancel": "Dividing by {factor}, which is not zero as {reasons:and}:",
+    "derived.cancel-positive": "Dividing by {factor}, which is positive as {reasons:and}:",
+    "derived.cancel-by": (
+        "Dividing {first} by {factor}, which is not zero by {equations:and}, as {reasons:and}:"
+    ),
+    "derived.either": "{values:or}",
+    "derived.both": "{values:and}",
+    "derived.items": "{items:and}",
+    "derived.number": "({number})",
+}
