@@ -528,3 +528,21 @@ find e, speed(A)
     assert "e = √(4320√3 − 6347)/59 ≈ 0.571" in working
     assert "v ≈ 1.015 m s⁻¹" in working
     assert "does not follow" not in working
+
+
+def test_a_greatest_difference_of_angles_of_whole_degrees_is_by_its_tangent_that_stands() -> None:
+    text = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = 1/3
+let beta = angle(velocity(P), W)
+part a
+show tan(alpha - beta) = 2 tan(alpha)/(3 + tan^2(alpha))
+part b
+find maximum of alpha - beta over alpha
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    last = working.split("(b)")[1]
+    assert last.startswith(" Let δ = α − β. From (1): tan δ = 2 tan α/(3 + tan²α)")
+    assert "tan δ ≤ √3/3 δ ≤ 30°, as −90° < δ < 90°" in last
+    assert "greatest value of δ = 30°, when α = 60°" in last

@@ -321,9 +321,10 @@ def is_ratio_of(step: Step, value: Link, end: Link) -> bool:
         within = (compared(angle, ">=", sp.Integer(0)), compared(angle, "<=", sp.pi / 2))
         is_of_one = role.low >= 0 and role.high <= sp.pi / 2
         return is_of_one and _equal(step, sp.sin(angle), ratio_) and all(map(oracle.proves, within))
-    if role.low >= -sp.pi / 2 and role.high <= sp.pi / 2 and isinstance(angle, sp.atan):
+    below_right = isinstance(angle, sp.atan) or (angle.is_number and bool(abs(angle) < sp.pi / 2))
+    if role.low >= -sp.pi / 2 and role.high <= sp.pi / 2 and below_right:
         return _equal(step, sp.tan(angle), ratio_)
-    if role.low == -sp.pi / 2 and role.high == sp.pi and isinstance(angle, sp.atan):
+    if role.low == -sp.pi / 2 and role.high == sp.pi and below_right:
         # A difference with an angle of up to 180°: of a positive tangent it is acute.
         return _equal(step, sp.tan(angle), ratio_) and oracle.proves(Claim(ratio_, ">"))
     if role.low != 0:

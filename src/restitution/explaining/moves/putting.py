@@ -44,6 +44,8 @@ def is_put(step: Step, line: Link) -> bool:
         return False
     if step.move.id == "fact" and line.sign in ("parallel to", "perpendicular to"):
         return line in base.only  # a direction is printed as it is given
+    if _is_in_letters(step, line, base):
+        return True
     rules = step.rules(others_cited(step))
     if line.sign == "parallel to":
         return any(points_along(step, line, link, rules) for link in base.only)
@@ -63,6 +65,20 @@ def is_put(step: Step, line: Link) -> bool:
         for link in (*flat(base.only), *_below_roots(step, base))
         for expected in (expected_residual(step, link, rules),)
     ) or _is_ratio_of_powers(step, line)
+
+
+def _is_in_letters(step: Step, line: Link, base: Relation) -> bool:
+    """Whether a line is its base with a letter for a sum or a difference of angles."""
+    sums: dict[Expression, Expression] = {
+        Letter(let.letter): let.quantity for let in step.lets if isinstance(let.quantity, Binary)
+    }
+    if not sums:
+        return False
+    left, right = (exchanged(side, sums) for side in (line.left, line.right))
+    return Link(left, line.sign, right) in flat(base.only) and (left, right) != (
+        line.left,
+        line.right,
+    )
 
 
 def _is_ratio_of_powers(step: Step, line: Link) -> bool:

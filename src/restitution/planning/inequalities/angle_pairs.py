@@ -105,9 +105,24 @@ def tangent_of_two(
     whole = Binary(sign, *(term.angle for term in terms))
     name = free_letter(scene, "deflection")
     let = scene.desk.write(Move("let"), (), Meaning(name, whole, angle="signed"))
+    again = _standing_tangent(scene, whole, Letter(name), let)
+    if again is not None:
+        return again, Letter(name), (extent.format(name), let)
     form = "sum" if sign == "+" else "difference"
     number = by_tangents(scene, let, form, terms, Apply("tan", Letter(name)))  # type: ignore[arg-type]
     return None if number is None else (number, Letter(name), (extent.format(name), let))
+
+
+def _standing_tangent(scene: Scene, whole: Expression, letter: Letter, let: int) -> int | None:
+    """The tangent of two angles by the letter for both, where a line gives it by these already."""
+    for line in reversed(scene.desk.lines):
+        match line.relation:
+            case Relation(((Link(left, "="), *_),)) if left == Apply("tan", whole):
+                value = scene.desk.last_link(line.number).right
+                if scene.desk.holds(line.number) and letters(value) <= set(roles(scene.problem)):
+                    relation = chain(Apply("tan", letter), (value, None))
+                    return scene.judge.write((Move("put"),), (line.number, let), relation)
+    return None
 
 
 def _named_in_the_statement(

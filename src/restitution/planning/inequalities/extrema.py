@@ -144,7 +144,7 @@ class _Extremum:
         self.move = Move("answer", "least" if self.least else "greatest")
         if not reached:
             self.move = Move("answer", "approached")
-        angle = _is_angle(self.asked)
+        angle = _is_angle(self.asked) or is_of_two_angles(self.asked)
         known = roles(self.scene.problem)
         degrees = angle or (isinstance(asked, Letter) and known[asked.name].kind == "angle")
         self.printed = printed if not angle else None
