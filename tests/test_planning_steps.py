@@ -546,3 +546,58 @@ find maximum of alpha - beta over alpha
     assert last.startswith(" Let δ = α − β. From (1): tan δ = 2 tan α/(3 + tan²α)")
     assert "tan δ ≤ √3/3 δ ≤ 30°, as −90° < δ < 90°" in last
     assert "greatest value of δ = 30°, when α = 60°" in last
+
+
+def test_a_velocity_at_right_angles_to_a_wall_is_shown_by_the_component_that_is_0() -> None:
+    text = """
+wall BC: along i
+wall AB: along 60°
+sphere P: velocity -u i
+P hits AB: e = 1/3
+show velocity(P) perpendicular to BC
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    line = "component of 𝐯_P along 𝐢 = (√3 u/6)(√3/2) − ½(u/2) = 0"
+    assert f"{line} So 𝐯_P is perpendicular to BC (as required)" in working
+
+
+def test_a_velocity_at_right_angles_to_a_slanting_line_is_shown_by_its_components() -> None:
+    text = """
+wall AB: along i + 2j
+sphere P: velocity 10i
+P hits AB: e = 1/2
+show velocity(P) perpendicular to 3i + j
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "component of 𝐯_P along 𝐢 = −2√5(2√5/5) + 2√5(√5/5) = −2 m s⁻¹" in working
+    assert "𝐯_P · (3𝐢 + 𝐣) = −3 × 2 + 6 = 0" in working
+
+
+def test_an_angle_in_letters_is_shown_by_its_cosine() -> None:
+    text = """
+wall W1: along i
+wall W2: along phi
+sphere P: velocity u at alpha to W1
+P hits W1: e = 1
+P hits W2: e = 1
+show angle(velocity(P), velocity(P, 0)) = 2 phi
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    first = "As sin²α + cos²α = 1: cos β = cos(α − 2φ) cos α − sin(2φ − α) sin α"
+    last = "By the formulae for a difference of angles: cos β = cos 2φ DM1 β = 2φ"
+    assert f"{first} DM1 {last}" in working
+    assert "does not follow" not in working
+
+
+def test_each_factor_of_a_value_below_its_bound_is_named() -> None:
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 3m, at rest
+A hits B: along i, e = e
+show energy_lost < 3/4 energy(0)
+show speed(B) < u/2
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "< ¾ × total kinetic energy before the impact" in working
+    assert "as 1 − e² ≤ 1 and cos²α < 1 (as required)" in working
+    assert "speed of B < u/2, as e ≤ 1 and cos α < 1 (as required)" in working

@@ -103,12 +103,12 @@ def write_formula(scene: Scene, own: Formula) -> int:
                 steps = [(parted, None), (final, "rearrange")]
             link = chain(own.left, *steps)
             move = Move("rearrange")
-            pythagoras = Move("identity", "pythagoras")
             ratios = any(
                 sp.sympify(value, strict=True).atoms(sp.sin, sp.cos) for value in own.value
             )
             if ratios and not scene.judge.follows(move, (number,), link):
-                move = pythagoras if scene.judge.follows(pythagoras, (number,), link) else move
+                by = (Move("identity", name) for name in ("pythagoras", "sum-of-angles"))
+                move = next((m for m in by if scene.judge.follows(m, (number,), link)), move)
             number = scene.desk.write(move, (number,), link)
     else:
         refs = own.refs

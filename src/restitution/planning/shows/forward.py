@@ -7,6 +7,7 @@ import sympy as sp
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.data.facts import links_of, staged
 from restitution.explaining.lines.derivation import Link, Move, Relation, equality
+from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -16,6 +17,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     has_quantity,
+    is_binary,
     is_quantity,
     letters,
 )
@@ -41,7 +43,9 @@ from restitution.planning.shows.shown_equations import (
 from restitution.planning.writing.angle_ratios import write_other_ratio
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError, chain
 from restitution.planning.writing.forms import (
+    ONE,
     ZERO,
+    swept,
 )
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
@@ -353,6 +357,7 @@ def _inverse_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
                 raise NotPlannedError("another form of a tangent")
             line = form
         line, angle, extent = claims.worths.lettered(line, own.left.argument)
+        line = _by_ratio_of(claims, line, link.right)
         relation = chain(angle, (link.right, None))
         bounds = () if tangent is not None else claims.judge.known(letters(link.right))
         last = claims.judge.write((Move("inverse"),), [line, *extent, *bounds], relation)
@@ -362,6 +367,29 @@ def _inverse_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
         pass
     claims.worths.back(mark)
     return None
+
+
+def _by_ratio_of(claims: Claims, line: int, angle: Expression) -> int:
+    """The line of a ratio as that of an angle in letters: cos β = cos 2φ, by the formulae.
+
+    The line itself where no formula says so.
+    """
+    scene, own = claims.scene, claims.scene.desk.last_link(line)
+    if not letters(angle) or not isinstance(own.left, Apply):
+        return line
+    whole, first = Apply(own.left.function, angle), line
+    known = claims.judge.known(letters(own.right) | letters(angle))
+    if is_binary(own.right, "/"):
+        sizes = sp.trigsimp(scene.scalar(own.right.right)).free_symbols
+        ones = {Letter(symbol.name): ONE for symbol in sizes}
+        plain = swept(exchanged(own.right.left, ones))  # the speeds of both cancel
+        pythagoras = (Move("identity", "pythagoras"),)
+        relation = chain(own.left, (plain, None))
+        first = claims.judge.write(pythagoras, [line, *known], relation) or line
+    relation = chain(own.left, (whole, None))
+    moves = (Move("identity", "sum-of-angles"), Move("identity", "double-angle"))
+    last = claims.judge.write(moves, [first, *known], relation)
+    return line if last is None else last
 
 
 def _letter_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:

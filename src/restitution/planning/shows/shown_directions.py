@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Literal
 
 import sympy as sp
 
@@ -21,6 +22,7 @@ from restitution.expression.tree import (
 )
 from restitution.oracle import Relation as Formula
 from restitution.planning.angles.scalar_angles import write_product_of_two
+from restitution.planning.formulas.resolving import along_axis
 from restitution.planning.formulas.turns import Moving
 from restitution.planning.formulas.velocity_formulas import body_and_stage, frame_after
 from restitution.planning.inequalities.claims import Claims
@@ -40,6 +42,8 @@ from restitution.problem import (
     Aligned,
 )
 from restitution.vector import Vector
+
+_AXES: tuple[Literal["i", "j"], ...] = ("i", "j")
 
 
 def write_aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation]:
@@ -131,6 +135,10 @@ def _tied(
         line = _by_the_product(claims, move, (moving[0], moving[1]), own_relation)
         if line is not None:
             return line, own_relation
+    if len(moving) == 1 and frame.is_slanted:
+        line = _by_a_component(claims, move, pair, moving[0], own_relation)
+        if line is not None:
+            return line, own_relation
     if record == "perpendicular" and len(moving) == 1:
         line = _by_a_product_with_a_line(claims, move, pair, frame, refs, own_relation)
         if line is not None:
@@ -155,6 +163,32 @@ def _by_the_product(
     return line
 
 
+def _by_a_component(
+    claims: Claims, move: Move, pair: Sequence[Expression], moving: Moving, relation: Relation
+) -> int | None:
+    """That a velocity is along **i** or **j**, or a wall there, by its other component, which is 0.
+
+    None where the other direction is none of these, or is that of another velocity.
+    """
+    scene = claims.scene
+    _, line = sorted(pair, key=lambda tree: not is_quantity(tree, "velocity"))
+    if has_quantity(line):
+        return None
+    along = plain_direction(scene.model.story.direction(line, scene.events))
+    if 0 not in along:
+        return None
+    axis: Literal["i", "j"] = "i" if (along.y == 0) == (move.record == "perpendicular") else "j"
+    mark = claims.worths.mark()
+    own = along_axis(scene, *moving, axis)
+    walls = [f"wall {wall.name}" for wall in scene.problem.walls]
+    last = None
+    if own.value == 0:
+        last = claims.judge.write((move,), [*own.refs, *walls], relation)
+    if last is None:
+        claims.worths.back(mark)
+    return last
+
+
 def _by_a_product_with_a_line(
     claims: Claims,
     move: Move,
@@ -170,24 +204,29 @@ def _by_a_product_with_a_line(
     """
     scene = claims.scene
     velocity, line = sorted(pair, key=lambda tree: not isinstance(tree, Quantity))
-    if not isinstance(velocity, Quantity) or isinstance(line, Quantity) or frame.is_slanted:
+    if not isinstance(velocity, Quantity) or isinstance(line, Quantity):
         return None
     along = plain_direction(scene.model.story.direction(line, scene.events))
     if 0 in along or not all(value.is_number for value in along):
         return None
     body, stage = body_and_stage(scene, velocity)
-    (x, x_refs), (y, y_refs) = map(scene.put, scene.velocity(body, stage))
-    parts = (x, y)
+    mark = claims.worths.mark()
+    if frame.is_slanted:
+        across, up = (along_axis(scene, body, stage, axis) for axis in _AXES)
+        parts, more = (across.value, up.value), (*across.refs, *up.refs)
+    else:
+        (x, x_refs), (y, y_refs) = map(scene.put, scene.velocity(body, stage))
+        parts, more = (x, y), (*x_refs, *y_refs)
     if 0 in parts:
+        claims.worths.back(mark)
         return None
     terms = total(product(tree_of(a), tree_of(tidy(b))) for a, b in zip(along, parts, strict=True))
     late = Quantity("velocity", (Name(body),), stage)
     own = Quantity("dot", (late, vector(*map(tree_of, along))))
     product_move = replace(move, record="product")
-    every = (*frame.refs, *refs, *x_refs, *y_refs)
+    every = more if frame.is_slanted else (*frame.refs, *refs, *more)
     cited = together(ref for ref in every if claims.worths.exists(ref))
     shown = chain(own, (swept(terms), None), (ZERO, "rearrange"))
-    mark = claims.worths.mark()
     number = claims.judge.write((product_move,), cited, shown)
     last = None
     if number is not None:

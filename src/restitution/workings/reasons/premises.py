@@ -37,6 +37,7 @@ from restitution.workings.reasons.before_walls import walls_ahead
 from restitution.workings.reasons.equality import equal_tangents
 from restitution.workings.reasons.every_value import every_positive_value
 from restitution.workings.reasons.factors import factor_cancelled
+from restitution.workings.reasons.factors_below import factors_below
 from restitution.workings.reasons.grounds import (
     angle_acute_by,
     grounds_of,
@@ -172,6 +173,12 @@ class Reasons(PositiveReasons):
         )
         if ahead:
             return ahead
+        if line.move.id == "sign" and isinstance(line.relation, Relation):
+            cited = map(self._shapes.relation_of, line.premises)
+            parts = factors_below(line.relation, cited, self._roles)
+            if parts:
+                reasons = tuple(self._layout(Relation(((part,),))) for part in parts)
+                return (say("derived.as", reasons=reasons),)
         tangents = equal_tangents(self._derivation, line)
         if tangents is None:
             return None
