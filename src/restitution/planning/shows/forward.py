@@ -381,7 +381,7 @@ def _by_ratio_of(claims: Claims, line: int, angle: Expression) -> int:
     known = claims.judge.known(letters(own.right) | letters(angle))
     if is_binary(own.right, "/"):
         sizes = sp.trigsimp(scene.scalar(own.right.right)).free_symbols
-        ones = {Letter(symbol.name): ONE for symbol in sizes}
+        ones: dict[Expression, Expression] = {Letter(s.name): ONE for s in sizes}
         plain = swept(exchanged(own.right.left, ones))  # the speeds of both cancel
         pythagoras = (Move("identity", "pythagoras"),)
         relation = chain(own.left, (plain, None))
