@@ -14,7 +14,8 @@ from restitution.expression import write_expression
 from restitution.expression.tree import Expression
 from restitution.language import parse
 from restitution.practice.reading.claims import write_claim
-from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.reading.working import read_working
 from restitution.practice.script import Claim, ScriptLine
 from restitution.problem import Problem

@@ -14,7 +14,6 @@ of it beside it as relations and bounds:
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from fractions import Fraction
 from functools import cache, lru_cache
 from typing import Any, Literal
 
@@ -24,6 +23,17 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from restitution.exact.degrees import function_of
 from restitution.exact.irreducible import factor_list
+from restitution.oracle.algebraic import (
+    INVERSE,
+    TRIGONOMETRIC,
+    algebraic,
+    domain_number,
+    end_above,
+    end_below,
+    radicands,
+    rational_or_none,
+    role_of,
+)
 from restitution.oracle.bases import bases_of, multiple_of
 from restitution.oracle.points import BeyondError, constant_interval, ends_of
 from restitution.oracle.roles import REAL, Role
@@ -68,9 +78,7 @@ class Polynomials:
         self._order: list[tuple[Any, str]] = []
         self._divisors: dict[sp.Expr, int] = {}
         self._numbers: dict[sp.Expr, tuple[sp.Expr, bool]] = {}
-        expressions = [
-            _algebraic(sp.sympify(expression, strict=True)) for expression in expressions
-        ]
+        expressions = [algebraic(sp.sympify(expression, strict=True)) for expression in expressions]
         self._bases: list[sp.Rational] = []
         self._bases = bases_of({x for value in expressions for x in self._plain_angles(value)})
         for expression in expressions:
@@ -107,7 +115,7 @@ class Polynomials:
 
     def _divide(self, x: sp.Expr) -> None:
         """The whole numbers by which the angles in an expression are divided."""
-        for node in x.atoms(*_TRIGONOMETRIC):
+        for node in x.atoms(*TRIGONOMETRIC):
             for coefficient, atom in self._terms(node.args[0])[0]:
                 q = self._divisors.get(atom, 1)
                 self._divisors[atom] = int(sp.ilcm(q, coefficient.q))
@@ -142,11 +150,11 @@ class Polynomials:
             coefficient, atom = term.as_coeff_Mul()
             if not coefficient.is_Rational:
                 coefficient, atom = sp.Integer(1), term
-            if atom.is_Symbol or isinstance(atom, _INVERSE):
+            if atom.is_Symbol or isinstance(atom, INVERSE):
                 terms.append((coefficient, atom))
             else:
                 rest += term
-        if sp.cos(rest).has(*_TRIGONOMETRIC):
+        if sp.cos(rest).has(*TRIGONOMETRIC):
             turns = sp.expand(rest / sp.pi)
             for base in self._bases if turns.is_Rational else ():
                 count = multiple_of(turns, base)
@@ -159,7 +167,7 @@ class Polynomials:
 
     def _plain_angles(self, x: sp.Expr) -> Iterator[sp.Rational]:
         """The plain angles without a cosine in roots in an expression, as multiples of π."""
-        for node in x.atoms(*_TRIGONOMETRIC):
+        for node in x.atoms(*TRIGONOMETRIC):
             for _, atom in self._terms(node.args[0])[0]:
                 turns = sp.expand(atom / sp.pi)
                 if turns.is_Rational:
@@ -182,10 +190,10 @@ class Polynomials:
         elif x.is_Pow and x.exp.is_Integer:
             self._collect(x.base)
         elif x.is_Pow and x.exp.is_Rational:
-            for base in _radicands(x):
+            for base in radicands(x):
                 self._collect(base)
                 self._new(("root", base, int(x.exp.q)), f"root{len(self._order)}", "0+")
-        elif isinstance(x, _TRIGONOMETRIC):
+        elif isinstance(x, TRIGONOMETRIC):
             terms, rest = self._terms(x.args[0])
             for _, atom in terms:
                 self._collect_atom(atom)
@@ -207,15 +215,15 @@ class Polynomials:
         name = f"x_{x.name}"
         role = self.roles.get(x.name)
         if role is None:
-            role = _role_of(x)
+            role = role_of(x)
         if ("letter", x.name) in self._keys:
             return
         if x in self._divisors:
             self.loose = True  # an angle outside a sine as well
-        low, high = (_rational_or_none(value) for value in (role.low, role.high))
+        low, high = (rational_or_none(value) for value in (role.low, role.high))
         if (role.low is not None and low is None) or (role.high is not None and high is None):
-            low = low if role.low is None else _below(role.low)
-            high = high if role.high is None else _above(role.high)
+            low = low if role.low is None else end_below(role.low)
+            high = high if role.high is None else end_above(role.high)
             self.loose = True
         sense: Sense = "real"
         if low is not None and low >= 0:
@@ -242,7 +250,7 @@ class Polynomials:
                 elif bool(role.high <= sp.pi * q):
                     ends = any(role.closed)
                     sense = ("real", "0+" if ends else "+")
-        elif isinstance(atom, _INVERSE):
+        elif isinstance(atom, INVERSE):
             for argument in atom.args:
                 self._collect(argument)
             sense = (
@@ -312,7 +320,7 @@ class Polynomials:
         if atom.is_Symbol:
             self.angles[atom.name] = (self._keys["cos", atom], self._keys["sin", atom], q)
             self._define_limits(atom, c, s, q)
-        elif isinstance(atom, _INVERSE):
+        elif isinstance(atom, INVERSE):
             self._define_inverse(atom, c, s, q)
         else:
             for kind, function in (("cos", sp.cos), ("sin", sp.sin)):
@@ -389,7 +397,7 @@ class Polynomials:
         elif isinstance(x, sp.sign):
             ends = sp.Integer(-1), sp.Integer(1)
         if ends[0] is not None and ends[1] is not None:
-            self.between[name] = (_below(ends[0]), _above(ends[1]), True, True)
+            self.between[name] = (end_below(ends[0]), end_above(ends[1]), True, True)
 
     # --- translating -----------------------------------------------------------------------------
 
@@ -421,12 +429,12 @@ class Polynomials:
             return self._power(self.quotient(x.base), int(x.exp))
         if x.is_Pow:
             above, below = one, one
-            for base in _radicands(x):
+            for base in radicands(x):
                 root = self._generators[self._keys["root", base, int(x.exp.q)]]
                 a, b = self._power((root, one), int(x.exp.p))
                 above, below = above * a, below * b
             return above, below
-        if isinstance(x, _TRIGONOMETRIC):
+        if isinstance(x, TRIGONOMETRIC):
             c, s = self.cosine_and_sine(x.args[0])
             return {
                 sp.sin: (s, one),
@@ -611,13 +619,13 @@ class Polynomials:
                 parts.setdefault(power, self.ring.zero)
                 parts[power] = parts[power] + self.ring({tuple(plain): coefficient})
             if low is not None and high is not None:
-                above, below = own * _q(high) + _q(low), own + 1
+                above, below = own * domain_number(high) + domain_number(low), own + 1
                 touched[name] = [0] * closed_low + [degree] * closed_high
             elif low is not None:
-                above, below = own + _q(low), self.ring.one
+                above, below = own + domain_number(low), self.ring.one
                 touched[name] = [0] * closed_low
             elif high is not None:
-                above, below = _q(high) - own, self.ring.one
+                above, below = domain_number(high) - own, self.ring.one
                 touched[name] = [0] * closed_high
             else:
                 continue
@@ -648,62 +656,3 @@ def _factor_list(polynomial: PolyElement) -> tuple[Any, list[tuple[PolyElement, 
 @cache
 def _ring(count: int) -> PolyRing:
     return PolyRing([f"x{n}" for n in range(count)], QQ)
-
-
-_TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
-_INVERSE = (sp.atan, sp.acos, sp.asin, sp.atan2)
-
-
-_TRIED = 10_000  # primes up to this are sought in what stands under a root
-
-
-def _algebraic(x: sp.Expr) -> sp.Expr:
-    """Floats as the fractions that they are written as."""
-    floats = x.atoms(sp.Float)
-    return x.xreplace({value: sp.Rational(str(value)) for value in floats}) if floats else x
-
-
-def _radicands(x: sp.Pow) -> list[sp.Expr]:
-    """What stands under a root; of a whole number its factors: small primes, and what is left.
-
-    No more is sought, as a number of a hundred digits may take years.
-    """
-    base = x.base
-    if base.is_Integer and base > 1:
-        return list(_factors(int(base)))
-    return [base]
-
-
-@lru_cache(maxsize=4096)
-def _factors(whole: int) -> tuple[sp.Integer, ...]:
-    """The small primes of a whole number, and what is left: the same each time.
-
-    SymPy finds more of them once it has met these numbers elsewhere.
-    """
-    primes = sp.factorint(whole, limit=_TRIED)
-    return tuple(sp.Integer(p) for p, n in sorted(primes.items()) for _ in range(n))
-
-
-def _role_of(x: sp.Symbol) -> Role:
-    if x.is_positive:
-        return Role("positive", sp.Integer(0), None)
-    if x.is_nonnegative:
-        return Role("positive", sp.Integer(0), None, (True, False))
-    return REAL
-
-
-def _rational_or_none(x: sp.Expr | None) -> Fraction | None:
-    return Fraction(int(x.p), int(x.q)) if x is not None and x.is_Rational else None
-
-
-def _below(x: sp.Expr) -> Fraction:
-    return ends_of(constant_interval(x, 40))[0]
-
-
-def _above(x: sp.Expr) -> Fraction:
-    return ends_of(constant_interval(x, 40))[1]
-
-
-def _q(x: Fraction) -> Any:
-    # The numbers of mpmath are those of gmpy2 where it is installed, and FLINT takes none of them.
-    return QQ(int(x.numerator), int(x.denominator))

@@ -24,13 +24,13 @@ from restitution.expression.tree import (
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
 from restitution.render import layout as lay
 from restitution.wording import values
+from restitution.wording.event_nouns import lost_where
 from restitution.wording.formulas import cost, formula, noun_phrase, plain
 from restitution.wording.moments import same_event
 from restitution.wording.noun_phrases import Noun, of_bodies
 from restitution.wording.nouns import (
     ends,
     line,
-    lost_where,
     moment,
     noun,
     place,

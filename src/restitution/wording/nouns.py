@@ -29,10 +29,20 @@ from restitution.expression.tree import (
     is_quantity,
     rational,
 )
-from restitution.problem import Arrival, Event, Impact, Kick, bodies_of
+from restitution.problem import Arrival, Event, Impact, bodies_of
 from restitution.render import layout as lay
 from restitution.shapes import Line, Segment
 from restitution.wording import values
+from restitution.wording.event_nouns import (
+    energy_lost,
+    energy_of_all,
+    impulse,
+    line_of_centres,
+    lost_where,
+    of_an_event,
+    of_several,
+    total_energy_lost,
+)
 from restitution.wording.moments import during, event_number, in_event, same_event
 from restitution.wording.noun_phrases import (
     INITIAL,
@@ -88,7 +98,7 @@ def noun(scene: Scene, tree: Expression) -> Noun:
         return noun(scene, defined)
     match tree:
         case Quantity(kind):
-            usual = _of_an_event if KINDS[kind].of_an_event else _of_bodies
+            usual = of_an_event if KINDS[kind].of_an_event else _of_bodies
             return _QUANTITIES.get(kind, usual)(scene, tree)
         case Negate(Binary("*" | "/" as op, factor, rest)) if not has_quantity(factor):
             return noun(scene, Binary(op, Negate(factor), rest))
@@ -235,7 +245,7 @@ def _change(scene: Scene, left: Expression, right: Expression) -> Noun | None:
     if body is not None:
         head = of_bodies(left.kind, (body,))
     else:
-        head = _of_several("momentum", "", ()) if vector else _energy_of_all(scene, "")
+        head = of_several("momentum", "", ()) if vector else energy_of_all(scene, "")
     return Noun(words(f"the {change} in ", head), during(scene, number))
 
 
@@ -336,14 +346,6 @@ def whole_energy(scene: Scene, lost: Quantity, whole: Quantity) -> Words:
     return phrase.words()
 
 
-def lost_where(scene: Scene, lost: Quantity) -> Words:
-    """Where energy is lost, with a blank in front."""
-    if lost.kind == "total_energy_lost":
-        return (" altogether",) if len(scene.events) > 1 else ()
-    where = during(scene, event_number(scene, lost))
-    return words(" ", where) if where else ()
-
-
 # --- quantities -----------------------------------------------------------------------------------
 
 
@@ -389,24 +391,7 @@ def _of_bodies(scene: Scene, tree: Quantity) -> Noun:
     if len(named) == 1:
         return at_moment(tree.kind, named[0], when)
     initial, when = (INITIAL, ()) if when == INITIALLY else ("", when)
-    return Noun(_of_several(tree.kind, initial, named), when)
-
-
-def _of_an_event(scene: Scene, tree: Quantity) -> Noun:
-    """What is said of bodies in an event."""
-    named = [name_of(argument) or "" for argument in tree.arguments]
-    where = in_event(scene, event_number(scene, tree, named[0] if named else None))
-    if len(named) == 1:
-        return Noun(of_bodies(tree.kind, named), where, tree.kind, named[0])
-    return Noun(_of_several(tree.kind, "", named), where)
-
-
-def _of_several(kind: str, initial: str, bodies: Sequence[str]) -> Words:
-    """``the distance between A and B``, ``the total momentum``: one quantity of them together."""
-    record = KINDS[kind]
-    if not bodies:
-        return (f"the {initial}{record.called_of_all}",)
-    return words(f"the {initial}{record.called()} {record.link} ", names(bodies))
+    return Noun(of_several(tree.kind, initial, named), when)
 
 
 def _direction(scene: Scene, tree: Quantity) -> Noun:
@@ -417,65 +402,12 @@ def _direction(scene: Scene, tree: Quantity) -> Noun:
     return led(("the angle anticlockwise from ", values.EAST, " to "), moving)
 
 
-def _impulse(scene: Scene, tree: Quantity) -> Noun:
-    body = name_of(tree.arguments[0]) if tree.arguments else None
-    number = event_number(scene, tree, body)
-    event = scene.events[number - 1] if number else None
-    if isinstance(event, Kick):
-        size = "" if body else "the magnitude of "
-        alone = sum(isinstance(event, Kick) for event in scene.events) == 1
-        on = (" on ", Emphasis(event.body)) if alone else ()
-        return Noun(words(size, event_name(scene, number), on))
-    where = during(scene, number)
-    if body is not None:
-        return Noun(words("the impulse on ", Emphasis(body)), where)
-    return Noun(("the magnitude of the impulse",), where)
-
-
 def _energy(scene: Scene, tree: Quantity) -> Noun:
     if tree.arguments:
         return _of_bodies(scene, tree)
     when = moment(scene, tree, None)
     initial, when = (INITIAL, ()) if when == INITIALLY else ("", when)
-    return Noun(_energy_of_all(scene, initial), when)
-
-
-def _energy_of_all(scene: Scene, initial: str) -> Words:
-    if len(scene.problem.spheres) == 1:
-        (only,) = scene.problem.spheres
-        return words(f"the {initial}kinetic energy of ", Emphasis(only.name))
-    return (f"the {initial}total kinetic energy",)
-
-
-def _energy_lost(scene: Scene, tree: Quantity) -> Noun:
-    number = event_number(scene, tree)
-    return Noun(("the kinetic energy lost",), during(scene, number))
-
-
-def _total_energy_lost(scene: Scene, tree: Quantity) -> Noun:
-    number = scene.stage(tree.stage, None)
-    if len(scene.events) <= 1 or number == len(scene.events):
-        return Noun(("the total kinetic energy lost",))
-    return Noun(
-        words("the total kinetic energy lost up to and including ", event_name(scene, number))
-    )
-
-
-def _line_of_centres(scene: Scene, tree: Quantity) -> Noun:
-    """As something asked for: a unit vector with its sense."""
-    number = event_number(scene, tree)
-    event = scene.events[number - 1] if number else None
-    if not isinstance(event, Impact):
-        return Noun(("the line of centres",))
-    where = in_event(scene, number)
-    if scene.is_wall(event.second):
-        return Noun(
-            words(
-                "the unit vector perpendicular to ", Emphasis(event.second), " and directed into it"
-            )
-        )
-    towards = words(" from ", Emphasis(event.first), " to ", Emphasis(event.second))
-    return Noun(words("the unit vector along the line of centres", towards), where)
+    return Noun(energy_of_all(scene, initial), when)
 
 
 def line(scene: Scene, tree: Expression) -> Noun:
@@ -687,11 +619,11 @@ def _vector(scene: Scene, tree: Expression) -> Noun:
 
 _QUANTITIES: Mapping[str, Callable[[Scene, Quantity], Noun]] = {
     "direction": _direction,
-    "impulse": _impulse,
+    "impulse": impulse,
     "energy": _energy,
-    "energy_lost": _energy_lost,
-    "total_energy_lost": _total_energy_lost,
-    "line_of_centres": _line_of_centres,
+    "energy_lost": energy_lost,
+    "total_energy_lost": total_energy_lost,
+    "line_of_centres": line_of_centres,
     "angle": _angle,
     "along": _along,
     "across": _along,

@@ -9,17 +9,16 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
 from restitution.explaining.data.setting import Cited
 from restitution.explaining.data.unused import lines_under, unused_facts
 from restitution.explaining.following.meanings import means_something
+from restitution.explaining.following.settled import settled_derivation
 from restitution.explaining.following.trials import Trial, known_of_letters, names_in, setting_of
 from restitution.explaining.lines.derivation import (
     Derivation,
-    Fact,
     ItemEnd,
     Line,
     Link,
@@ -33,7 +32,7 @@ from restitution.explaining.lines.derivation import (
     scopes_of,
 )
 from restitution.explaining.lines.quotients import NotComparableError, Plane
-from restitution.explaining.lines.trees import settled, statement_of, trees_of
+from restitution.explaining.lines.trees import statement_of, trees_of
 from restitution.explaining.steps.excluding import excludes, holds_anyway
 from restitution.explaining.steps.signs import Signs
 from restitution.explaining.steps.step import Step
@@ -107,44 +106,6 @@ def follow(
 def reader_of(derivation: Derivation, oracle: Oracle) -> Reader:
     """Who reads the lines of a working, made only where one has to be read."""
     return Reader(settled_derivation(derivation), oracle, frozenset())
-
-
-def settled_derivation(derivation: Derivation) -> Derivation:
-    """The same working, with each velocity numbered by the last event that changed it."""
-
-    def change(tree: Expression) -> Expression:
-        return settled(tree, derivation.events)
-
-    def of(relation: Relation | Meaning) -> Relation | Meaning:
-        if all(change(tree) is tree for tree in trees_of(relation)):
-            return relation
-        if isinstance(relation, Meaning):
-            return replace(relation, quantity=change(relation.quantity))
-        return Relation(
-            tuple(
-                tuple(Link(change(e.left), e.sign, change(e.right), e.by) for e in links)
-                for links in relation.options
-            )
-        )
-
-    def fact_of(fact: Fact) -> Fact:
-        own = of(fact.relation)
-        return fact if own is fact.relation else replace(fact, relation=own)  # type: ignore[arg-type]
-
-    def line_of(line: Line) -> Line:
-        own = of(line.relation)
-        return line if own is line.relation else replace(line, relation=own)
-
-    return replace(
-        derivation,
-        facts=tuple(map(fact_of, derivation.facts)),
-        lines=tuple(map(line_of, derivation.lines)),
-        items=tuple(replace(item, answer=of(item.answer)) for item in derivation.items),  # type: ignore[arg-type]
-        notes=tuple(
-            replace(note, claim=None if note.claim is None else of(note.claim))  # type: ignore[arg-type]
-            for note in derivation.notes
-        ),
-    )
 
 
 class Reader:

@@ -13,7 +13,7 @@ from itertools import combinations, pairwise, permutations
 from typing import Literal
 
 from restitution.explaining.data.setting import Cited, Known, is_direction
-from restitution.explaining.following.follower import settled_derivation
+from restitution.explaining.following.settled import settled_derivation
 from restitution.explaining.following.trials import known_of_letters, setting_of
 from restitution.explaining.laws.principles import RECORDS, Record
 from restitution.explaining.lines.derivation import (

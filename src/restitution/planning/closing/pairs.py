@@ -18,8 +18,9 @@ from restitution.explaining.lines.derivation import Move, Relation, equality, nu
 from restitution.explaining.lines.trees import statement_of
 from restitution.expression.tree import Apply, Binary, Expression, Letter, is_binary
 from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.known_values import with_known
 from restitution.planning.closing.ratios import inside_functions, inverse
-from restitution.planning.closing.shapes import close, with_known
+from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import ONE, product, square, swept, total, tree_of

@@ -6,8 +6,7 @@ in the line is put in first, in a line of its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import fields
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 
 import sympy as sp
@@ -16,9 +15,7 @@ from restitution.components.verdicts import proved_sign
 from restitution.exact import in_one_ratio, tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import (
-    Link,
     Move,
-    MoveId,
     Ref,
     Relation,
     equality,
@@ -30,7 +27,6 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
-    has_quantity,
     is_binary,
     is_function,
     letters,
@@ -40,6 +36,13 @@ from restitution.planning.closing.brackets import bracket_alone
 from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.complements import without_complements
 from restitution.planning.closing.crossing import multiplied_across
+from restitution.planning.closing.known_values import (
+    SHORTER,
+    is_angle,
+    is_ratio,
+    unknown_of,
+    with_known,
+)
 from restitution.planning.closing.one_root import alone, in_squares
 from restitution.planning.closing.ratios import (
     by_its_half,
@@ -48,11 +51,8 @@ from restitution.planning.closing.ratios import (
     inside_functions,
     ratio,
     sum_of_angles,
-    with_tangents,
-    without_sums,
 )
 from restitution.planning.closing.roots import by_roots, known_as
-from restitution.planning.closing.settled_letters import settled_letter
 from restitution.planning.closing.square_roots import (
     is_product_of_sums,
     is_square_of_sum,
@@ -64,14 +64,12 @@ from restitution.planning.closing.squares_apart import with_squares_apart
 from restitution.planning.closing.zeros_of_sums import zero_of_a_sum
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.formulas.rewriting import in_another_form
-from restitution.planning.writing.angle_ratios import write_other_ratio
-from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
+from restitution.planning.writing.desk import NotPlannedError, Source, chain
 from restitution.planning.writing.forms import (
     ZERO,
     in_tangents,
     product,
     square,
-    swept,
     total,
     tree_of,
 )
@@ -95,7 +93,7 @@ Shape = Callable[[Scene, int, sp.Symbol], Source | None]
 def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
     """Solves a line for the only unknown in it. Raises NotPlannedError for other shapes."""
     number = with_known(scene, number, symbol)
-    symbol = _unknown_of(scene, number, symbol)
+    symbol = unknown_of(scene, number, symbol)
     if symbol not in residual(scene, number).free_symbols:
         raise NotPlannedError(f"{symbol} is not in line {number}")
     number = _by_sine_and_cosine(scene, without_complements(scene, number), symbol)
@@ -186,148 +184,6 @@ def _sums_above(value: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     return {base: power for base, power in powers if base.is_Add and power.is_Integer and power > 0}
 
 
-def with_known(scene: Scene, number: int, symbol: sp.Symbol | None = None) -> int:
-    """The line with everything put in that is known, as a line; the same line without that."""
-    number = with_tangents(scene, _with_angles(scene, number, symbol))
-    link = scene.desk.last_link(number)
-    values: dict[Expression, Expression] = {}
-    refs: list[Ref] = []
-    trees = list(_open_trees(link))
-    for tree in trees:
-        if isinstance(tree, Apply) and tree.argument in trees and _is_known(scene, tree.argument):
-            continue  # beside sin(60° − 45°) stands sin 45°
-        source = _known_tree(scene, tree, symbol)
-        if source is not None:
-            angle = isinstance(tree, Letter) and _is_angle(scene, tree.name)
-            values[tree] = tree_of(source.value, angle=angle)
-            refs += source.refs
-    if not values or number in refs:
-        return number
-    left, right = (_settled(swept(_replaced(e, values))) for e in (link.left, link.right))
-    own = scene.desk.line(number)
-    start: tuple[Ref, ...] = own.premises if own.move.id == "fact" else (number,)
-    relation = chain(left, (right, None), *_worked_out(scene, left, right))
-    return scene.desk.write(Move("put"), (*start, *together(refs)), relation)
-
-
-def _worked_out(
-    scene: Scene, left: Expression, right: Expression
-) -> list[tuple[Expression, MoveId]]:
-    """The number that a ratio of an angle, or its square, is by a sum of numbers."""
-    base = left.left if is_binary(left, "^") else left
-    if not isinstance(base, Apply) or letters(right) or has_quantity(right):
-        return []
-    value = tree_of(tidy(scene_value(scene, right)))
-    return [] if value == right else [(value, "rearrange")]
-
-
-def _settled(tree: Expression) -> Expression:
-    """A side in which nothing is left: 0."""
-    match tree:
-        case Binary("-", left, right) if left == right:
-            return ZERO
-    return tree
-
-
-def _with_angles(scene: Scene, number: int, symbol: sp.Symbol | None) -> int:
-    """The line with sums of angles by the formulae, where an angle is known."""
-    for other in sorted(residual(scene, number).free_symbols, key=lambda s: s.name):
-        known = scene.desk.known(Letter(other.name))
-        if _is_known(scene, Letter(other.name)):
-            continue  # 60° − 45° is an angle by itself
-        if other != symbol and known is not None and _is_angle(scene, other.name):
-            written = without_sums(scene, number, other)
-            if written is not None:
-                number = written
-    return number
-
-
-def _is_known(scene: Scene, letter: Expression) -> bool:
-    """Whether a letter is known as a number of degrees."""
-    known = scene.desk.known(letter)
-    return known is not None and _is_in_whole_degrees(known.value)
-
-
-def _is_in_whole_degrees(angle: sp.Expr) -> bool:
-    """Whether an angle is a number of degrees, and no inverse of a ratio."""
-    degrees = sp.sympify(angle, strict=True) * 180 / sp.pi
-    return bool(degrees.is_Integer and degrees != 0)
-
-
-def _open_trees(link: Link) -> Iterable[Expression]:
-    """Letters, and ratios of letters as one, for which values may be put in."""
-    pending: list[Expression] = [link.left, link.right]
-    seen: dict[Expression, None] = {}
-    while pending:
-        tree = pending.pop()
-        if isinstance(tree, Letter) or _is_ratio(tree):
-            seen[tree] = None
-        else:
-            pending += _parts(tree)
-    return seen
-
-
-def _parts(tree: Expression) -> list[Expression]:
-    values = (getattr(tree, field.name) for field in fields(tree) if field.name != "place")
-    return [value for value in values if isinstance(value, Expression)]
-
-
-def _is_angle(scene: Scene, name: str) -> bool:
-    role = scene.model.unknowns.roles.get(name)
-    return role is not None and role.kind == "angle"
-
-
-def _is_ratio(tree: Expression) -> bool:
-    return is_function(tree, "sin", "cos", "tan") and isinstance(tree.argument, Letter)
-
-
-def _with(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
-    return rebuilt(tree, lambda tree: values.get(tree, tree))
-
-
-def _replaced(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:
-    """A tree with values for ratios, and then for letters."""
-    for ratios in (True, False):
-        chosen = {tree: value for tree, value in values.items() if _is_ratio(tree) is ratios}
-        tree = _with(tree, chosen)
-    return tree
-
-
-def _known_tree(scene: Scene, tree: Expression, symbol: sp.Symbol | None) -> Source | None:
-    match tree:
-        case Letter(name) if symbol is None or name != symbol.name:
-            known = scene.desk.known(tree)
-            if known is None or isinstance(known.value, tuple):
-                return None
-            value, refs = scene.put(known.value)
-            if value != known.value and not value.free_symbols & scene.model.final.keys():
-                return settled_letter(scene, tree, known, Source(value, refs))
-            return Source(value, together(known.refs, refs))
-        case Apply("sin" | "cos" | "tan" as kind, Letter(name)):
-            if symbol is not None and name == symbol.name:
-                return None
-            letter = scene.model.unknowns.letter(name)
-            known = scene.desk.known(tree)
-            if known is None and scene.desk.known(Letter(name)) is not None:
-                write_other_ratio(scene, letter, kind)
-            value, refs = scene.put(getattr(sp, kind)(letter))
-            return Source(value, refs) if refs else None
-    return None
-
-
-def _unknown_of(scene: Scene, number: int, symbol: sp.Symbol) -> sp.Symbol:
-    """The unknown of a line; it may be another than that of the equation behind it."""
-    own = scene.unknown(residual(scene, number))
-    if symbol in own or len(own) != 1:
-        return symbol
-    (other,) = own
-    return other
-
-
-# A side is worked out before it is squared where that leaves at most two thirds of it.
-_SHORTER = 1.5
-
-
 # --- shapes -------------------------------------------------------------------------------------
 
 
@@ -341,7 +197,7 @@ def _already(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         return None
     if not scene.model.identically_zero(right - value):
         return None
-    angle = _is_angle(scene, symbol.name)
+    angle = is_angle(scene, symbol.name)
     forms = [tree_of(value, angle=angle, as_it_is=as_it_is) for as_it_is in (True, False)]
     if link.right not in forms and not isinstance(value, sp.atan):
         relation = chain(link.left, (forms[1], None))
@@ -381,7 +237,7 @@ def _quotient_worked_out(scene: Scene, number: int) -> int:
     if letters(link.left) or not is_binary(link.right, "/"):
         return number
     shorter = tree_of(tidy(scene_value(scene, link.right)))
-    if len(walk(shorter)) * _SHORTER > len(walk(link.right)):
+    if len(walk(shorter)) * SHORTER > len(walk(link.right)):
         return number
     line = scene.judge.write((Move("rearrange"),), (number,), equality(link.left, shorter))
     return number if line is None else line
@@ -452,7 +308,7 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
             continue
         value = tidy(-poly.nth(0) / poly.nth(1))
         root = _quotient(symbol, poly, value)
-        if _is_angle(scene, symbol.name):
+        if is_angle(scene, symbol.name):
             root = chain(Letter(symbol.name), (tree_of(value, angle=True), None))
         line = rearranged(scene, number, root)
         if line is None and (own := _in_its_degrees(scene, number, symbol, poly)) is not None:
@@ -481,7 +337,7 @@ def _in_its_degrees(
 def _by_tangents(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """The unknown of a line that has tangents of other angles alone, in these; None of another."""
     link = scene.desk.last_link(number)
-    ratios = {node for side in (link.left, link.right) for node in walk(side) if _is_ratio(node)}
+    ratios = {node for side in (link.left, link.right) for node in walk(side) if is_ratio(node)}
     gap = scene_value(scene, link.left) - scene_value(scene, link.right)
     back: dict[Expression, Expression] = {}
     for tangent in ratios:
@@ -619,7 +475,7 @@ def _of_equal_squares(scene: Scene, number: int, symbol: sp.Symbol) -> Source | 
 
 def _without_a_factor(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
     """A sine or cosine of the unknown is a factor that is certain not to vanish: it goes."""
-    if not _is_angle(scene, symbol.name):
+    if not is_angle(scene, symbol.name):
         return None
     whole = factored(numerator(residual(scene, number)))
     ratios = {sp.sin(symbol), sp.cos(symbol)}

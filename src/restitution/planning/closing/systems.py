@@ -11,9 +11,9 @@ from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Move, Relation
 from restitution.expression.tree import Letter
 from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.known_values import with_known
 from restitution.planning.closing.ratios import inside_functions
 from restitution.planning.closing.roots import in_standard_form
-from restitution.planning.closing.shapes import with_known
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of

@@ -10,15 +10,12 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
     Binary,
     Expression,
-    Quantity,
 )
-from restitution.planning.closing.shapes import nonzero
 from restitution.planning.formulas.settled import settled
 from restitution.planning.formulas.whereabouts import (
     axis_for,
@@ -40,12 +37,17 @@ from restitution.planning.formulas.whereabouts import (
     velocity,
 )
 from restitution.planning.journeys.aims import striker, write_aim
+from restitution.planning.journeys.arrivals import (
+    Coordinate,
+    line_of_wall,
+    time_of_both,
+    time_to_wall,
+)
 from restitution.planning.journeys.closing_gaps import time_of_closing
 from restitution.planning.journeys.encounters import with_the_gap
 from restitution.planning.journeys.flights import (
     begin_of,
     by_degrees,
-    collected,
     flight_by_axis,
     standing_leg,
     time_since,
@@ -88,9 +90,7 @@ from restitution.planning.writing.place_trees import (
     place_tree,
     time_tree,
 )
-from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
-from restitution.planning.writing.straight_walls import equation_of_line
 from restitution.problem import Arrival, Impact
 from restitution.vector import Vector
 
@@ -543,43 +543,12 @@ def _leg_to_circle(scene: Scene, body: str, number: int) -> tuple[int, Source]:
 
 
 def _leg_to_slanted(scene: Scene, body: str, number: int) -> tuple[int, Source]:
-    """The time to a wall that is not along an axis: the coordinates by the time, on its line."""
-    match next(contact_of(scene, number), None):
-        case Link(Quantity("dot", (Binary("-", _, through), normal)), "=", _):
-            place, axis = tidied(scene, scene.value(through)), tidied(scene, scene.value(normal))
-        case _:
-            raise NotPlannedError("the time to a wall whose place is not given")
+    """The time to a wall that is not along an axis."""
+    wall = line_of_wall(scene, number)
     since = last_move(scene, body, number)
     begin = begin_of(scene, since)
     first, pace = spot(scene, body, since), velocity_then(scene, body, since)
-    flight = time_since(scene, number, since)
-    open_ = scene.desk.write(
-        Move("define", "straight-line", number, (body,)),
-        together(first.refs, pace.refs, begin),
-        chain(place_tree(body, number), (added(first.value, flight, pace.value), None)),
-    )
-    there = [
-        total((tree_of(a), product(tree_of(v), flight)))
-        for a, v in zip(first.value, pace.value, strict=True)
-    ]
-    names = symbol_names(*axis)
-    refs = (f"contact {number}", open_, *background(scene, names))
-    for by_slope in (True, False):
-        own = equation_of_line(axis, place, there, by_slope=by_slope)
-        fact = scene.judge.write((Move("fact"),), refs, Relation(((own,),)))
-        if fact is not None:
-            break
-    else:
-        raise NotPlannedError("a place on the line of a wall")
-    slope = tidy(sp.trigsimp(-axis.x / axis.y))
-    if by_slope and isinstance(slope, sp.tan):
-        axis = Vector(-slope, sp.Integer(1))
-    closing = tidy(pace.value.dot(axis))
-    value = tidy((place - first.value).dot(axis) / closing)
-    line = scene.desk.write(
-        Move("rearrange"), (fact, *nonzero(scene, closing)), chain(flight, (tree_of(value), None))
-    )
-    return since, scene.desk.know(flight, value, (line,))
+    return since, time_to_wall(scene, body, number, wall, (first, pace, since, begin))
 
 
 def _leg_of_meeting(scene: Scene, number: int, step: Impact) -> tuple[int, Source]:
@@ -648,60 +617,47 @@ def _leg_of_two(scene: Scene, number: int, body: str, other: str) -> tuple[int, 
         if closed is not None:
             return begin, closed
     flight = time_since(scene, number, begin)
-
-    def there(sphere: str) -> tuple[Expression, sp.Expr, Source, tuple[Ref, ...]]:
-        """A coordinate in the time as unknown, its part without that, the speed, what it needs."""
-        pace = velocity(scene, sphere, last[sphere], axis)
-        near = begin if begin >= last[sphere] else last[sphere]
-        if near > last[sphere]:
-            spot(scene, sphere, near)
-        place = coordinate(scene, sphere, near, axis)
-        if near == begin:
-            duration, constant, refs = flight, place.value, begins
-        else:
-            early = time_of(scene, near)
-            duration = difference(flight, tree_of(early.value))
-            constant, refs = place.value - pace.value * early.value, early.refs
-        tree = swept(total((tree_of(place.value), product(tree_of(pace.value), duration))))
-        return tree, constant, pace, together(place.refs, pace.refs, refs)
-
-    own, own_start, pace, refs = there(body)
-    line = scene.desk.write(
-        Move("define", "straight-line", number, (body,)),
-        refs,
-        chain(coordinate_tree(body, number, axis), (own, None)),
-    )
+    own = _in_the_time(scene, body, number, (begin, begins), axis)
+    line = _coordinate_line(scene, body, number, axis, own)
     if velocity(scene, other, last[other], axis).value == 0:
         end = coordinate_moved(scene, other, number, axis)
-        theirs, their_start, their_pace, used = (
-            tree_of(end.value),
-            end.value,
-            sp.Integer(0),
-            end.refs,
-        )
+        theirs = Coordinate(tree_of(end.value), end.value, sp.Integer(0), end.refs)
     else:
-        theirs, their_start, moving, refs = there(other)
-        their_pace = moving.value
-        open_ = scene.desk.write(
-            Move("define", "straight-line", number, (other,)),
-            refs,
-            chain(coordinate_tree(other, number, axis), (theirs, None)),
-        )
-        used = (open_,)
+        moving = _in_the_time(scene, other, number, (begin, begins), axis)
+        open_ = _coordinate_line(scene, other, number, axis, moving)
+        theirs = moving._replace(refs=(open_,))
     gap = tidy(offset_at(scene, body, number, axis))
-    theirs, their_start = with_the_gap(scene, body, number, axis, theirs), their_start + gap
-    left, right = (theirs, own) if own == flight else (own, theirs)
-    met = scene.desk.write(
-        Move("fact"), together((f"contact {number}", line), used), chain(left, (right, None))
+    theirs = theirs._replace(
+        tree=with_the_gap(scene, body, number, axis, theirs.tree), start=theirs.start + gap
     )
-    closing = tidy(pace.value - their_pace)
-    apart = tidy(their_start - own_start)
-    value = tidy(apart / closing)
-    if their_pace != 0:
-        met = collected(scene, met, closing, flight, apart)
-    line = scene.desk.write(
-        Move("rearrange"),
-        (met, *nonzero(scene, closing)),
-        chain(flight, (tree_of(value), None)),
+    return begin, time_of_both(scene, number, flight, own._replace(refs=(line,)), theirs)
+
+
+def _in_the_time(
+    scene: Scene, body: str, number: int, since: tuple[int, tuple[Ref, ...]], axis: Axis
+) -> Coordinate:
+    """A coordinate at an event, in the time since another, which has its refs, as unknown."""
+    begin, begins = since
+    last = last_move(scene, body, number)
+    flight = time_since(scene, number, begin)
+    pace = velocity(scene, body, last, axis)
+    near = max(begin, last)
+    if near > last:
+        spot(scene, body, near)
+    place = coordinate(scene, body, near, axis)
+    if near == begin:
+        duration, constant, refs = flight, place.value, begins
+    else:
+        early = time_of(scene, near)
+        duration = difference(flight, tree_of(early.value))
+        constant, refs = place.value - pace.value * early.value, early.refs
+    tree = swept(total((tree_of(place.value), product(tree_of(pace.value), duration))))
+    return Coordinate(tree, constant, pace.value, together(place.refs, pace.refs, refs))
+
+
+def _coordinate_line(scene: Scene, body: str, number: int, axis: Axis, own: Coordinate) -> int:
+    return scene.desk.write(
+        Move("define", "straight-line", number, (body,)),
+        own.refs,
+        chain(coordinate_tree(body, number, axis), (own.tree, None)),
     )
-    return begin, scene.desk.know(flight, value, (line,))

@@ -11,8 +11,8 @@ from restitution.exact import in_sines, tidy
 from restitution.expression.tree import Name, Quantity, is_quantity, walk
 from restitution.planning.angles.deflections import turned_at_a_wall
 from restitution.planning.axes.given_momenta import write_masses
+from restitution.planning.closing.known_values import with_known
 from restitution.planning.closing.pairs import close_two
-from restitution.planning.closing.shapes import with_known
 from restitution.planning.closing.systems import solve_together
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.routes.by_laws import ByLaws

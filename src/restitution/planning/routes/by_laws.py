@@ -10,7 +10,8 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Letter
 from restitution.planning.closing.excluded_roots import written_law
-from restitution.planning.closing.shapes import close, is_over_roots, with_known
+from restitution.planning.closing.known_values import with_known
+from restitution.planning.closing.shapes import close, is_over_roots
 from restitution.planning.formulas import separations
 from restitution.planning.formulas.impacts import after, rebound, residual
 from restitution.planning.routes.by_facts import ByFacts, _solved

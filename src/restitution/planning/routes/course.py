@@ -13,7 +13,8 @@ from restitution.explaining.lines.derivation import Move
 from restitution.expression.tree import Apply, Letter, Name, Quantity, plain_letter
 from restitution.planning.closing.bounded_speeds import bounded_speeds
 from restitution.planning.closing.excluded_roots import written_law
-from restitution.planning.closing.shapes import close, with_known, without
+from restitution.planning.closing.known_values import with_known
+from restitution.planning.closing.shapes import close, without
 from restitution.planning.formulas import separations
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.impacts import (

@@ -16,7 +16,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judging.entries import names_of
 from restitution.practice.letters.candidates import TURNS, Candidate
-from restitution.practice.reading.phrases import UNNAMED_ANGLE, UNNAMED_DIRECTION
+from restitution.practice.reading.phrase_names import UNNAMED_ANGLE, UNNAMED_DIRECTION
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 

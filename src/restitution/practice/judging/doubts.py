@@ -33,7 +33,7 @@ from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.candidates import is_odd
 from restitution.practice.letters.interpretation import Interpretation, Interpretations
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.effort import ExhaustedError, effort

@@ -58,9 +58,7 @@ from restitution.practice.judging.own_values import ALTERED, Naming, OwnValues
 from restitution.practice.judging.support import Support
 from restitution.practice.letters.options import Usage, options
 from restitution.practice.letters.trial import inside_angles
-from restitution.practice.reading.phrases import (
-    is_phrase,
-)
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.relations import worked_out
 from restitution.practice.reading.vocabulary import HEADS
 from restitution.practice.script import Claim, Link, ScriptLine

@@ -52,16 +52,16 @@ from restitution.practice.judging.other_forms import (
     with_units,
 )
 from restitution.practice.letters.options import staged
-from restitution.practice.reading.phrases import (
+from restitution.practice.reading.phrase_names import (
     event_of,
     is_phrase,
     is_relative,
     is_vague,
     names_axis,
-    read_phrase,
     speaks_of_the_end,
     tells_after,
 )
+from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees, difference, is_angular
 from restitution.practice.worlds.world import World

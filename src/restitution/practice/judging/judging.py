@@ -54,7 +54,7 @@ from restitution.practice.judging.verdicts import Judge
 from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.letters.letters import meanings_of
 from restitution.practice.letters.surroundings import all_fixed, letters_of
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Link, Script, ScriptLine
 from restitution.practice.worlds.effort import ExhaustedError, effort
 from restitution.practice.worlds.sampling import true_worlds

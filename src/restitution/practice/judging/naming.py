@@ -71,7 +71,7 @@ from restitution.practice.judging.slips import Correction, in_datum
 from restitution.practice.judging.typed_energies import are_energies, is_halved
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of
-from restitution.practice.reading.phrases import is_phrase, is_relative
+from restitution.practice.reading.phrase_names import is_phrase, is_relative
 from restitution.practice.worlds.agreement import numbers_of
 from restitution.practice.worlds.arrays import Array
 from restitution.practice.worlds.student import altered_world

@@ -32,7 +32,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judging.entries import Meanings, is_numeric
 from restitution.practice.reading.grammar import is_vector
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim
 from restitution.practice.worlds.world import World
 from restitution.problem import Impact

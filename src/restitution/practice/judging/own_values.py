@@ -41,9 +41,7 @@ from restitution.practice.judging.other_forms import (
 from restitution.practice.judging.own_numbers import OwnNumbers
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.slots import same_size
-from restitution.practice.reading.phrases import (
-    is_phrase,
-)
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.relations import worked_out
 from restitution.practice.script import Claim, ScriptLine
 from restitution.practice.worlds.principles import uses_of

@@ -50,7 +50,7 @@ from restitution.practice.judging.typed_energies import (
     has_square,
     is_given_energy,
 )
-from restitution.practice.reading.phrases import is_phrase, is_relative
+from restitution.practice.reading.phrase_names import is_phrase, is_relative
 from restitution.practice.script import Claim
 from restitution.practice.worlds.arrays import Array, is_bare
 from restitution.practice.worlds.telling import Telling

@@ -17,7 +17,8 @@ from restitution.expression.tree import Expression, Letter, Name, Quantity, lett
 from restitution.practice.judging.bench import Bench
 from restitution.practice.letters.surroundings import rational_value
 from restitution.practice.reading.grammar import is_vector
-from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.script import Script
 from restitution.practice.worlds.world import World
 from restitution.vector import Vector

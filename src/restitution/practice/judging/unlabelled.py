@@ -27,7 +27,7 @@ from restitution.practice.judging.entries import is_numeric
 from restitution.practice.judging.following import Following
 from restitution.practice.judging.judged_link import JudgedLink
 from restitution.practice.judging.plain_impulses import is_change_of_momentum
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
 

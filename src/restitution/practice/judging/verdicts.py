@@ -74,7 +74,7 @@ from restitution.practice.judging.uses import (
 )
 from restitution.practice.letters.candidates import suffix
 from restitution.practice.reading.lines import lines_of_letters, read_as
-from restitution.practice.reading.phrases import is_phrase, names_time, tells_after
+from restitution.practice.reading.phrase_names import is_phrase, names_time, tells_after
 from restitution.practice.reading.quoted import beyond_formula, has_data, is_of_impulse, is_quoted
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 from restitution.practice.worlds.agreement import agrees

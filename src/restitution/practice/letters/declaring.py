@@ -19,7 +19,8 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.letters.surroundings import letters_of
-from restitution.practice.reading.phrases import names_quantity, read_phrase, words_of
+from restitution.practice.reading.phrase_names import names_quantity
+from restitution.practice.reading.phrases import read_phrase, words_of
 from restitution.problem import Problem
 
 MAX_LETTERS = 60

@@ -21,7 +21,7 @@ from restitution.expression.tree import Negate, is_binary, letters, walk
 from restitution.practice.letters.candidates import Candidate
 from restitution.practice.letters.slots import Slot, shaped
 from restitution.practice.letters.trial import Frame, Tester, everywhere
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim, Decimal
 from restitution.practice.worlds.arrays import Array
 from restitution.records import dataclass

@@ -61,7 +61,7 @@ from restitution.practice.letters.surroundings import (
 )
 from restitution.practice.letters.trial import Frame
 from restitution.practice.letters.wordings import words_of
-from restitution.practice.reading.phrases import is_phrase, is_relative
+from restitution.practice.reading.phrase_names import is_phrase, is_relative
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.sampling import true_worlds

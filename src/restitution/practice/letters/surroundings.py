@@ -34,7 +34,8 @@ from restitution.practice.letters.interpretation import FixedLetter
 from restitution.practice.letters.options import of_trees, staged
 from restitution.practice.letters.slots import Slot, makes_idle, same_size
 from restitution.practice.letters.trial import Tester
-from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.script import ANYWHERE, Scope, Script, ScriptLine
 from restitution.practice.worlds.world import World
 from restitution.problem import Compare, Event, Find, Given, Impact, Let, Part, Problem, Show, trees

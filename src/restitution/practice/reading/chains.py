@@ -28,7 +28,7 @@ from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.declarations import Declarations
 from restitution.practice.reading.grammar import is_vector
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.readings import Side, read_sides
 from restitution.practice.reading.relations import (
     claims,

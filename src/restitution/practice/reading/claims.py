@@ -8,7 +8,7 @@ from restitution.expression.tree import (
     Letter,
     Name,
 )
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim
 from restitution.render.layout.statements import from_tree
 from restitution.render.text import to_text

@@ -28,7 +28,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.reading.angles import angular, radians
 from restitution.practice.reading.cursor import Cursor, UnreadableError
-from restitution.practice.reading.phrases import UNNAMED_ANGLE
+from restitution.practice.reading.phrase_names import UNNAMED_ANGLE
 from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import INVERSES
 from restitution.practice.script import column_of

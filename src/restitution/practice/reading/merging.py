@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from restitution.practice.reading.phrases import names_quantity
+from restitution.practice.reading.phrase_names import names_quantity
 from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import (
     DIRECTIONS,

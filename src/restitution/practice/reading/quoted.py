@@ -18,7 +18,7 @@ from restitution.expression.tree import (
     letters,
     walk,
 )
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.script import Claim, Link, Script, ScriptLine
 
 # Distance, speed and time, as books have them, with nothing put in: ``s = ut so 3 = 4t``.

@@ -21,7 +21,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.practice.reading.angles import angular, is_angle, without_marks
-from restitution.practice.reading.phrases import is_phrase
+from restitution.practice.reading.phrase_names import is_phrase
 from restitution.practice.reading.readings import Side
 from restitution.practice.reading.tokens import Token
 from restitution.practice.reading.vocabulary import DIRECTIONS, HEADS

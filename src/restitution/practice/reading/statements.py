@@ -24,7 +24,8 @@ from restitution.practice.reading.chains import Chains, Past, Statements
 from restitution.practice.reading.characters import Plain
 from restitution.practice.reading.cursor import UnreadableError
 from restitution.practice.reading.grammar import is_vector
-from restitution.practice.reading.phrases import is_phrase, read_phrase
+from restitution.practice.reading.phrase_names import is_phrase
+from restitution.practice.reading.phrases import read_phrase
 from restitution.practice.reading.readings import Side
 from restitution.practice.reading.relations import (
     finished,
