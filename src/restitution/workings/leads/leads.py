@@ -57,6 +57,7 @@ from restitution.workings.leads.shapes_of_lines import (
 from restitution.workings.leads.titles import Titles
 from restitution.workings.leads.touching import touching_beside
 from restitution.workings.leads.turn_leads import BY
+from restitution.workings.naming.contacts import at_contact
 from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import worth
 from restitution.workings.naming.sources import Source
@@ -96,7 +97,7 @@ class Leads(Titles):
             return
         if given and given[0].relation == line.relation and given[0].kind == "geometry":
             return  # a direction of the data, which the row says in words
-        at = self._naming.at_contact(given[0]) if given else None
+        at = at_contact(self._naming, given[0]) if given else None
         beside = touching_beside(self._derivation, self._naming, given[0], line) if given else None
         if at is not None:
             yield beside or at

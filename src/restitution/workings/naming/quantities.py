@@ -11,7 +11,7 @@ from dataclasses import field, replace
 from functools import cached_property
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Event, Fact, Link, Meaning, Relation
+from restitution.explaining.lines.derivation import Derivation, Event, Link, Meaning, Relation
 from restitution.explaining.lines.layouts import AsTyped, of_relation, of_tree
 from restitution.explaining.lines.saying import Sentence, operand, say
 from restitution.explaining.lines.trees import rebuilt
@@ -27,12 +27,9 @@ from restitution.expression.tree import (
     Stage,
     Unit,
     is_quantity,
-    is_zero,
     unsigned,
     walk,
 )
-from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.straight_walls import equation_of_line
 from restitution.records import dataclass
 from restitution.render import layout as lay
 from restitution.shapes import Circle
@@ -40,7 +37,6 @@ from restitution.solving.story.letters import roles
 from restitution.wording.telling import has_axes, letters_of_formulas
 from restitution.workings.naming.bold_letters import BoldLetters, Used
 from restitution.workings.naming.foreseen import foreseen
-from restitution.workings.naming.measured import is_plain, vector_worth, with_unit, worth
 from restitution.workings.naming.moments import Moments
 from restitution.workings.naming.terms import Terms, terms_of
 
@@ -237,6 +233,10 @@ class Naming(Moments):
                 words = say("derived.when", quantity=noun, when=self._plain_when(number))
             return self._introduced(tree, lay.letter(name), words)
         return operand(self.quantity(tree))
+
+    def has_taken(self, letter: str) -> bool:
+        """Whether a letter stands for something by now."""
+        return letter in self._used
 
     def has_letter_of_the_question(self, tree: Expression) -> bool:
         """Whether a speed is called by the letter that the question has for it."""
@@ -460,67 +460,6 @@ class Naming(Moments):
             for line in self.derivation.lines
             if line.move.record == "chord" and isinstance(line.relation, Relation)
         )
-
-    def at_contact(self, fact: Fact) -> Sentence | None:
-        """What a contact tells of the place of a body: how far it is from a centre, or on a wall.
-
-        None of another fact.
-        """
-        kind, _, number = fact.id.partition(" ")
-        event = self.events.get(int(number)) if kind == "contact" else None
-        match fact.relation.only[0]:
-            case Link(Quantity("position"), "=", Binary("+" | "-", Quantity("position"), _)) if (
-                event is not None
-            ):
-                one, other = event.bodies
-                return say("touch.place", one=one, other=other)
-            case Link(Quantity("position"), "=", Quantity("position")) if event is not None:
-                one, other = event.bodies
-                return say("touch.meet", one=one, other=other)
-            case Link(Quantity("dot", (Binary("-", Quantity("position"), _), _)), "=", right) if (
-                event is not None and self.bodies.get(event.bodies[-1]) == "wall" and is_zero(right)
-            ):
-                body, wall = event.bodies
-                line = self._line_of(fact.relation.only[0])
-                if line is None:
-                    return say("contact.wall", body=body, wall=wall)
-                return say("contact.wall-line", body=body, wall=wall, line=line)
-            case Link(Quantity("dot"), "=", Binary("^", radius, _)) if event is not None:
-                one, other = event.bodies
-                length = self.layout(tree_of(worth(radius)))
-                if is_plain(length):
-                    length = with_unit(length, self.unit(Quantity("distance", ())))
-                if other not in self.circles:
-                    return say("touch.apart", one=one, other=other, distance=length)
-                both = self._both_radii(one, other, radius)
-                if both is None:
-                    return say("circle.at", body=one, wall=other, radius=length)
-                equation = lay.Relation((self.layout(both), length), ("=",))
-                return say("circle.centre-at", body=one, wall=other, radius=equation)
-        return None
-
-    def _both_radii(self, body: str, wall: str, distance: Expression) -> Expression | None:
-        """How far the centre of a ball is from that of a circular wall; None without a radius."""
-        shape = next(other.shape for other in self.problem.walls if other.name == wall)
-        radius = next(sphere.radius for sphere in self.problem.spheres if sphere.name == body)
-        if not isinstance(shape, Circle) or not isinstance(radius, Expression) or not worth(radius):
-            return None
-        sums = Binary("-", shape.radius, radius), Binary("+", shape.radius, radius)
-        return next((radii for radii in sums if worth(radii) == worth(distance)), None)
-
-    def _line_of(self, contact: Link) -> lay.Layout | None:
-        """The equation of the line of a straight wall; None where x or y stands for something."""
-        match contact.left:
-            case Quantity("dot", (Binary("-", _, through), normal)):
-                x, y = Letter("x"), Letter("y")
-                if {x.name, y.name} & self._used:
-                    return None
-                across, place = vector_worth(normal), vector_worth(through)
-                if across is None or place is None:
-                    return None
-                line = equation_of_line(across, place, (x, y), by_slope=True)
-                return self.relation(Relation(((line,),)))
-        return None
 
     def _energy(self, bodies: tuple[Expression, ...]) -> Sentence:
         names = tuple(body.name for body in bodies if isinstance(body, Name))

@@ -1,0 +1,526 @@
+"""A chain as one row of a working: its sides, the signs between them, and its end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.saying import operand, say
+from restitution.expression.tree import (
+    Apply,
+    Binary,
+    Expression,
+    Letter,
+    Name,
+    Negate,
+    Number,
+    Pair,
+    Quantity,
+    Unit,
+    has_quantity,
+    is_function,
+    is_quantity,
+    is_zero,
+    letters,
+    unsigned,
+    walk,
+)
+from restitution.planning.writing.forms import coordinates, negative
+from restitution.problem import Value
+from restitution.render import layout as lay
+from restitution.render.text import to_text
+from restitution.workings.leads.senses import direction_by_its_sense
+from restitution.workings.naming.bold_letters import unit_vector
+from restitution.workings.naming.ends import Ends
+from restitution.workings.naming.figures import (
+    FIGURES_BETWEEN,
+    Figures,
+    has_plain_angles,
+    has_sums_of_nested_roots,
+    in_letters_with_figures,
+    is_of_nested_roots,
+    of_plain_angles,
+)
+from restitution.workings.naming.measured import (
+    Measures,
+    as_answer,
+    as_decimal,
+    is_long_quotient,
+    is_plain,
+    multiple_in_figures,
+    percentage,
+    terms_as_decimals,
+    to_figures,
+    to_three_figures,
+    with_unit,
+)
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.naming.row_sides import (
+    has_decimals,
+    has_long_root,
+    is_vector_of_short_decimals,
+    turned_side,
+    without_doubles,
+)
+from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
+from restitution.workings.naming.sources import is_displacement, is_time, is_vector
+from restitution.workings.naming.values_of_letters import in_the_other_sense, with_values
+from restitution.workings.rendering.steps import Row
+
+# The root of an equation is told exactly, and so are answers of at most so many signs.
+_EXACTLY = frozenset({"roots", "reject"})
+_LONGEST_ANSWER = 40
+# No number from here on stands under a root; where data are decimals, none of four figures.
+_NEVER_READ = 10000
+_TANGENTS = frozenset({"tan", "tan-direction"})
+# What is divided by the length of a direction: a reader sees its root below the line.
+_BY_A_LENGTH = frozenset({"scalar-angle", "component"})
+WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
+
+
+@dataclass
+class _Draft:
+    """A chain while its row is laid out: the sides as trees and as layouts, with their signs."""
+
+    line: Line
+    links: tuple[Link, ...]
+    trees: list[Expression]
+    in_figures: frozenset[int]
+    sides: list[lay.Layout]
+    signs: list[str]
+    #: Exact values behind figures, by the numbers of their sides: none stands in the end.
+    idle: dict[int, lay.Layout]
+    #: Sides with figures put in, which are still to be worked out.
+    worked: list[lay.Layout]
+
+
+class Chains:
+    """The rows of one derivation that are chains."""
+
+    def __init__(
+        self, derivation: Derivation, naming: Naming, measures: Measures, ends: Ends
+    ) -> None:
+        self._derivation = derivation
+        self._naming = naming
+        self._measures = measures
+        self._ends = ends
+        self._figures = Figures()
+        # The left sides of lines with figures in place of roots of sums of roots.
+        self._in_figures_above: set[Expression] = set()
+        # The left side of the row above, and the item to which it belongs.
+        self._left: tuple[Expression, str | None] | None = None
+        self._single = True
+
+    def instead_of(self, tree: Expression) -> Expression:
+        """The figures of a value that is on paper with them; any other as it is."""
+        return self._figures.instead_of(tree)
+
+    def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
+        """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
+        whole = self._by_letters(line, links) or self._in_words(line, links)
+        if whole is not None:
+            return whole
+        draft = self._draft(line, links)
+        self._as_asked(draft, last)
+        self._with_quotients(draft)
+        self._with_senses(draft)
+        if line.move.id == "solve" and not last and is_value(links[0].left):
+            unit, value = self._measures.unit(links[0].left), draft.sides[-1]
+            draft.sides[-1] = with_unit(value, unit) if is_plain(value) else value
+        if draft.signs[-1] in ("=", "≈") and last:
+            self._with_its_end(draft)
+        elif last and self._ends.of(line) is not None:
+            self._bounded(draft.trees, draft.sides)
+        return Row(tuple(draft.sides), tuple(draft.signs))
+
+    def _by_letters(self, line: Line, links: tuple[Link, ...]) -> Row | None:
+        """A chain in which letters have their values, where it compares these."""
+        compared = with_values(self._derivation, self._naming, line, links)
+        if compared == links:
+            return None
+        trees = [compared[0].left, *(link.right for link in compared)]
+        layouts = [self._naming.layout(tree) for tree in trees]
+        if is_zero(trees[-1]) and is_plain(layouts[1]):
+            layouts[1] = with_unit(layouts[1], self._measures.unit(trees[0]))
+        return Row(tuple(layouts), tuple(map(sign_of, compared)))
+
+    def _in_words(self, line: Line, links: tuple[Link, ...]) -> Row | None:
+        """A direction by its sense, and what is parallel or perpendicular to what."""
+        words = WORDS.get(links[0].sign)
+        sense = direction_by_its_sense(self._derivation, self._naming, line)
+        if sense is not None:
+            return Row((operand(sense),), ())
+        if words is not None:
+            left, right = map(self._naming.side, (links[0].left, links[0].right))
+            return Row((operand(say(words, left=left, right=right)),), ())
+        return None
+
+    def _trees(self, links: tuple[Link, ...]) -> list[Expression]:
+        """The sides of a chain, as decimals where the data are decimals."""
+        trees = [links[0].left, *(link.right for link in links)]
+        # Of a range it stands between its bounds.
+        subject = trees[1] if isinstance(as_decimal(trees[0]), Number) else trees[0]
+        if self._measures.decimals and self._measures.unit(subject):
+            trees = [terms_as_decimals(as_decimal(tree)) for tree in trees]
+        trees = list(map(self._measures.with_decimals, trees))
+        match links[0]:
+            case Link(Binary("/", Quantity(), Quantity()), _, Binary("/", above, below)) if (
+                self._measures.decimals
+            ):
+                trees[1] = Binary("/", as_decimal(above), as_decimal(below))
+            case Link(Quantity("line_of_centres"), "=") if not self._measures.decimals:
+                trees[1:] = [unit_vector(tree) or tree for tree in trees[1:]]
+        return trees
+
+    def _draft(self, line: Line, links: tuple[Link, ...]) -> _Draft:
+        """The sides as they are set by themselves, with figures for values that are on paper."""
+        trees = self._trees(links)
+        nested = any(map(has_sums_of_nested_roots, trees))
+        in_figures = self._in_figures(line, links, trees)
+        sides = [self._naming.layout(tree) for tree in trees]
+        idle = {
+            n: sides[n]
+            for n, tree in enumerate(trees)
+            if n not in in_figures
+            and n > min(in_figures, default=n)
+            and (has_plain_angles(tree) or has_sums_of_nested_roots(tree))
+        }
+        worked = [
+            sides[n] for n in in_figures if of_plain_angles(trees[n]) or (nested and n < len(links))
+        ]
+        signs = ["≈" if n in in_figures else sign_of(link) for n, link in enumerate(links, 1)]
+        signs[:1] = ["≈"] if 0 in in_figures else signs[:1]
+        return _Draft(line, links, trees, in_figures, sides, signs, idle, worked)
+
+    def _as_asked(self, draft: _Draft, last: bool) -> None:
+        """Sides that are written otherwise: zero vectors, what was typed, three figures."""
+        line, links, trees, sides = draft.line, draft.links, draft.trees, draft.sides
+        match trees:
+            case [Binary("/", Quantity(), Quantity()), Binary("/", Number() as above, below), *_]:
+                # A quotient of two numbers stands as it is before its decimal.
+                sides[1] = lay.Fraction(*map(self._naming.layout, (above, below)))
+        if is_vector(links[0].left):
+            sides[:] = [
+                lay.ZERO_VECTOR if is_zero(t) else s for t, s in zip(trees, sides, strict=True)
+            ]
+        typed = self._ends.typed(line, replace(links[0], sign=links[-1].sign)) if last else None
+        if typed is not None and not is_vector(links[0].left):
+            sides[-1] = typed
+        for n, link in enumerate(links, 1):
+            if link.sign == "≈":
+                sides[n] = to_three_figures(trees[n]) or sides[n]
+
+    def _with_quotients(self, draft: _Draft) -> None:
+        """Quotients as they stand before they are shortened, and the tangent that is left out."""
+        line, links, trees = draft.line, draft.links, draft.trees
+        sides, signs = draft.sides, draft.signs
+        if (angle := self._tangent_of(line, links[0])) is not None:
+            sides[:0], signs[:0] = [self._naming.layout(Apply("tan", angle))], ["="]
+        match links[0].right:
+            case Binary("/") | Negate(Binary("/")) if (
+                line.move.record in _BY_A_LENGTH and len(links) > 1
+            ):
+                put = 1 in draft.in_figures
+                sides[1] = self._unrationalised(trees[1] if put else links[0].right)
+            case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
+                line.move.record in _TANGENTS
+                and len(links) > 1
+                and _has_root(below)
+                and 1 not in draft.in_figures
+            ):
+                # Components that are multiples of roots stand as they are before they cancel.
+                own = lay.fraction(*map(self._naming.layout, (above, below)))
+                sides[1] = lay.negative(own) if isinstance(ratio, Negate) else own
+        without_doubles(sides, signs)
+        quotient = self._quotient(line, links[0])
+        if quotient is not None and isinstance(sides[1], lay.Number) and not self._by_axis(line):
+            alone = len(trees) == 2 and self._naming.in_fractions(trees[0])
+            sides[1 : 1 + alone], signs[:alone] = [quotient], ["="]
+
+    def _with_senses(self, draft: _Draft) -> None:
+        """Components in the sense in which a reader knows them."""
+        links, sides = draft.links, draft.sides
+        back = in_the_other_sense(self._derivation, self._naming, draft.line, links)
+        if back is not None:
+            sides[1:1], draft.signs[:0] = [self._naming.layout(back)], ["="]
+        shown = [side for side in sides if id(side) not in map(id, draft.idle.values())]
+        if self._ends.of(draft.line) is None and is_turned(self._naming, links, shown):
+            sides[0] = away(self._naming, links[0].left)
+            turned = {id(side): turned_value(self._naming, links, side) for side in sides[1:]}
+            sides[1:] = [turned[id(side)] for side in sides[1:]]
+            draft.idle = {n: turned.get(id(side), side) for n, side in draft.idle.items()}
+
+    def _with_its_end(self, draft: _Draft) -> None:
+        """The end of a chain as an answer, without what nobody writes on the way to figures."""
+        line, links, trees, idle = draft.line, draft.links, draft.trees, draft.idle
+        sides, signs = draft.sides, draft.signs
+        self._ended(line, links, sides, signs)
+        self._placed(line, links, sides, signs)
+        # Behind figures a value is not written once more exactly.
+        for n in range(len(sides) - 1, 0, -1):
+            if any(sides[n] is layout for layout in idle.values()):
+                del sides[n], signs[n - 1]
+        if idle:
+            without_doubles(sides, signs)
+        for n in idle:
+            self._figures.stands_for(trees[n], trees[min(draft.in_figures)])
+        if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and sides[-2] not in draft.worked:
+            del sides[-2], signs[-2]  # an answer has three figures at once
+        shortest = 1000 if self._measures.decimals else _NEVER_READ
+        if signs[-1] == "≈" and len(sides) > 3 and has_long_root(trees[-1], shortest):
+            del sides[-2], signs[-2]
+        more = self._one_figure_more(line)
+        if more is not None:
+            sides.insert(1, more)
+            signs.insert(0, "≈")
+
+    def _one_figure_more(self, line: Line) -> lay.Layout | None:
+        """A value by its figures before it is rounded; None where it was not yet rounded above."""
+        (first, *_) = line.premises if line.move.id == "value" else (None,)
+        above = self._derivation.line(first)
+        end = None if above is None else self._ends.of(above)
+        if above is None or end is None or end.shown or not isinstance(above.relation, Relation):
+            return None
+        if len(above.relation.options) > 1:
+            return None
+        return multiple_in_figures(above.relation.only[-1].right, FIGURES_BETWEEN)
+
+    def _in_figures(
+        self, line: Line, links: tuple[Link, ...], trees: list[Expression]
+    ) -> frozenset[int]:
+        """Puts figures for values that are on paper; the numbers of the sides that have them."""
+        exact = list(trees)
+        last = trees[-1]
+        # Some come to an exact number.
+        plain = len(links) > 1 and not (
+            has_quantity(last)
+            or letters(last)
+            or of_plain_angles(last)
+            or has_sums_of_nested_roots(last)
+        )
+        plain = plain or self._stays_exact(line, last)
+        if not plain and has_sums_of_nested_roots(trees[0]) and links[0].sign == "=":
+            trees[0] = self._figures.put(trees[0])
+        for n, link in enumerate(() if plain else links, 1):
+            if link.sign not in ("=", "≈"):
+                continue
+            outcome = n == len(links) > 1 and not isinstance(trees[n], Apply)
+            trees[n] = self._figures.put(trees[n], outcome)
+            if is_vector(links[0].left) and self._ends.of(line) is None:
+                trees[n] = self._figures.vector(trees[n])
+        if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
+            # Nobody multiplies two roots to have one of such a number.
+            trees[-1] = self._figures.cosine(trees[-1])
+        if isinstance(links[0].left, Apply) and trees[-1] != exact[-1]:
+            self._figures.stands_for(exact[-1], trees[-1])  # of the angle itself, next
+        put = frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
+        if put and any(map(has_sums_of_nested_roots, exact)):
+            self._in_figures_above.add(exact[0])
+        return put
+
+    def _stays_exact(self, line: Line, last: Expression) -> bool:
+        """Whether a value with roots of sums of roots stays exact: a root, a short answer."""
+        if not has_sums_of_nested_roots(last):
+            return False
+        if line.move.id in _EXACTLY:
+            return True
+        answer = self._ends.of(line) is not None and not isinstance(last, Apply)
+        if line.relation.trees[0] in self._in_figures_above:
+            return False
+        return answer and len(to_text(self._naming.layout(last))) <= _LONGEST_ANSWER
+
+    def _unrationalised(self, ratio: Expression) -> lay.Layout:
+        """A quotient by a root as it stands, where its layout would have a whole number below."""
+        own = unsigned(ratio)
+        whole = self._naming.layout(ratio)
+        match own:
+            case Binary("/", Number() as above, below) | Binary(
+                "/", Letter() | Binary("*") as above, Apply("sqrt") as below
+            ) if not letters(below):
+                quotient = lay.Fraction(self._naming.layout(above), self._naming.layout(below))
+                return quotient if own is ratio else lay.negative(quotient)
+        return whole
+
+    def _quotient(self, line: Line, link: Link) -> lay.Layout | None:
+        """The quotient of two numbers, a decimal next: of components, or of a flight."""
+        flight = line.move.record == "straight-line" and is_time(link.left)
+        match link.right:
+            case Binary("/", above, below) if flight or line.move.record in _TANGENTS:
+                sides = [self._naming.layout(tree) for tree in (above, below)]
+                if all(isinstance(side, lay.Number) for side in sides):
+                    return lay.Fraction(*sides)
+        return None
+
+    def _by_axis(self, line: Line) -> bool:
+        """Whether a ratio is that of a line of centres which a line tells, and of no components."""
+        above = self._derivation.lines_in(line.premises)
+        return any(
+            isinstance(own.relation, Relation)
+            and is_quantity(own.relation.options[0][0].left, "line_of_centres")
+            for own in above
+        )
+
+    def _tangent_of(self, line: Line, link: Link) -> Expression | None:
+        """The given sum or difference of angles of which a row is the tangent, if it is left out.
+
+        None where the row has the tangent of an angle on a side.
+        """
+        if line.move.record != "sum-of-angles" or not isinstance(link.left, Binary):
+            return None
+        if link.left.op != "/" or isinstance(link.right, Apply):
+            return None
+        for ref in line.premises:
+            fact = self._derivation.fact(ref)
+            if fact is not None and fact.kind == "given" and len(fact.relation.options) == 1:
+                match fact.relation.only:
+                    case (Link(Binary("+" | "-") as angle, "="),):
+                        return angle
+        return None
+
+    def _placed(
+        self, line: Line, links: tuple[Link, ...], sides: list[lay.Layout], signs: list[str]
+    ) -> None:
+        """Where a body is by its coordinates, if that was asked.
+
+        They take the place of a position vector that is made of them, unless other places are
+        worked out as vectors.
+        """
+        end, asked = self._ends.of(line), self._ends.asked(line)
+        if end is None or end.shown or len(links) > 1 or line.move.id == "rearrange":
+            return
+        match asked:
+            case Value(expression=Quantity("position", (Name(),))) if not self._has_vectors():
+                place = self._coordinates(line, links[-1])
+                if place:
+                    sides[1:], signs[1:] = [a for a, _ in place], [sign for _, sign in place[1:]]
+
+    def _has_vectors(self) -> bool:
+        """Whether a place is worked out as a vector, which is neither asked nor the origin."""
+        return any(
+            isinstance(line.relation, Relation)
+            and self._ends.of(line) is None
+            and any(
+                is_quantity(link.left, "position")
+                and any(isinstance(node, Unit) for node in walk(link.right))
+                for link in line.relation.options[0]
+            )
+            for line in self._derivation.lines
+        )
+
+    def _coordinates(self, line: Line, link: Link) -> tuple[tuple[lay.Layout, str], ...]:
+        """The coordinates of a place, exactly and as decimals, each with the sign before it."""
+        assert isinstance(line.relation, Relation)
+        shown = list(as_answer(link.right, True))
+        if not shown:
+            return ()
+        decimals = self._measures.decimals and self._measures.unit(link.left)
+        point = coordinates(as_decimal(link.right) if decimals else link.right)
+        if point is not None:
+            shown[0] = (self._naming.layout(Pair(*point)), "=")
+        if decimals and [sign for _, sign in shown[1:]] == ["="]:
+            shown = shown[:1]
+        if is_plain(self._naming.layout(link.right)):
+            unit = self._measures.unit(line.relation.options[0][0].left)
+            last, sign = shown[-1]
+            shown[-1] = (with_unit(last, unit), sign)
+        return tuple(shown)
+
+    def _ended(
+        self,
+        line: Line,
+        links: tuple[Link, ...],
+        sides: list[lay.Layout],
+        signs: list[str],
+    ) -> None:
+        """Puts what belongs to a value at the end of a row: its name, its unit, a decimal."""
+        left, right = links[0].left, links[-1].right
+        end = self._ends.of(line)
+        worth = not has_quantity(right) and (is_value(left) or end is not None)
+        worth = worth and not self._measures.has_units_of_its_own(right)
+        unit = self._measures.unit(left) if worth else ""
+        asked = self._ends.asked(line)
+        if end is not None and not end.shown:
+            if isinstance(asked, Value) and asked.percentage:
+                hundred = percentage(right)
+                if hundred is not None:
+                    if sides[0] == operand(say("derived.fraction-lost")):
+                        sides[0] = operand(say("derived.percentage-lost"))
+                    if len(sides) > 2 and has_decimals(sides[-2]) and is_long_quotient(right):
+                        del sides[-1], signs[-1]  # the decimals above it say more
+                    sides.append(hundred[0])
+                    signs.append(hundred[1])
+                return
+            place = self._ends.is_place(line) and line.move.id != "rearrange"
+            place = place and not self._has_vectors()
+            decimals = self._measures.decimals
+            added = as_answer(right, False, decimals) if links[-1].sign == "=" else ()
+            for side, sign in () if place else added:
+                if sign == "≈" and is_vector_of_short_decimals(sides[-1]):
+                    continue  # one component alone would be rounded
+                if side != sides[-1] and not (sign == "=" and has_decimals(sides[-1])):
+                    sides.append(side)
+                    signs.append(sign)
+        in_letters = in_letters_with_figures(right) if end is None and not unit else None
+        if in_letters is not None and links[-1].sign == "=" and is_value(left):
+            printed = self._as_printed(right, sides[-1]) or right
+            sides.append(self._naming.layout(in_letters_with_figures(printed) or in_letters))
+            signs.append("≈")
+            self._figures.note(right)
+        elif (
+            end is None
+            and (unit or is_of_nested_roots(right))
+            and links[-1].sign == "="
+            and (of_plain_angles(right) or self._is_carried(line, links[-1]))
+        ):
+            tree = self._as_printed(right, sides[-1])
+            figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
+            if figures is not None:
+                sides.append(figures)
+                signs.append("≈")
+                self._figures.note(right)
+        nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
+        answered = end is not None and not has_quantity(right)
+        if unit and not nothing and (answered or is_plain(sides[-1])):
+            sides[-1] = with_unit(sides[-1], unit)
+
+    def _is_carried(self, line: Line, link: Link) -> bool:
+        """Whether a value with roots of sums of roots is used from here, and told no plainer."""
+        return is_of_nested_roots(link.right) and not any(
+            own.number > line.number
+            and isinstance(own.relation, Relation)
+            and own.relation.options[0][0].left == link.left
+            for own in self._derivation.lines
+        )
+
+    def _as_printed(self, right: Expression, side: lay.Layout) -> Expression | None:
+        """A side as it is printed: that of a component away from a wall has the other sign.
+
+        None where it is printed in another form.
+        """
+        own = self._naming.layout(right)
+        other = turned_side(own) or lay.negative(own)
+        return {own: right, other: negative(right)}.get(side)
+
+    def _bounded(self, trees: Sequence[Expression], sides: list[lay.Layout]) -> None:
+        """Puts the unit of what a range is of behind the numbers that bound it."""
+        subject = [tree for tree in trees if has_quantity(tree) or isinstance(tree, Letter)]
+        unit = self._measures.unit(subject[0]) if len(subject) == 1 else ""
+        for n, tree in enumerate(trees):
+            if unit and tree not in subject and not is_zero(tree):
+                sides[n] = with_unit(sides[n], unit)
+
+
+def is_value(tree: Expression) -> bool:
+    """Whether a side names one quantity, whose dimension is known."""
+    return isinstance(tree, Letter | Quantity) or is_time(tree) or is_displacement(tree)
+
+
+def _has_root(tree: Expression) -> bool:
+    """Whether a tree has a root in it."""
+    return any(is_function(node, "sqrt") for node in walk(tree))
+
+
+def sign_of(link: Link) -> str:
+    """The sign of a link as it is printed."""
+    return lay.SIGNS.get(link.sign, link.sign)
