@@ -12,13 +12,18 @@ from restitution.planning.writing.forms import product, square, total, tree_of
 
 def polynomial_tree(polynomial: sp.Poly, subject: Expression) -> Expression:
     """A polynomial, the highest power of what it is in first."""
-    fourth = Binary("^", subject, Number(Fraction(4)))
-    powers: dict[int, Expression] = {4: fourth, 2: doubled_power(subject), 1: subject}
     terms = []
     for (power,), value in polynomial.terms():
         tree = tree_of(value)
-        terms.append(product(tree, powers[power]) if power else tree)
+        terms.append(product(tree, _power(subject, power)) if power else tree)
     return total(terms)
+
+
+def _power(subject: Expression, power: int) -> Expression:
+    """A power of what an equation is in."""
+    if power == 1:
+        return subject
+    return doubled_power(subject) if power == 2 else Binary("^", subject, Number(Fraction(power)))
 
 
 def doubled_power(subject: Expression) -> Expression:

@@ -412,14 +412,15 @@ def in_standard_form(
 ) -> int:
     """The equation as ``x² = c`` or ``ax² + bx + c = 0``, where it does not stand so already."""
     polynomial = sp.Poly(above, generator)
+    higher = polynomial.degree() > 2 and all(c.is_number for c in polynomial.all_coeffs())
     fourth = polynomial.degree() == 4 and not polynomial.nth(3) and not polynomial.nth(1)
-    if polynomial.degree() != 2 and not fourth:
+    if polynomial.degree() != 2 and not fourth and not higher:
         return number
     link = scene.desk.last_link(number)
     squared = doubled_power(subject)
     if squared in (link.left, link.right) or _is_in_powers(scene, link, generator):
         return number
-    pure = not fourth and polynomial.nth(1) == 0
+    pure = polynomial.degree() == 2 and polynomial.nth(1) == 0
     if pure:
         value = square_in_degrees(scene, number, generator)
         by_degrees = value is not None
@@ -431,6 +432,9 @@ def in_standard_form(
         relation = equality(tree, ZERO)
     if scene.desk.relation(number) == relation:
         return number
+    own = scene.desk.line(number)
+    if higher and own.move.id == "rearrange" and link.right == ZERO:
+        return scene.desk.write(own.move, own.premises, relation)  # the highest power first
     move = Move("rearrange")
     names_ = symbol_names(residual(scene, number))
     refs = scene.judge.enough(move, (number,), relation, background(scene, names_))
@@ -502,7 +506,10 @@ def _in_factors(
     generator: sp.Expr,
     subject: Expression,
 ) -> int:
-    """A quadratic as the product of two linear factors, or as a square, where it is one."""
+    """A quadratic as the product of two linear factors, or as a square, where it is one.
+
+    What is of a higher degree is the product of all its factors.
+    """
     if scene.desk.last_link(number).right != ZERO:
         return number
     degrees = [sp.Poly(factor, generator).degree() for factor in factors]
@@ -511,9 +518,9 @@ def _in_factors(
         above, below = sp.fraction(root)
         once = _plain(scene, below * generator - above, generator)
         relation = equality(square(polynomial_tree(once, subject)), ZERO)
-    elif degrees in ([1, 1], [2, 2]):
+    elif degrees in ([1, 1], [2, 2]) or (len(degrees) > 1 and sum(degrees) > 2):
         plain = [_plain(scene, factor, generator) for factor in factors]
-        plain.sort(key=lambda value: (value.nth(0) != 0, value.LC() == 1, str(value.nth(0))))
+        plain.sort(key=_in_order)
         trees = [polynomial_tree(value, subject) for value in plain]
         relation = equality(product(*trees), ZERO)
     else:
@@ -521,6 +528,12 @@ def _in_factors(
     names = symbol_names(residual(scene, number))
     refs = scene.judge.enough(Move("rearrange"), (number,), relation, background(scene, names))
     return number if refs is None else scene.desk.write(Move("rearrange"), refs, relation)
+
+
+def _in_order(factor: sp.Poly) -> tuple[int, bool, bool, str]:
+    """Where a factor stands: what is linear first, and of that the unknown itself."""
+    rest = factor.nth(0)
+    return factor.degree(), rest != 0, factor.LC() == 1, str(rest)
 
 
 def _double_root(factors: Sequence[sp.Expr], generator: sp.Expr) -> sp.Expr | None:
