@@ -107,6 +107,13 @@ CLAIMS = {
         ),
         "k < 2: with e = ½, for instance, k = 2, which is not less than 2.",
     ),
+    "a value that is a decimal": (
+        (
+            "sphere A: mass m, velocity u i\nsphere B: mass k m, at rest\nA hits B: along i\n"
+            "show speed(B) < 1.9 u"
+        ),
+        "with e = 1 and k = 0.01, for instance, the speed of B = 200u/101",
+    ),
     "a greatest value": (
         (
             "sphere A, B: mass m\nsphere A: velocity u at alpha\nsphere B: at rest\n"

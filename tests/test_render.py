@@ -287,6 +287,11 @@ WRITTEN = [
     (t.Binary("/", t.Letter("u"), number(2)), "u/2"),
     (t.Binary("*", t.Binary("/", t.Apply("sqrt", number(7)), number(4)), t.Letter("u")), "(√7/4)u"),
     (t.Binary("*", number(2), number(3)), "2 × 3"),
+    (t.Binary("/", t.Binary("*", number("0.9"), number(1)), number(2)), "0.9 × ½"),
+    (
+        t.Binary("/", t.Binary("*", t.Apply("sqrt", number(3)), number(2)), number(5)),
+        "√3 × ⅖",
+    ),
     (number("0.6"), "0.6"),
     (number("0.0471"), "0.0471"),
     (t.Binary("^", t.Apply("sin", t.Letter("alpha")), number(2)), "sin²α"),

@@ -470,8 +470,11 @@ def _side(link: Link, naming: Naming) -> lay.Relation:
 
     What is worth itself, as ``u/3``, is not said twice.
     """
+    value = naming.layout(link.right)
     added = as_answer(link.right) if link.sign == "=" else ()
-    operands = [naming.layout(link.left), naming.layout(link.right), *(e for e, _ in added)]
+    # A decimal that was typed stands as such: its decimal is not said again.
+    added = tuple(form for form in added if form[0] != value)
+    operands = [naming.layout(link.left), value, *(e for e, _ in added)]
     signs = [lay.SIGNS.get(link.sign, link.sign), *(s for _, s in added)]
     if operands[0] == operands[1]:
         del operands[0], signs[0]

@@ -96,6 +96,10 @@ def _from_apply(name: str, argument: Layout) -> Layout:
 
 
 def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
+    match node:
+        case trees.Binary("/", trees.Binary("*", factor, trees.Number() as top), trees.Number()):
+            # 0.9 * 1/2 is read from the left, and meant as 0.9 × ½.
+            node = trees.Binary("*", factor, trees.Binary("/", top, node.right))
     left, right = from_tree(node.left, events), from_tree(node.right, events)
     match node.op:
         case "+":
@@ -116,7 +120,7 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
                 return product(left, right, sign="×")
             if not isinstance(left, Number) and _begins_with_number(right):
                 return product(left, right, sign="×")
-            if isinstance(left, Letter | Product) and _is_fraction_of_numbers(right):
+            if isinstance(left, Letter | Root | Product) and _is_fraction_of_numbers(right):
                 return product(left, right, sign="×")  # 2m × ⅘, not 2m⅘
             if isinstance(right, Product) and _begins_with_digit(right):
                 return product(left, Brackets(right))  # 2m(3u), not 2m3u
