@@ -195,6 +195,17 @@ def test_products_and_sums_of_polynomials_are_those_of_sympy():
     assert one() == quotient_ring().one  # as none of them wrote into it
 
 
+def test_products_of_many_terms_are_those_of_sympy() -> None:
+    x, y, z = quotient_ring().gens[:3]
+    many = (x + Fraction(2, 3) * y - z / 5 + Fraction(7, 4)) ** 4
+    less = (x - Fraction(2, 3) * y + Fraction(1, 6)) ** 6
+    assert len(many) * len(less) > 256
+    assert product(many, less) == many * less
+    assert product(many, many - many) == quotient_ring().zero
+    opposite = product(many, less - x) + product(many, x)  # terms that cancel are left out
+    assert opposite == product(many, less)
+
+
 def test_what_cannot_be_compared_is_told_apart() -> None:
     world = World({})
     for text in ("2^u", "u^(1/3)", "1/(u - u)", "i/j"):

@@ -108,12 +108,15 @@ class Generators:
         for number in sorted(self.squares, reverse=True):
             square = self.squares[number]
             while any(powers[number] > 1 for powers in polynomial):
-                put_in = quotient_ring().zero
+                parts: dict[int, dict[tuple[int, ...], Any]] = {}
                 for powers, value in polynomial.items():
                     half, odd = divmod(powers[number], 2)
                     rest = (*powers[:number], odd, *powers[number + 1 :])
-                    term = polynomial.new({rest: value})
-                    put_in = total(put_in, product(term, square**half if half else one()))
+                    parts.setdefault(half, {})[rest] = value
+                put_in = quotient_ring().zero
+                for half, terms in parts.items():
+                    times = square**half if half else one()
+                    put_in = total(put_in, product(polynomial.new(terms), times))
                 polynomial = put_in
                 if len(polynomial) > MOST_TERMS:
                     raise NotComparableError("a line of too many terms")

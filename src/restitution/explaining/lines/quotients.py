@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import cache, lru_cache
-from math import isqrt
+from math import isqrt, lcm
 from operator import add
 from typing import Any
 
@@ -28,6 +28,13 @@ _MOST_BITS = 4096
 
 
 _MOST_FACTOR = 10_000
+
+# Of fewer products of two terms, to pack them takes longer than it saves.
+_MANY_PRODUCTS = 256
+
+# A power, and the sum of two, keeps well below 2 to this.
+_BITS = 24
+_MASK = 2**_BITS - 1
 
 
 class NotComparableError(Exception):
@@ -62,6 +69,8 @@ def product(a: PolyElement, b: PolyElement) -> PolyElement:
         return b
     if not a or _is_one(b):
         return a
+    if len(a) * len(b) >= _MANY_PRODUCTS:
+        return _product_of_many(a, b)
     terms: dict[tuple[int, ...], Any] = {}
     for powers, factor in a.items():
         for others, value in b.items():
@@ -70,6 +79,42 @@ def product(a: PolyElement, b: PolyElement) -> PolyElement:
             known = terms.get(key)
             terms[key] = term if known is None else known + term
     return _polynomial(terms)
+
+
+def _product_of_many(a: PolyElement, b: PolyElement) -> PolyElement:
+    """The product of two polynomials of many terms: powers packed in one integer, whole numbers.
+
+    A fraction costs a greatest common divisor each time that it is multiplied or added.
+    """
+    used = [n for n, powers in enumerate(zip(*a, *b, strict=True)) if any(powers)]
+    (ours, our_denominator), (theirs, their_denominator) = (_packed(side, used) for side in (a, b))
+    packed: dict[int, int] = {}
+    for powers, factor in ours:
+        for others, value in theirs:
+            key = powers + others
+            packed[key] = packed.get(key, 0) + factor * value
+    denominator = our_denominator * their_denominator
+    terms = {}
+    for key, value in packed.items():
+        if value:
+            monomial = [0] * MOST_GENERATORS
+            for n in used:
+                monomial[n] = key & _MASK
+                key >>= _BITS
+            terms[tuple(monomial)] = QQ(value, denominator)
+    return one().new(terms)
+
+
+def _packed(polynomial: PolyElement, used: list[int]) -> tuple[list[tuple[int, int]], int]:
+    """The terms over one denominator, the powers of some generators in one integer each."""
+    denominator = lcm(*(int(value.denominator) for value in polynomial.values()))
+    terms = []
+    for powers, value in polynomial.items():
+        key = 0
+        for n in reversed(used):
+            key = key << _BITS | powers[n]
+        terms.append((key, int(value.numerator) * (denominator // int(value.denominator))))
+    return terms, denominator
 
 
 def total(a: PolyElement, b: PolyElement) -> PolyElement:

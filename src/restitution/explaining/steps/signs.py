@@ -12,7 +12,13 @@ from sympy.polys.rings import PolyElement
 
 from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.generators import AngleKey, Key
-from restitution.explaining.lines.quotients import Quotient, factors_of, is_without, without_common
+from restitution.explaining.lines.quotients import (
+    Quotient,
+    factors_of,
+    is_without,
+    product,
+    without_common,
+)
 from restitution.oracle import Oracle, Relation, joined, letters_of
 from restitution.oracle.roles import REAL
 from restitution.records import dataclass
@@ -227,7 +233,7 @@ def _ratio_of_leads(world: World, line: Quotient, expected: Quotient) -> Quotien
     apart = set(world.keys(a)) ^ set(world.keys(b))
     for silent in (roots, roots | apart) if apart else (roots,):
         lead_a, lead_b = _lead(a, silent), _lead(b, silent)
-        if world.reduced(Quotient(a * lead_b - b * lead_a, a.ring.one)).vanishes:
+        if world.reduced(Quotient(product(a, lead_b) - product(b, lead_a), a.ring.one)).vanishes:
             above, below = without_common(lead_a * expected.below, lead_b * line.below)
             return Quotient(above, below)
     return None
@@ -262,7 +268,7 @@ def _ratio_with(
     for factor in factors:
         for a, b in ((factor, one), (one, factor)):
             sides = [
-                world.reduced(Quotient(quotient.above * times, one))
+                world.reduced(Quotient(product(quotient.above, times), one))
                 for quotient, times in ((line, a), (expected, b))
             ]
             k = None if any(side.vanishes for side in sides) else _ratio_of_leads(world, *sides)
