@@ -16,7 +16,7 @@ from restitution.records import dataclass
 from restitution.render.document.columns import inline
 from restitution.solving.algebra.numbers import at
 from restitution.solving.equations.facts import givens
-from restitution.solving.equations.part import work_out
+from restitution.solving.equations.part import EVERY_SOLUTION, work_out
 from restitution.solving.equations.setting import Setting, out_of_range
 from restitution.solving.story.letters import narrowed_by, roles
 from restitution.wording.clauses import clause
@@ -60,8 +60,9 @@ def named(setting: Setting, error: RestitutionError) -> RestitutionError:
         text = f"the facts clash: {words[0]} cannot be, as {reason}"
         because = f"it cannot be that {clauses[0]}, as {reason}"
     elif len(words) == 1:
-        text = f"the facts clash: {words[0]} cannot be together with the rest of the statement"
-        because = f"the other data make it impossible that {clauses[0]}"
+        why = f": {error.because}" if error.because.startswith(EVERY_SOLUTION) else ""
+        text = f"the facts clash: {words[0]} cannot be together with the rest of the statement{why}"
+        because = f"the other data make it impossible that {clauses[0]}{why}"
     else:
         several = " and that ".join(clauses)
         because = f"the data contradict each other: it cannot be that {several}"

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.errors import ImpossibleError, MissingError, StatementError
 from restitution.expression.evaluate import Angle, Scalar, Value
-from restitution.expression.tree import Expression, Name, Place, is_quantity
+from restitution.expression.tree import Expression, Name, Place, has_quantity, is_quantity
 from restitution.expression.writing import write_expression
 from restitution.problem import (
     Aligned,
@@ -29,7 +29,8 @@ from restitution.solving.story import missing, places
 from restitution.solving.story.conditions import AnyOf, Condition, Equation
 from restitution.solving.story.forward import Story
 from restitution.solving.story.happenings import Happening
-from restitution.solving.story.quantities import reason_of_rest
+from restitution.solving.story.quantities import reason_of_rest, reason_without_direction
+from restitution.solving.story.unknowns import Letters
 from restitution.vector import Vector
 
 Requirement = Equation | Condition | AnyOf
@@ -205,6 +206,33 @@ def _aligned(relation: Aligned, story: Story, now: int, place: Place | None) -> 
     elif relation.relation == "opposite to":
         requirements_.append(Condition(-dot, ">", "the directions would be the same", "fact"))
     return requirements_
+
+
+def needs_of_motion(relation: Relation, story: Story, now: int) -> Iterator[Condition | AnyOf]:
+    """That what a fact of directions is about does move: what is at rest has no direction."""
+    if not isinstance(relation, Aligned):
+        return
+    evaluator = story.evaluator(now)
+    for tree in (relation.left, relation.right):
+        vector = evaluator.value(tree) if has_quantity(tree) else None
+        if not isinstance(vector, Vector):
+            continue
+        reason = reason_without_direction(tree, relation.relation)
+        parts = [story.rational(part) for part in (vector.x, vector.y)]
+        if any(_is_never_zero(story, part) for part in parts):
+            continue
+        options = tuple(
+            Condition(part, "!=", reason, "rest") for part in parts if not story.field.is_zero(part)
+        )
+        if len(options) > 1:
+            yield AnyOf(options, reason, "rest")
+        else:
+            yield options[0] if options else Condition(story.field.zero, "!=", reason, "rest")
+
+
+def _is_never_zero(story: Story, x: Scalar) -> bool:
+    """Whether a scalar is certainly not zero, whatever its letters are."""
+    return isinstance(story.unknowns, Letters) and bool(story.unknowns.proved_sign(x))
 
 
 def _meets(relation: Meets, story: Story, now: int) -> list[Requirement]:

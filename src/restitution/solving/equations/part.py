@@ -41,6 +41,9 @@ from restitution.solving.story.unknowns import Letters
 # Where the form of an answer hangs on a sign, four points are too few.
 SAMPLES_FOR_SIGNS = 24
 
+EVERY_SOLUTION = "in every solution of the equations"
+"""How a reason begins that holds of all that was sought."""
+
 
 @dataclass(frozen=True)
 class Outcome:
@@ -316,14 +319,16 @@ def impossible(setting: Setting, trials: Sequence[Trial], place: Place | None) -
     if not reasons:
         return ContradictionError("the facts clash: no real values satisfy them all", line)
     (reason, kind), _ = reasons.most_common(1)[0]
-    if kind == "fact":
-        return ContradictionError(f"the facts clash: {reason}", line)
+    if kind in ("fact", "rest"):
+        clash_ = ContradictionError(f"the facts clash: {reason}", line)
+        clash_.because = f"{EVERY_SOLUTION} {reason}" if kind == "rest" else ""
+        return clash_
     values = list(dict.fromkeys(filter(None, (_value_out_of_range(t, reason) for t in named))))
     if kind != "range" or not values:
         error = ImpossibleError(str(reason), line)
         if len(reasons) == 1 and any(t.root.values for t in named):
             # What was sought has such values only: of others that is not said.
-            error.because = f"in every solution of the equations {reason}"
+            error.because = f"{EVERY_SOLUTION} {reason}"
         return error
     listed = " or ".join(values)
     error = ImpossibleError(f"{listed} rejected: {reason}", line)

@@ -32,7 +32,7 @@ from restitution.problem import Value as ValueItem
 from restitution.records import dataclass
 from restitution.solving.algebra.numbers import FIELD, Sample, at, bound, number_of, sample
 from restitution.solving.algebra.systems import Root
-from restitution.solving.equations.facts import givens, requirements
+from restitution.solving.equations.facts import givens, needs_of_motion, requirements
 from restitution.solving.equations.stages import by_nested_roots
 from restitution.solving.story.admission import (
     COEFFICIENT_RULE,
@@ -134,6 +134,7 @@ class Setting:
         for given, now in self.facts:
             for relation in given.relations:
                 requirements_ += requirements(relation, story, now, given.place)
+                requirements_ += needs_of_motion(relation, story, now)
         for let, now in self.named:
             relation = Compare((Letter(let.letter), let.expression), ("=",))
             requirements_ += requirements(relation, story, now, let.place)

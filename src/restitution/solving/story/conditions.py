@@ -19,7 +19,7 @@ class Condition:
     value: Scalar
     relation: Literal[">", ">=", "!="]
     reason: str
-    kind: Literal["coefficient", "approach", "sign", "time", "place", "fact"] = "sign"
+    kind: Literal["coefficient", "approach", "sign", "time", "place", "rest", "fact"] = "sign"
     end_of: str | None = None
 
 
@@ -29,7 +29,7 @@ class AnyOf:
 
     options: tuple[Condition, ...]
     reason: str
-    kind: Literal["place", "fact"] = "place"
+    kind: Literal["place", "rest", "fact"] = "place"
 
 
 @dataclass(frozen=True)

@@ -181,6 +181,14 @@ def reason_of_rest(tree: Expression) -> str:
     return _RULE
 
 
+def reason_without_direction(tree: Expression, relation: str) -> str:
+    """Why a fact of directions does not hold of a zero vector, which the tree is."""
+    match tree:
+        case Quantity("velocity" | "momentum", (Name(body),)):
+            return f"{body} would be at rest, and nothing is {relation} a body at rest"
+    return f"nothing is {relation} the zero vector"
+
+
 def _angle(state: State, left: Expression, right: Expression, now: int) -> Angle:
     a, b = (
         _tangent_at_its_hit(state, one, other) or state.direction(one, now)
