@@ -615,3 +615,17 @@ find e
 """
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
     assert "3e³ − 3e² − 7e − 1 = 0 (e + 1)(3e² − 6e − 1) = 0 e = (3 + 2√3)/3 or" in working
+
+
+def test_an_angle_that_is_given_by_its_tangent_is_added_to_one_of_the_data() -> None:
+    text = """
+sphere A: mass 3m, velocity u at 45°
+sphere B: mass m, at rest
+A hits B: along i
+given angle(velocity(A), velocity(A, 0)) = arctan(1/3)
+find e, energy_lost/energy(0)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "tan(45° + arctan(1/3)) = (1 + ⅓)/(1 − ⅓) = 2" in working
+    assert "2 = (√2 u/2)/(√2(3 − e)u/8) 3 − e = 2 e = 1" in working
+    assert "Dividing (6) by (5): fraction lost = 0" in working

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import Any, Literal
 
 import sympy as sp
 
@@ -324,4 +324,34 @@ def _of_components(
     refs = scene.judge.enough(
         own.move, (line, meaning, *own.refs), relation, (*axis, *background(scene, names))
     )
-    return None if refs is None else scene.desk.write(own.move, refs, relation)
+    if refs is None:
+        return None
+    written = scene.desk.write(own.move, refs, relation)
+    return _with_its_number(scene, written, angle) or written
+
+
+def _with_its_number(scene: Scene, line: int, angle: Expression) -> int | None:
+    """A line of the tangent of a sum with the number that this is: tan(45° + arctan ⅓) = 2.
+
+    None where it is no quotient of whole numbers, or the angle is a number of degrees.
+    """
+    match angle:
+        case Binary("+" | "-" as sign, one, other) if not letters(angle):
+            tangents = [tidy(sp.tan(scene.scalar(tree))) for tree in (one, other)]
+        case _:
+            return None
+    value = tidy(sp.tan(scene.scalar(angle)))
+    if not all(number.is_Rational for number in (value, *tangents)):
+        return None
+    first, second = map(tree_of, tangents)
+    opposite: Literal["+", "-"] = "-" if sign == "+" else "+"
+    below = Binary(opposite, ONE, product(first, second))
+    quotient = swept(Binary("/", Binary(sign, first, second), below))
+    steps = ((quotient, None), (tree_of(value), "rearrange"))
+    known = chain(Apply("tan", angle), *steps)  # type: ignore[arg-type]
+    formula_ = scene.judge.write((Move("identity", "sum-of-angles"),), (), known)
+    if formula_ is None:
+        return None
+    right = scene.desk.last_link(line).right
+    relation = chain(tree_of(value), (right, None))
+    return scene.judge.write((Move("put"),), (line, formula_), relation)

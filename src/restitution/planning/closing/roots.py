@@ -378,7 +378,8 @@ def _real_roots(scene: Scene, number: int, polynomial: sp.Poly) -> list[sp.Expr]
         root = tidy(sp.sqrt(inside))
         root = root.replace(sp.Abs, lambda x: x if scene.model.sign(x) >= 0 else -x)
         return [tidy((-b + sign * root) / (2 * a)) for sign in (1, -1)]
-    return [tidy(root) for root in sp.roots(polynomial)]
+    slope, rest = polynomial.nth(1), polynomial.nth(0)
+    return [tidy(-rest / slope)]
 
 
 def _quotient_root(scene: Scene, square_: sp.Expr) -> sp.Expr | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
+from itertools import count, islice
 from typing import Any, Literal
 
 import sympy as sp
@@ -104,6 +105,18 @@ class Turn:
 
 def turns_of(scene: Scene, asked: Quantity) -> Iterator[Turn]:
     """The ways in which an angle is made of two others; none where it is no such angle.
+
+    Lines that a way rests on are written when it is asked for: those before it may be gone by then.
+    """
+    for number in count():
+        turn = next(islice(_turns(scene, asked), number, None), None)
+        if turn is None:
+            return
+        yield turn
+
+
+def _turns(scene: Scene, asked: Quantity) -> Iterator[Turn]:
+    """The ways in which an angle is made of two others.
 
     The angles are those to the line of centres; where it is open which way a body goes along that,
     they are those of up to 180° to **i** or **j**.

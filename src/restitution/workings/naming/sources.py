@@ -234,6 +234,8 @@ class Sources:
             if move == "combine" and line.move.eliminated:
                 return Source("combine", tuple(cited), eliminated=line.move.eliminated)
             kind = "add" if move == "combine" else move
+            if move == "divide" and self._is_divided_by(line, cited[0]):
+                cited.reverse()
             return Source(kind, tuple(cited))  # type: ignore[arg-type]
         if move == "roots" and cited == [above] and self._is_quadratic(cited[0]):
             return Source("formula")
@@ -264,6 +266,14 @@ class Sources:
                 if above in lefts and below in lefts:
                     return lefts[above], lefts[below]
         return None
+
+    def _is_divided_by(self, line: Line, number: int) -> bool:
+        """Whether a line gives what stands below in the ratio that another line is about."""
+        assert isinstance(line.relation, Relation)
+        match line.relation.options[0][0].left:
+            case Binary("/", _, below):
+                return self._left(number) == below
+        return False
 
     def _left(self, number: int) -> Expression | None:
         relation = self._lines[number].relation if number in self._lines else None
