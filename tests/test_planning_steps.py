@@ -629,3 +629,33 @@ find e, energy_lost/energy(0)
     assert "tan(45° + arctan(1/3)) = (1 + ⅓)/(1 − ⅓) = 2" in working
     assert "2 = (√2 u/2)/(√2(3 − e)u/8) 3 − e = 2 e = 1" in working
     assert "Dividing (6) by (5): fraction lost = 0" in working
+
+
+def test_a_ratio_of_an_angle_that_is_known_in_degrees_is_written() -> None:
+    text = """
+sphere A: mass 2m, velocity u at theta
+sphere B: mass 3m, velocity 2u j
+A hits B: along i, e = 2/3
+given deflection(A) = 45°
+find tan(theta)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "tan θ = tan 45° = 1 A1" in working
+    assert "not written out" not in working
+    assert "does not follow" not in working
+
+
+def test_a_component_is_shown_by_the_letter_that_is_given_for_a_speed() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+given speed(P) = v
+unknown v
+let beta = angle(velocity(P), W)
+show u cos(alpha) = v cos(beta)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "cos β × speed of P = u cos α" in working
+    assert "u cos α = v cos β (as required)" in working
+    assert "not written out" not in working

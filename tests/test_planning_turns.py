@@ -114,7 +114,7 @@ A hits B: offset b, e = 1/2
 given angle(line_of_centres, i) = 30°
 find b, speed(B)
 """,
-        ("has sine\nb/(2 × 3) = b/6.", "b/6 = ½", "b = 3"),
+        ("b/(2 × 3) = b/6.", "b/6 = ½", "b = 3"),
     ),
     "at a wall, to be shown": (
         """

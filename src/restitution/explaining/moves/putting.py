@@ -24,6 +24,7 @@ from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Number,
@@ -181,6 +182,7 @@ def is_rearrangement(step: Step, line: Link) -> bool:
         return _with_factor_known(step, line)
     return any(
         _same_direction(step, line, link)
+        or _is_ratio_of_both(line, link)
         or _is_multiplied(step, line, link)
         or _is_squared(step, line, link)
         or is_root_of(step, line, link)
@@ -189,6 +191,19 @@ def is_rearrangement(step: Step, line: Link) -> bool:
         for link in flat(base.only)
         if link.sign != "≈"
     )
+
+
+def _is_ratio_of_both(line: Link, base: Link) -> bool:
+    """Whether a line has the same ratio of both sides: of an angle, and of its degrees."""
+    match line, base:
+        case (
+            Link(Apply("sin" | "cos" | "tan" as one, left), "=", Apply(other, right)),
+            Link(angle, "=", Degrees(value) as degrees),
+        ):
+            return (one, left, right) == (other, angle, degrees) and (
+                one != "tan" or value % 180 != 90
+            )
+    return False
 
 
 def _is_multiplied(step: Step, line: Link, base: Link) -> bool:

@@ -60,7 +60,11 @@ from restitution.planning.routes.determining import determine, determine_velocit
 from restitution.planning.routes.given_shares import write_given_share
 from restitution.planning.routes.order import Solver
 from restitution.planning.writing import place_trees
-from restitution.planning.writing.angle_ratios import range_of, write_other_ratio
+from restitution.planning.writing.angle_ratios import (
+    range_of,
+    ratio_of_degrees,
+    write_other_ratio,
+)
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.either_side import write_sides
 from restitution.planning.writing.forms import ONE, difference, product, square, tree_of
@@ -340,7 +344,7 @@ def _ratio(scene: Scene, asked: Apply, kind: str, letter: str, name: str) -> Non
         if symbol not in scene.model.final:
             raise NotPlannedError(f"{letter} is open")
         write_other_ratio(scene, symbol, kind)
-        known = scene.desk.known(asked)
+        known = scene.desk.known(asked) or ratio_of_degrees(scene, asked)
     if known is None:
         raise NotPlannedError(f"{kind} {letter} is open")
     line = _line_of(scene, asked, known)

@@ -118,7 +118,8 @@ class ShownAngles(ABC):
         """A speed in terms of the angle of its velocity to a line: a component, by that."""
         scene, claims = self.scene, self.claims
         trees = [node for side in (self.link.left, self.link.right) for node in walk(side)]
-        for speed in quantities:
+        named = self._speeds_in_letters()
+        for speed in (*quantities, *named):
             if speed.kind != "speed" or not isinstance(speed.stage, int):
                 continue
             velocity = replace(speed, kind="velocity")
@@ -148,11 +149,22 @@ class ShownAngles(ABC):
                     if relation == self.relation:
                         return line
                     names = letters(self.link.left) | letters(self.link.right)
-                    form = self._last([line, *lets, *self._known(names)])
+                    facts = named.get(speed, ())
+                    form = self._last([line, *facts, *lets, *self._known(names)])
                     if form is not None:
                         return form
                 claims.worths.back(mark)
         return None
+
+    def _speeds_in_letters(self) -> dict[Quantity, tuple[Ref, ...]]:
+        """The speeds for which letters of the equation are given, with what says so."""
+        names = letters(self.link.left) | letters(self.link.right)
+        speeds: dict[Quantity, tuple[Ref, ...]] = {}
+        for given in self.scene.given:
+            match given.link:
+                case Link(Quantity("speed") as speed, "=", Letter(name)) if name in names:
+                    speeds[speed] = given.refs
+        return speeds
 
     def _ratio_as_asked(self, angle: Quantity) -> int | None:
         """A ratio of an angle as it is written where it is asked, then in the printed form."""

@@ -10,7 +10,7 @@ import sympy as sp
 from restitution.components.models import Model
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Fact, Link, Move, MoveId, Ref, Relation
-from restitution.expression.tree import Apply, Binary, Expression, Letter
+from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, chain
 from restitution.planning.writing.forms import ONE, square, total, tree_of
 
@@ -129,6 +129,22 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         for own in kinds:
             scene.desk.know(Apply(own, letter), trees[own], (number,))
         return
+
+
+def ratio_of_degrees(scene: Angles, asked: Apply) -> Source | None:
+    """A ratio of an angle that is known as a number of degrees: tan θ = tan 45° = 1."""
+    known = scene.desk.known(asked.argument)
+    if known is None or isinstance(known.value, tuple):
+        return None
+    angle = tree_of(known.value, angle=True)
+    if not isinstance(angle, Degrees):
+        return None
+    value, ratio = tidy(getattr(sp, asked.function)(known.value)), Apply(asked.function, angle)
+    number = scene.desk.write(Move("rearrange"), known.refs, chain(asked, (ratio, None)))
+    if tree_of(value) != ratio:
+        last = chain(asked, (tree_of(value), None))
+        number = scene.desk.write(Move("rearrange"), (number,), last)
+    return scene.desk.know(asked, value, (number,))
 
 
 def _in_numbers(
