@@ -659,3 +659,19 @@ show u cos(alpha) = v cos(beta)
     assert "cos β × speed of P = u cos α" in working
     assert "u cos α = v cos β (as required)" in working
     assert "not written out" not in working
+
+
+def test_a_line_of_centres_along_a_velocity_after_a_wall_is_worked_out() -> None:
+    text = """
+wall W: along i
+sphere A: mass m, velocity u at 60° to W
+sphere B: mass 3m, at rest
+A hits W: e = 1/3
+A hits B: along velocity(A, 1), e = 1/2
+find speed(B)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "along 𝐯_A: the line of centres is parallel to √3 𝐢 + 𝐣" in working
+    assert "m(√3 u/3) = mv + 3mw" in working
+    assert "speed of B = √3 u/8 ≈ 0.217u" in working
+    assert "not written out" not in working

@@ -25,6 +25,7 @@ from restitution.planning.axes.offsets import frame_by_offset
 from restitution.planning.axes.radii import frame_by_places, is_by_places
 from restitution.planning.formulas.definitions import write_formula
 from restitution.planning.formulas.impulse_formulas import impulse_formula
+from restitution.planning.formulas.resolving import along_axis
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.either_side import frame_on_one_side, write_sides
 from restitution.planning.writing.forms import product, total, tree_of, vector
@@ -34,6 +35,8 @@ from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import plain_direction, whole_direction
 from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
+
+_AXES: tuple[Literal["i", "j"], ...] = ("i", "j")
 
 
 def frame_at(scene: Scene, number: int) -> Frame:
@@ -46,6 +49,8 @@ def frame_at(scene: Scene, number: int) -> Frame:
         return frame_by_places(scene, number, own)
     if own is None:
         return frame_of(scene.model, scene.facts, number)
+    if (line := _along_a_velocity(scene, number)) is not None:
+        return _frame_by(scene, number, line)
     if f"axis {number}" in scene.facts:
         if number in scene.desk.paths:
             return frame_by_offset(scene, number)
@@ -57,13 +62,43 @@ def frame_at(scene: Scene, number: int) -> Frame:
     for writer in _WAYS:
         line = writer(scene, number)
         if line is not None:
-            n = -own.n if own.wall is not None else own.n
-            number_ = _plainly(scene, number, line, n)
-            centres = Quantity("line_of_centres", (), number)
-            refs = (number_,)
-            sign = 1 if scene.model.sign(n.dot(own.n)) > 0 else -1
-            return Frame(number, own.wall, centres, None, n, n.turned_left(), refs, sign)
+            return _frame_by(scene, number, line)
     raise NotPlannedError(f"the line of centres of event {number} is to be worked out")
+
+
+def _frame_by(scene: Scene, number: int, line: int) -> Frame:
+    """The frame of an impact of which a line tells the line of centres."""
+    own = scene.model.frames[number]
+    n = -own.n if own.wall is not None else own.n
+    refs = (_plainly(scene, number, line, n),)
+    centres = Quantity("line_of_centres", (), number)
+    sign = 1 if scene.model.sign(n.dot(own.n)) > 0 else -1
+    return Frame(number, own.wall, centres, None, n, n.turned_left(), refs, sign)
+
+
+def _along_a_velocity(scene: Scene, number: int) -> int | None:
+    """The line of centres along a velocity after an earlier impact, as that is, by components.
+
+    None of any other line, and where the velocity is not known yet, or is along an axis.
+    """
+    own, fact = scene.model.frames[number], scene.facts.get(f"axis {number}")
+    match None if fact is None else fact.relation.only:
+        case (Link(_, "parallel to", Quantity("velocity", (Name(body),), int(stage))),):
+            pass
+        case _:
+            return None
+    assert fact is not None
+    if not stage or not all(component.is_number for component in own.n) or 0 in own.n:
+        return None
+    parts = [along_axis(scene, body, stage, axis) for axis in _AXES]
+    if any(scene.unknown(part.value) for part in parts):
+        return None
+    value = Vector(*(part.value for part in parts))
+    relation = Relation(
+        ((Link(fact.relation.only[0].left, "parallel to", tree_of(plain_direction(value))),),)
+    )
+    refs = together((fact.id,), *(part.refs for part in parts))
+    return scene.judge.write((Move("put"),), refs, relation, refs)
 
 
 def _beside_the_path(scene: Scene, number: int) -> Frame:

@@ -138,6 +138,9 @@ class Leads(Titles):
             sense = sense_of(self._derivation, self._naming, line)
             if sense is not None:
                 return (sense,)
+        moving = self._along_a_velocity(line)
+        if moving is not None:
+            return (say("centres.along", velocity=self._naming.layout(moving)),)
         bodies = self._from_centre_to_centre(line)
         if bodies is not None:
             return (say("centres.between", one=bodies[0], other=bodies[1]),)
@@ -294,6 +297,15 @@ class Leads(Titles):
         """Whether a line gives the direction of a wall by its normal, which stands above."""
         own = [other for other in map(self._cited, line.premises) if other is not None]
         return any(e.move.record == "wall-direction" and e.shown == "silent" for e in own)
+
+    def _along_a_velocity(self, line: Line) -> Quantity | None:
+        """The velocity along which the data have the line of centres that a line works out."""
+        for ref in line.premises if line.move.id == "put" else ():
+            fact = self._derivation.fact(str(ref))
+            match None if fact is None else fact.relation.options:
+                case ((Link(Quantity("line_of_centres"), _, Quantity("velocity") as velocity),),):
+                    return velocity
+        return None
 
     def _from_centre_to_centre(self, line: Line) -> tuple[str, ...] | None:
         """The spheres of which a line gives the line of centres by both places."""

@@ -188,6 +188,7 @@ SENTENCES: Mapping[str, str] = {
     "sense.away": "The impulse on {body} acts in the direction from {other} to {body}:",
     "sense.of-line": "the direction from {one} to {two} is that of {vector}",
     "sense.of-normal": "the normal towards {wall} is in the direction of {vector}",
+    "centres.along": "The line of centres is along {velocity}:",
     "centres.between": "From the centre of {one} to the centre of {other}:",
     "either-side.why": (
         "The data give an angle, or its tangent, and not the side on which it lies. A reflection "
