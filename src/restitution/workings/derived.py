@@ -214,31 +214,17 @@ class _Writer:
             if not waiting and self._is_silent(shown, index):
                 continue
             yield from self._entered(_first_under_its_heading(shown, index))
-            ratios = tuple(self.angles.before(line))
-            if ratios:
-                self.afresh()
-                yield Step("fact", sentences=ratios)
-            here = self.heading in (None, line.move.event)
-            if here and line.move.event in self.naming.events and not self.stay:
-                self.naming.bold.gather(line.move.event or 0)
-                if not lets:
-                    yield from self._introduced()
+            yield from self._ratios(line)
+            yield from self._vectors_of_event(line, bool(lets))
             if not waiting and self.carried.gather(_resolved_with(shown[index:])):
                 self.afresh()
-            early = _before_their_line(lets, shown[index:])
-            if lets and not early:
-                introductions = tuple(self.introductions.of(lets))
-                # What they are letters of may have to be introduced itself.
-                sentences = (*self.naming.introduced(), *introductions)
+            if lets and not _before_their_line(lets, shown[index:]):
+                yield from self._letters(lets)
                 lets = []
-                if sentences:
-                    yield Step("setting", sentences=sentences)
-                    self.rows.afresh()
             if line.shown == "inline":
                 waiting.append(line)
                 continue
             after = shown[index + 1] if index + 1 < len(shown) else None
-            given: tuple[Sentence, ...] = ()
             if self.staying.stays(line) and not waiting:
                 self.stay.append(line)
                 if after is not None and self._stays_with(shown, index):
@@ -247,18 +233,7 @@ class _Writer:
                 given = tuple(e for own in together for e in self.leads.given_before(own))
                 step = self._unchanged(together)
             else:
-                if line.number in self.meetings:
-                    self.afresh()
-                    meeting = (self.meetings[line.number],)
-                    yield Step("note", sentences=meeting, item=self.ends.place(line))
-                touching = (*self.radii.before(line), *self.sides.before(line))
-                if touching:
-                    self.afresh()
-                    yield Step("setting", sentences=touching)
-                places = tuple(self.touching.before(line))
-                if places:
-                    self.afresh()
-                    yield Step("note", sentences=places, item=self.ends.place(line))
+                yield from self._places_before(line)
                 given = self.leads.given_before(line)
                 step = self._step(line, waiting)
                 waiting = []
@@ -276,18 +251,64 @@ class _Writer:
                 roots = step
                 continue
             yield _without_its_condition(step, self.conditions.get(line.number))
-            for claim in self.ends.claims(line):
-                yield from self._introduced()
-                sentences = (say("shown.claim", claim=claim),)
-                label = self.ends.label_of_claims(line)
-                yield Step("note", sentences=sentences, item=step.item, label=label)
-            condition = self.conditions.get(line.number)
-            if condition is not None and not any(is_same(condition, e) for e in self.limited):
-                self.limited.append(condition)
-                yield Step("note", sentences=(condition,), item=step.item)
+            yield from self._claimed(line, step)
+            yield from self._conditioned(line, step)
         yield from self._again_asked([*once_more, *again.get(len(shown), ())])
         yield from self._noted([*due, *notes.get(len(shown), ())])
         yield from self._spare(label)
+
+    def _ratios(self, line: Line) -> Iterator[Step]:
+        """The ratios of angles that a line needs."""
+        ratios = tuple(self.angles.before(line))
+        if ratios:
+            self.afresh()
+            yield Step("fact", sentences=ratios)
+
+    def _vectors_of_event(self, line: Line, has_lets: bool) -> Iterator[Step]:
+        """The bold letters of the event under whose heading a line stands."""
+        here = self.heading in (None, line.move.event)
+        if here and line.move.event in self.naming.events and not self.stay:
+            self.naming.bold.gather(line.move.event or 0)
+            if not has_lets:
+                yield from self._introduced()
+
+    def _letters(self, lets: Sequence[Meaning]) -> Iterator[Step]:
+        """What letters stand for; of what they are letters may have to be introduced itself."""
+        introductions = tuple(self.introductions.of(lets))
+        sentences = (*self.naming.introduced(), *introductions)
+        if sentences:
+            yield Step("setting", sentences=sentences)
+            self.rows.afresh()
+
+    def _places_before(self, line: Line) -> Iterator[Step]:
+        """Who meets whom, on which side, and who touches what, before a line that uses it."""
+        if line.number in self.meetings:
+            self.afresh()
+            meeting = (self.meetings[line.number],)
+            yield Step("note", sentences=meeting, item=self.ends.place(line))
+        touching = (*self.radii.before(line), *self.sides.before(line))
+        if touching:
+            self.afresh()
+            yield Step("setting", sentences=touching)
+        places = tuple(self.touching.before(line))
+        if places:
+            self.afresh()
+            yield Step("note", sentences=places, item=self.ends.place(line))
+
+    def _claimed(self, line: Line, step: Step) -> Iterator[Step]:
+        """The claims that a line ends."""
+        for claim in self.ends.claims(line):
+            yield from self._introduced()
+            sentences = (say("shown.claim", claim=claim),)
+            label = self.ends.label_of_claims(line)
+            yield Step("note", sentences=sentences, item=step.item, label=label)
+
+    def _conditioned(self, line: Line, step: Step) -> Iterator[Step]:
+        """The condition of an answer, where it was not told above."""
+        condition = self.conditions.get(line.number)
+        if condition is not None and not any(is_same(condition, e) for e in self.limited):
+            self.limited.append(condition)
+            yield Step("note", sentences=(condition,), item=step.item)
 
     def _is_kept_alone(self, line: Line, after: Line) -> bool:
         """Whether a line has two opposite roots, and the next one only keeps one of them."""

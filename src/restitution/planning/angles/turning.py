@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -458,29 +459,77 @@ def _deflection(
         from_axis = None if wanted == "cos" else from_an_axis(scene, body, event, asked)
         return from_axis or _turned_by_a_blow(scene, body, event, asked)
     frame = scene.frame(event)
-    if frame.wall and not wanted and isinstance(angle_of_approach(scene, body, frame), Degrees):
-        return write_sum(scene, asked, angle_line)
-    if frame.wall and not wanted and _are_exact(scene, body, event, frame):
-        return write_sum(scene, asked, angle_line)
-    if wanted is None and frame.wall and chord_from(scene, body, event) is not None:
-        return write_sum(scene, asked, angle_line)  # the angles are known before the place is
-    square = write_right_angle(scene, asked, by_squares=True) if wanted is None else None
-    if square is not None:
-        return square
+    angle = None if wanted else _by_angles_that_stand(scene, body, event, asked, frame)
+    if angle is not None:
+        return angle
+    turn = _turn(scene, body, event, asked, wanted)
+    own_ratio = _by_scalar_product(scene, turn)
+    if own_ratio is None:
+        own_ratio = _by_an_angle_that_stands(scene, turn)
+    if own_ratio is None:
+        own_ratio = _by_whole_velocities(scene, turn)
+    if own_ratio is not None:
+        return own_ratio
+    turned = _by_turn(scene, asked, wanted)
+    if turned is not None:
+        return turned
+    own = formula(scene, asked)
+    line, letter = tangent_line(scene, asked, own, own.move)
+    return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
+
+
+class _Turn(NamedTuple):
+    """A deflection in the frame of its event: the components before and after it."""
+
+    body: str
+    event: int
+    asked: Quantity
+    wanted: str | None
+    frame: Frame
+    early: tuple[Source, ...]
+    late: tuple[Source, ...]
+    a: Vector
+    b: Vector
+    dot: sp.Expr
+    cross: sp.Expr
+
+
+def _turn(scene: Scene, body: str, event: int, asked: Quantity, wanted: str | None) -> _Turn:
+    frame = scene.frame(event)
     early, late = (
         tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
         for stage in (event - 1, event)
     )
-    names = together(frame.names_axis("along"), frame.names_axis("across"))
-    refs = together(*(source.whole for source in (*early, *late)), names)
     a, b = (Vector(*(source.value for source in own)) for own in (early, late))
     dot, cross = tidy(expanded(a.dot(b))), tidy(expanded(a.cross(b)))
-    if wanted is None and scene.model.identically_zero(cross):
+    return _Turn(body, event, asked, wanted, frame, early, late, a, b, dot, cross)
+
+
+def _by_angles_that_stand(
+    scene: Scene, body: str, event: int, asked: Quantity, frame: Frame
+) -> int | None:
+    """A deflection at a wall as a sum of angles that are known, and a right one by squares."""
+    if frame.wall and isinstance(angle_of_approach(scene, body, frame), Degrees):
+        return write_sum(scene, asked, angle_line)
+    if frame.wall and _are_exact(scene, body, event, frame):
+        return write_sum(scene, asked, angle_line)
+    if frame.wall and chord_from(scene, body, event) is not None:
+        return write_sum(scene, asked, angle_line)  # the angles are known before the place is
+    return write_right_angle(scene, asked, by_squares=True)
+
+
+def _by_scalar_product(scene: Scene, turn: _Turn) -> Ratio | int | None:
+    """The cosine, where it is wanted, or the angle is 0°, 90° or 180°."""
+    asked, wanted, frame = turn.asked, turn.wanted, turn.frame
+    names = together(frame.names_axis("along"), frame.names_axis("across"))
+    refs = together(*(source.whole for source in (*turn.early, *turn.late)), names)
+    is_straight = scene.model.identically_zero(turn.cross)
+    if wanted is None and is_straight:
         straight = _by_turn(scene, asked, wanted)
         if straight is not None:
             return straight
-    square_ = scene.model.identically_zero(dot)
-    if square_ and wanted is None:
+    is_right = scene.model.identically_zero(turn.dot)
+    if is_right and wanted is None:
         line = write_right_angle(scene, asked)
         if line is not None:
             return line
@@ -488,54 +537,64 @@ def _deflection(
         own_ratio = by_cosine(scene, asked)
         if own_ratio is not None:
             return own_ratio
-    if square_ or wanted == "cos" or scene.model.identically_zero(cross):
-        if frame.wall is not None:
-            refs = together(*(source.refs for source in (*early, *late)))
-        pairs = [(tree_of(p.value), tree_of(q.value)) for p, q in zip(early, late, strict=True)]
-        sizes = [size_that_stands(scene, body, stage) for stage in (event - 1, event)]
-        right, value = cosine_of(pairs, a, b, sizes)
-        if wanted != "cos":
-            value = sp.Integer(scene.model.sign(value))
-        letter, meaning = letter_of(scene, asked)
-        move = Move("define", "scalar-angle", event, (body,))
-        refs = together((meaning,), refs, *(own_size(scene, vector) for vector in (a, b)))
-        line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
-        return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
-    to_the_line = Quantity("velocity", (Name(body),), event), Quantity("line_of_centres", (), event)
-    if early[0].value == 0 and scene.desk.known(Quantity("angle", to_the_line)) and not wanted:
-        turned = _by_turn(scene, asked, wanted)  # 90° less an angle that stands
+    if not (is_right or wanted == "cos" or is_straight):
+        return None
+    if frame.wall is not None:
+        refs = together(*(source.refs for source in (*turn.early, *turn.late)))
+    pairs = [
+        (tree_of(p.value), tree_of(q.value)) for p, q in zip(turn.early, turn.late, strict=True)
+    ]
+    sizes = [size_that_stands(scene, turn.body, stage) for stage in (turn.event - 1, turn.event)]
+    right, value = cosine_of(pairs, turn.a, turn.b, sizes)
+    if wanted != "cos":
+        value = sp.Integer(scene.model.sign(value))
+    letter, meaning = letter_of(scene, asked)
+    move = Move("define", "scalar-angle", turn.event, (turn.body,))
+    refs = together((meaning,), refs, *(own_size(scene, vector) for vector in (turn.a, turn.b)))
+    line = ratio_line(scene, move, refs, Apply("cos", Letter(letter)), right, value)
+    return Ratio(line, letter, "cos", value, RANGES["deflection"].format(letter))
+
+
+def _by_an_angle_that_stands(scene: Scene, turn: _Turn) -> Ratio | int | None:
+    """A deflection beside an angle to the line of centres, or to an axis."""
+    to_the_line = (
+        Quantity("velocity", (Name(turn.body),), turn.event),
+        Quantity("line_of_centres", (), turn.event),
+    )
+    first = turn.early[0].value
+    if first == 0 and scene.desk.known(Quantity("angle", to_the_line)) and not turn.wanted:
+        turned = _by_turn(scene, turn.asked, turn.wanted)  # 90° less an angle that stands
         if turned is not None:
             return turned
-    if wanted != "cos" and (frame.is_slanted or early[0].value == 0):
-        from_axis = from_an_axis(scene, body, event, asked)
-        if from_axis is not None:
-            return from_axis
+    if turn.wanted != "cos" and (turn.frame.is_slanted or first == 0):
+        return from_an_axis(scene, turn.body, turn.event, turn.asked)
+    return None
+
+
+def _by_whole_velocities(scene: Scene, turn: _Turn) -> Ratio | int | None:
+    """A deflection between two velocities that stand as vectors, or by two angles at a wall."""
+    body, event, asked, wanted = turn.body, turn.event, turn.asked, turn.wanted
     both = [(body, event - 1), (body, event)]
     if wanted is None and stand_as_vectors(scene, both):
         sources = [whole_velocity(scene, *state) for state in both]
         return by_scalar(scene, Move("define", "scalar-angle", event, (body,)), sources, asked)
-    if frame.wall is not None and wanted is None:
+    if turn.frame.wall is not None and wanted is None:
         return write_sum(scene, asked, angle_line)
-    if frame.wall is not None and wanted == "tan":
-        number = tangent_at_a_wall(scene, asked, frame)
+    if turn.frame.wall is not None and wanted == "tan":
+        number = tangent_at_a_wall(scene, asked, turn.frame)
         if number is not None:
             letter, _ = letter_of(scene, asked)
             value = tidy(scene.scalar(scene.desk.last_link(number).right))
             return Ratio(number, letter, "tan", value, RANGES["deflection"].format(letter))
     if (
         wanted != "tan"
-        and vectors_in_numbers(scene, body, event, a, b)
-        and not is_nested(dot**2 / (dot**2 + cross**2))
+        and vectors_in_numbers(scene, body, event, turn.a, turn.b)
+        and not is_nested(turn.dot**2 / (turn.dot**2 + turn.cross**2))
     ):
         sources = [velocity_source(scene, body, stage) for stage in (event - 1, event)]
         move = Move("define", "scalar-angle", event, (body,))
         return by_scalar(scene, move, sources, asked)
-    turned = _by_turn(scene, asked, wanted)
-    if turned is not None:
-        return turned
-    own = formula(scene, asked)
-    line, letter = tangent_line(scene, asked, own, own.move)
-    return Ratio(line, letter, "tan", own.value, RANGES["deflection"].format(letter))
+    return None
 
 
 def _are_exact(scene: Scene, body: str, event: int, frame: Frame) -> bool:

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, equality
+from restitution.explaining.lines.derivation import (
+    Link,
+    Meaning,
+    Move,
+    Ref,
+    Relation,
+    Sign,
+    equality,
+)
 from restitution.expression.tree import Apply, Binary, Expression, Letter
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.inequalities.comparing import Comparing
@@ -38,80 +47,26 @@ def write_quotient(
     """
     scene, judge = claims.scene, claims.judge
     stated = scene.desk.last_link(line).sign
-    role = role_of(scene, symbol)
-    t = sp.Dummy("t", positive=True)
     value = scene_value(scene, scene.desk.last_link(line).right)
-    known_letters = {*roles(scene.problem), symbol.name}
-    names = sorted(s.name for s in value.free_symbols if s.name in known_letters)
-    x = by_tangent(value, symbol, t) if role.kind == "angle" else value.subs(symbol, t)
-    above, below = sp.fraction(sp.factor(sp.together(x)))
-    try:
-        top, poly = (sp.Poly(sp.expand(value), t) for value in (above, below))
-    except sp.PolynomialError:
-        return None
     if end.sign[0] != "<" or stated not in ("=", "<="):
         return None
-    if top.monoms() != [(1,)] or poly.degree() != 2:
+    parts = _parts_of(claims, symbol, value)
+    if parts is None:
         return None
-    a, d, b = (tidy(sp.factor(poly.nth(n))) for n in (0, 1, 2))
-    if a == 0:
-        return None
-    c = tidy(top.nth(1))
-    common = sp.gcd(sp.gcd(a, b), sp.gcd(c, d)) if all(e.is_Rational for e in (a, b)) else 1
-    a, b, c, d = (tidy(value / common) for value in (a, b, c, d))
-    if scene.model.sign(a) < 0:
-        a, b, c, d = (tidy(-value) for value in (a, b, c, d))
-    lettered = bool(a.free_symbols | b.free_symbols)
-    share: sp.Expr = sp.Integer(1)
-    if lettered:
-        share = _number_in_common(a, b, d)
-        a, b, d = (tidy(value / share) for value in (a, b, d))
-        above, share = sp.fraction(c / share)
-        c = tidy(above)
-    letter: Expression = Letter(symbol.name)
-    own: Expression = Apply("tan", letter) if role.kind == "angle" else letter
-    terms = [Binary("/", tree_of(a), own), product(tree_of(b), own)]
-    if d != 0:
-        terms.append(tree_of(d))
+    known_letters = {*roles(scene.problem), symbol.name}
+    names = sorted(s.name for s in value.free_symbols if s.name in known_letters)
     known = judge.known([*names, symbol.name])
-    whole = total(terms)
-
-    def shared(tree: Expression) -> Expression:
-        return tree if share == 1 else product(tree_of(share), tree)
-
-    divided = judge.write(
-        (Move("rearrange"),),
-        [line, *known],
-        Relation(((Link(end.left, stated, Binary("/", tree_of(c), shared(whole))),),)),
-    )
-    name = _letter_for(scene, whole)
-    let = scene.desk.write(Move("let"), (), Meaning(name, whole))
-    by_letter = Binary("/", tree_of(c), shared(Letter(name)))
-    by_name = Relation(((Link(end.left, stated, by_letter),),))
-    above = line if divided is None else divided
-    quotient = judge.write((Move("put"),), [above, let, *known], by_name)
-    if quotient is None:
+    named = _write_by_name(claims, line, parts, (end.left, stated), known)
+    if named is None:
         return None
-    front = _common(a, b)
-    roots = [tree_of(tidy(sp.sqrt(value / front))) for value in (a, b)]
-    gap = product(tree_of(front), square(Binary("-", roots[0], product(roots[1], own))))
-    rest = tree_of(tidy(2 * sp.sqrt(a) * sp.sqrt(b) + d))
-    if a.free_symbols and b.free_symbols:
-        # A root of a product is not that of its factors: both are as in the square.
-        rest = total((product(tree_of(2), *roots), tree_of(d)))
-    squared = equality(Letter(name), total((Binary("/", gap, own), rest)))
-    texts = [ref for ref in known if ref not in scene.facts]
-    complete = judge.write((Move("complete"),), [let, *texts], squared)
-    if complete is None:
-        return None
-    least = Relation(((Link(Letter(name), ">=", rest),),))
-    bound = judge.write((Move("sign"),), [complete, *known], least)
+    quotient, name, let = named
+    bound = _write_square(claims, parts, Letter(name), let, known)
     if bound is None:
         return None
-    if a.free_symbols and b.free_symbols and not printed:
-        end = Link(end.left, end.sign, Binary("/", tree_of(c), shared(rest)))
-    most = tidy(c / (share * (2 * sp.sqrt(a) * sp.sqrt(b) + d)))
+    if parts.has_letters_in_both and not printed:
+        end = Link(end.left, end.sign, Binary("/", tree_of(parts.c), parts.shared(parts.rest())))
     base = [quotient, bound]
+    most = tidy(parts.c / (parts.share * (2 * sp.sqrt(parts.a) * sp.sqrt(parts.b) + parts.d)))
     if end.sign == "<" and most.is_number:
         greatest = Relation(((Link(end.left, "<=", tree_of(most)),),))
         first = judge.write((Move("compare"),), [*base, *known], greatest)
@@ -120,9 +75,124 @@ def write_quotient(
         last = judge.write((Move("compare"),), [*base, *known], Relation(((end,),)))
     if last is None:
         return None
-    plain = tree_of(tidy(sp.sqrt(a / b))) if b.is_number else Binary("/", *roots)
-    place = Link(own, "=", plain) if lettered else None
+    ratio = tidy(sp.sqrt(parts.a / parts.b))
+    plain = tree_of(ratio) if parts.b.is_number else Binary("/", *parts.roots())
+    place = Link(parts.own, "=", plain) if parts.has_letters else None
     return Bound(last, (quotient, bound), place, end.right)
+
+
+class _Parts(NamedTuple):
+    """A quotient c/(k(a/x + bx + d)) with a > 0, where x is a letter or a tangent."""
+
+    own: Expression
+    a: sp.Expr
+    b: sp.Expr
+    c: sp.Expr
+    d: sp.Expr
+    share: sp.Expr
+
+    @property
+    def has_letters(self) -> bool:
+        """Whether the terms that grow and fall have letters."""
+        return bool(self.a.free_symbols | self.b.free_symbols)
+
+    @property
+    def has_letters_in_both(self) -> bool:
+        """Whether both terms have letters: a root of their product is not shown as that."""
+        return bool(self.a.free_symbols and self.b.free_symbols)
+
+    def shared(self, tree: Expression) -> Expression:
+        """What stands below, with the number that its terms have in common."""
+        return tree if self.share == 1 else product(tree_of(self.share), tree)
+
+    def below(self) -> Expression:
+        """The sum a/x + bx + d."""
+        terms = [Binary("/", tree_of(self.a), self.own), product(tree_of(self.b), self.own)]
+        return total([*terms, tree_of(self.d)] if self.d != 0 else terms)
+
+    def roots(self) -> list[Expression]:
+        """The roots of a and b, without what is common to these."""
+        front = _common(self.a, self.b)
+        return [tree_of(tidy(sp.sqrt(value / front))) for value in (self.a, self.b)]
+
+    def rest(self) -> Expression:
+        """The least value of the sum, 2√(ab) + d."""
+        if self.has_letters_in_both:
+            # A root of a product is not that of its factors: both are as in the square.
+            return total((product(tree_of(2), *self.roots()), tree_of(self.d)))
+        return tree_of(tidy(2 * sp.sqrt(self.a) * sp.sqrt(self.b) + self.d))
+
+
+def _parts_of(claims: Comparing, symbol: sp.Symbol, value: sp.Expr) -> _Parts | None:
+    """The parts of a quotient in a letter; None of what is none."""
+    scene = claims.scene
+    is_angle = role_of(scene, symbol).kind == "angle"
+    t = sp.Dummy("t", positive=True)
+    x = by_tangent(value, symbol, t) if is_angle else value.subs(symbol, t)
+    above, below = sp.fraction(sp.factor(sp.together(x)))
+    try:
+        top, poly = (sp.Poly(sp.expand(side), t) for side in (above, below))
+    except sp.PolynomialError:
+        return None
+    if top.monoms() != [(1,)] or poly.degree() != 2:
+        return None
+    a, d, b = (tidy(sp.factor(poly.nth(n))) for n in (0, 1, 2))
+    if a == 0:
+        return None
+    c = tidy(top.nth(1))
+    common = sp.gcd(sp.gcd(a, b), sp.gcd(c, d)) if all(e.is_Rational for e in (a, b)) else 1
+    a, b, c, d = (tidy(term / common) for term in (a, b, c, d))
+    if scene.model.sign(a) < 0:
+        a, b, c, d = (tidy(-term) for term in (a, b, c, d))
+    share: sp.Expr = sp.Integer(1)
+    if a.free_symbols | b.free_symbols:
+        share = _number_in_common(a, b, d)
+        a, b, d = (tidy(term / share) for term in (a, b, d))
+        above, share = sp.fraction(c / share)
+        c = tidy(above)
+    letter: Expression = Letter(symbol.name)
+    return _Parts(Apply("tan", letter) if is_angle else letter, a, b, c, d, share)
+
+
+def _write_by_name(
+    claims: Comparing,
+    line: int,
+    parts: _Parts,
+    stated: tuple[Expression, Sign],
+    known: Sequence[Ref],
+) -> tuple[int, str, int] | None:
+    """The quotient by a letter for what is below: its line, the letter, and what introduces it."""
+    scene, judge = claims.scene, claims.judge
+    (left, sign), whole = stated, parts.below()
+    divided = judge.write(
+        (Move("rearrange"),),
+        [line, *known],
+        Relation(((Link(left, sign, Binary("/", tree_of(parts.c), parts.shared(whole))),),)),
+    )
+    name = _letter_for(scene, whole)
+    let = scene.desk.write(Move("let"), (), Meaning(name, whole))
+    by_letter = Binary("/", tree_of(parts.c), parts.shared(Letter(name)))
+    by_name = Relation(((Link(left, sign, by_letter),),))
+    above = line if divided is None else divided
+    quotient = judge.write((Move("put"),), [above, let, *known], by_name)
+    return None if quotient is None else (quotient, name, let)
+
+
+def _write_square(
+    claims: Comparing, parts: _Parts, letter: Letter, let: int, known: Sequence[Ref]
+) -> int | None:
+    """The bound of what is below, as a square and what is left."""
+    judge = claims.judge
+    one, other = parts.roots()
+    front = tree_of(_common(parts.a, parts.b))
+    gap = product(front, square(Binary("-", one, product(other, parts.own))))
+    squared = equality(letter, total((Binary("/", gap, parts.own), parts.rest())))
+    texts = [ref for ref in known if ref not in claims.scene.facts]
+    complete = judge.write((Move("complete"),), [let, *texts], squared)
+    if complete is None:
+        return None
+    least = Relation(((Link(letter, ">=", parts.rest()),),))
+    return judge.write((Move("sign"),), [complete, *known], least)
 
 
 def _number_in_common(*terms: sp.Expr) -> sp.Expr:

@@ -128,12 +128,9 @@ def write_given(scene: Scene, given: GivenEquation) -> int:
     own = given.link
     if is_sine_of_an_offset(given):
         return write_sine(scene, given)
-    subject = given.fact.relation.only[0].left
-    if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
-        for quantity in (subject, Apply("tan", subject)):
-            standing = quoted_as(scene, given, quantity)
-            if standing is not None:
-                return standing
+    standing = _with_its_letter(scene, given)
+    if standing is not None:
+        return standing
     if own.sign in ("perpendicular to", "parallel to") or _is_right(scene, own):
         return write_tie(scene, given)
     if is_sum(scene, given):
@@ -149,35 +146,59 @@ def write_given(scene: Scene, given: GivenEquation) -> int:
         if standing is not None:
             return standing
     line = given_along_the_centres(scene, given)
-    if line is not None:
-        return line
-    if isinstance(own.left, Quantity):
-        if own.left.kind == "angle" and not is_moving(own.left.arguments[0]):
-            line = sine_of_the_offset(scene, given)
-            if line is not None:
-                return line
-            return _tangent(scene, _in_cosines(given), angle_of_lines(scene, own.left))
-        if own.left.kind == "deflection" and not has_quantity(own.right):
-            return write_deflection(scene, given)
-        if own.left.kind == "angle" and not has_quantity(own.right):
-            line = given_turn(scene, given)
-            if line is not None:
-                return line
-        if own.left.kind == "velocity":
-            return _velocity(scene, given)
-        if own.left.kind in ("along", "across") and not has_quantity(own.right):
-            if any(is_quantity(e, "position") for e in walk(own.left)):
-                return write_given_place(scene, given)
-            return _component(scene, given)
-        if own.left.kind == "impulse" and own.left.arguments:
-            return write_impulse(scene, given)
-        if own.left.kind == "deflection":
-            line = related_at_a_wall(scene, given)
-            if line is not None:
-                return line
-            _decided(scene, own.left)
-        if not has_quantity(own.right) and not place_trees.serves(own.left):
-            return _closed(scene, given, formula(scene, own.left))
+    if line is None and isinstance(own.left, Quantity):
+        line = _of_one_quantity(scene, given, own.left)
+    if line is None:
+        line = _of_an_angle(scene, given)
+    return _of_several(scene, given) if line is None else line
+
+
+def _with_its_letter(scene: Scene, given: GivenEquation) -> int | None:
+    """A value that has a letter by the question, or its tangent, as it is quoted."""
+    subject = given.fact.relation.only[0].left
+    if isinstance(subject, Letter) and f"let {subject.name}" in scene.facts:
+        for quantity in (subject, Apply("tan", subject)):
+            standing = quoted_as(scene, given, quantity)
+            if standing is not None:
+                return standing
+    return None
+
+
+def _of_one_quantity(scene: Scene, given: GivenEquation, own: Quantity) -> int | None:
+    """The line of what is given of one quantity, by its definition."""
+    in_letters = not has_quantity(given.link.right)
+    if own.kind == "angle" and not is_moving(own.arguments[0]):
+        line = sine_of_the_offset(scene, given)
+        if line is not None:
+            return line
+        return _tangent(scene, _in_cosines(given), angle_of_lines(scene, own))
+    if own.kind == "deflection" and in_letters:
+        return write_deflection(scene, given)
+    if own.kind == "angle" and in_letters:
+        line = given_turn(scene, given)
+        if line is not None:
+            return line
+    if own.kind == "velocity":
+        return _velocity(scene, given)
+    if own.kind in ("along", "across") and in_letters:
+        if any(is_quantity(e, "position") for e in walk(own)):
+            return write_given_place(scene, given)
+        return _component(scene, given)
+    if own.kind == "impulse" and own.arguments:
+        return write_impulse(scene, given)
+    if own.kind == "deflection":
+        line = related_at_a_wall(scene, given)
+        if line is not None:
+            return line
+        _decided(scene, own)
+    if in_letters and not place_trees.serves(own):
+        return _closed(scene, given, formula(scene, own))
+    return None
+
+
+def _of_an_angle(scene: Scene, given: GivenEquation) -> int | None:
+    """The line of what is given of a vector's size, or of an angle, by its ratios."""
+    own = given.link
     match own.left:
         case Apply("abs", inside) if isinstance(scene.value(inside), Vector):
             return _size(scene, given, own.left)
@@ -191,15 +212,13 @@ def write_given(scene: Scene, given: GivenEquation) -> int:
                 _decided(scene, angle)
             return _tangent(scene, given, formula(scene, angle))
         case Apply("sin" | "cos", Quantity("angle")) if not has_quantity(own.right):
-            line = write_by_tangent(scene, given, own.left)
-            if line is not None:
-                return line
+            return write_by_tangent(scene, given, own.left)
         case Apply("cos", Quantity("deflection") as angle) if not has_quantity(own.right):
             return _tangent(scene, given, cosine_of_deflection(scene, angle))
         case Quantity(kind) if kind in UNSIGNED_ANGLES:
             if is_quantity(own.right, *UNSIGNED_ANGLES):
                 return write_equal_angles(scene, given)
-    return _of_several(scene, given)
+    return None
 
 
 _LOSSES = ("energy-lost", "total-lost", "energy", "total")

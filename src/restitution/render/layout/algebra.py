@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction as Ratio
 from functools import lru_cache
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import sympy
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
@@ -438,15 +438,65 @@ def _assemble(
     roots_below: list[Expr],
     other: list[Layout],
 ) -> Layout:
+    roots = _put_together(rational, surds, roots_above, roots_below, bool(above))
+    p, q = int(rational.p), roots.q
+    upper = sorted(above, key=_factor_order)
+    functions = [x for x in upper if isinstance(x[0], DIRECT)]
+    front = [x for x in upper if x not in functions]
+    letters_above = [_power_layout(*x) for x in front]
+    functions_above = [_power_layout(*x) for x in functions]
+    if roots.above is not None:
+        letters_above.append(roots.above)
+    surd: list[Layout] = [Root(Number(str(roots.surd)))] if roots.surd != 1 else []
+    denominator: list[Layout] = []
+    if roots.surd_below != 1:
+        denominator.append(Root(Number(str(roots.surd_below))))
+    denominator.extend(_power_layout(*x) for x in sorted(below, key=_factor_order))
+    if roots.below:
+        denominator.append(Root(_plain_product(roots.below)))
+    numerals: list[Layout] = [Number(str(p))] if p != 1 else []
+    # A number before a product that ends in a function: ¾mu sin α, since mu sin α/4 misleads.
+    energy = p == 1 and q == 2 and not surd and _like_energy(upper)
+    if not denominator and q != 1 and (functions_above or energy):
+        number = fraction(product(*numerals, *surd) if numerals or surd else ONE, Number(str(q)))
+        return product(number, *letters_above, *other, *functions_above)
+    # A root of a number comes first: √3(1 + e)u. That of the whole would be √(3(1 + e)u).
+    numbers = [
+        layout for layout in other if isinstance(layout, Root) and isinstance(layout.inside, Number)
+    ]
+    other = [layout for layout in other if layout not in numbers]
+    numerator = [*numerals, *surd, *numbers, *letters_above, *other, *functions_above]
+    if q != 1:
+        denominator.insert(0, Number(str(q)))
+    return _over(product(*numerator) if numerator else ONE, denominator)
+
+
+class _Roots(NamedTuple):
+    """The roots of a product: their numbers, what is under one root, and what is left below."""
+
+    q: int
+    surd: int
+    surd_below: int
+    above: Root | None
+    below: list[Expr]
+
+
+def _put_together(
+    rational: Rational,
+    surds: list[Integer],
+    roots_above: list[Expr],
+    roots_below: list[Expr],
+    has_factors: bool,
+) -> _Roots:
+    """Roots of numbers and of expressions under one root, where a reader would have it so."""
     p, q = int(rational.p), int(rational.q)
     surd = 1
     for root in surds:
         surd *= int(root)
-    below_surd = 1
-    gathered = [radicand for radicand in roots_above if not radicand.is_Rational]
+    surd_below = 1
     inside_above: list[Expr] = list(roots_above)
     inside_below: list[Expr] = []
-    merged = bool(gathered)
+    merged = not all(radicand.is_Rational for radicand in roots_above)
     if surd != 1:
         if merged and q == surd:
             # u√((1 + e²)/2), but u√(2(5 + e²))/4
@@ -458,14 +508,13 @@ def _assemble(
             surd = 1
         elif q % surd == 0 and ((p == 1 and q == surd) or surd >= LONG_SURD):
             # 1/√3, and 11/√185, but 2√3/3
-            below_surd, surd, q = surd, 1, q // surd
-    if merged or (roots_below and surd != 1 and not above):
+            surd_below, surd, q = surd, 1, q // surd
+    if merged or (roots_below and surd != 1 and not has_factors):
         if surd != 1:
             inside_above.insert(0, Integer(surd))
             surd = 1
         inside_below.extend(roots_below)
         roots_below = []
-    root_above = None
     if len(inside_above) + len(inside_below) > 1:
         # √(2(a + b)/(3c)), and no quotient within a quotient.
         quotients = [radicand.as_numer_denom() for radicand in inside_above]
@@ -473,48 +522,15 @@ def _assemble(
         inside_below.extend(below for _, below in quotients if below != 1)
     if inside_below and not inside_above:
         # 1/√(2(1 − e²)): of the quotient nothing is above.
-        roots_below = [*roots_below, *inside_below]
-    elif inside_above:
-        root_above = Root(fraction(_plain_product(inside_above), _plain_product(inside_below)))
-    upper = sorted(above, key=_factor_order)
-    lower = sorted(below, key=_factor_order)
-    functions = [x for x in upper if isinstance(x[0], DIRECT)]
-    front = [x for x in upper if x not in functions]
-    letters_above = [_power_layout(*x) for x in front]
-    functions_above = [_power_layout(*x) for x in functions]
-    if root_above is not None:
-        letters_above.append(root_above)
-    surd_layout: list[Layout] = [Root(Number(str(surd)))] if surd != 1 else []
-    denominator: list[Layout] = []
-    if below_surd != 1:
-        denominator.append(Root(Number(str(below_surd))))
-    denominator.extend(_power_layout(*x) for x in lower)
-    if roots_below:
-        denominator.append(Root(_plain_product(roots_below)))
-    # A number before a product that ends in a function: ¾mu sin α, since mu sin α/4 misleads.
-    energy = p == 1 and q == 2 and not surd_layout and _like_energy(upper)
-    prefix = (
-        not denominator
-        and q != 1
-        and ((bool(functions_above) and bool(letters_above or len(functions_above) > 0)) or energy)
-    )
-    numerals: list[Layout] = [Number(str(p))] if p != 1 else []
-    if prefix:
-        number = fraction(
-            product(*numerals, *surd_layout) if numerals or surd_layout else ONE,
-            Number(str(q)),
-        )
-        return product(number, *letters_above, *other, *functions_above)
-    # A root of a number comes first: √3(1 + e)u. That of the whole would be √(3(1 + e)u).
-    roots = [
-        layout for layout in other if isinstance(layout, Root) and isinstance(layout.inside, Number)
-    ]
-    other = [layout for layout in other if layout not in roots]
-    body = [*surd_layout, *roots, *letters_above]
-    numerator_parts = [*numerals, *body, *other, *functions_above]
-    numerator = product(*numerator_parts) if numerator_parts else ONE
-    if q != 1:
-        denominator.insert(0, Number(str(q)))
+        return _Roots(q, surd, surd_below, None, [*roots_below, *inside_below])
+    whole = None
+    if inside_above:
+        whole = Root(fraction(_plain_product(inside_above), _plain_product(inside_below)))
+    return _Roots(q, surd, surd_below, whole, roots_below)
+
+
+def _over(numerator: Layout, denominator: Sequence[Layout]) -> Layout:
+    """A quotient whose parts need no brackets around the whole."""
     if not denominator:
         return numerator
     if isinstance(numerator, Brackets) and numerator.kind == "()":

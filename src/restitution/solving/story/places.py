@@ -374,37 +374,23 @@ def meeting(
         gap = state.neat(gap)
     r = state.radius(step.first)
     at_contact: tuple[Vector, Vector] | None = None  # where that is not worked out by the path
-    ww = approach.dot(approach)
     if state.still(approach):
         raise ImpossibleError(
             f"{step.first} and {step.second} are at rest relative to each other: they keep their "
             "distance, and do not collide",
             *line_and_column(step.place),
         )
+    c = None
     if r is None:
-        flight = gap.dot(approach) / ww
-        apart = _apart(state, start, gap, approach)
-        _off(
-            state,
-            state.rational(gap.cross(approach)),
-            f"{step.first} and {step.second} do not meet{apart}",
-            step.place,
-        )
-        c = None
+        missed = f"{step.first} and {step.second} do not meet{_apart(state, start, gap, approach)}"
+        flight = _flight_over(state, gap, approach, missed, step)
     elif step.along is not None:
         along = state.direction(step.along, number - 1)
         length = state.size(along)
         sign = _side(state, number, step, approach.dot(along))
         reach = along * (sign * 2 * r / length)
-        displacement = gap - reach
-        flight = displacement.dot(approach) / ww
-        _off(
-            state,
-            state.rational(displacement.cross(approach)),
-            f"{step.first} and {step.second} do not meet on that line of centres",
-            step.place,
-        )
-        c = None
+        missed = f"{step.first} and {step.second} do not meet on that line of centres"
+        flight = _flight_over(state, gap - reach, approach, missed, step)
     elif (
         step.offset is None
         and state.still(v2)
@@ -417,30 +403,9 @@ def meeting(
             state.arriving[number, step.first] = v1 = contact.velocity
         at_contact = p2 - c, p2
     else:
-        ga = gap.dot(approach)
-        under = ga * ga - ww * (gap.dot(gap) - 4 * r * r)
-        if state.field.exact:
-            under = neat(under)
-        state.conditions.append(
-            Condition(under, ">", f"{step.first} passes {step.second} without touching it", "place")
-        )
-        flight = (
-            ga - state.real_root(under, f"{step.first} passes {step.second} without touching it")
-        ) / ww
-        c = state.neat(gap - approach * flight)
+        flight, c = _first_contact(state, gap, approach, r, step)
     flight = state.rational(flight)
-    if state.field.exact and flight.is_negative:
-        raise ImpossibleError(f"{step.first} and {step.second} are separating")
-    # Where they begin at one place, or in contact, they collide there and then.
-    together = state.field.is_zero(flight)
-    state.conditions.append(
-        Condition(
-            flight,
-            ">=" if together else ">",
-            f"{step.first} and {step.second} are separating",
-            "time",
-        )
-    )
+    _require_approach(state, flight, step)
     time = start + flight
     for name, known, v in ((step.first, one, v1), (step.second, other, v2)):
         where = known[0] + v * (time - known[1])
@@ -450,6 +415,38 @@ def meeting(
         _nothing_first(state, name, None, known[0], v, time - known[1], number, partners)
         state.tracks[name].places.append((number, state.neat(where), time))
     return time, c
+
+
+def _flight_over(
+    state: State, displacement: Vector, approach: Vector, missed: str, step: Impact
+) -> Scalar:
+    """The time in which spheres come closer by a displacement, which is along their approach."""
+    flight = displacement.dot(approach) / approach.dot(approach)
+    _off(state, state.rational(displacement.cross(approach)), missed, step.place)
+    return flight
+
+
+def _first_contact(
+    state: State, gap: Vector, approach: Vector, r: Scalar, step: Impact
+) -> tuple[Scalar, Vector]:
+    """When two spheres are first two radii apart, and their line of centres then."""
+    passed = f"{step.first} passes {step.second} without touching it"
+    ga, ww = gap.dot(approach), approach.dot(approach)
+    under = ga * ga - ww * (gap.dot(gap) - 4 * r * r)
+    if state.field.exact:
+        under = neat(under)
+    state.conditions.append(Condition(under, ">", passed, "place"))
+    flight = (ga - state.real_root(under, passed)) / ww
+    return flight, state.neat(gap - approach * flight)
+
+
+def _require_approach(state: State, flight: Scalar, step: Impact) -> None:
+    """Spheres that separate do not meet; in contact, or at one place, they collide there."""
+    separating = f"{step.first} and {step.second} are separating"
+    if state.field.exact and flight.is_negative:
+        raise ImpossibleError(separating)
+    together = state.field.is_zero(flight)
+    state.conditions.append(Condition(flight, ">=" if together else ">", separating, "time"))
 
 
 def _side(state: State, number: int, step: Impact, towards: Scalar) -> Scalar:

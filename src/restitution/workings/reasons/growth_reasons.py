@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation, equality
@@ -74,6 +74,11 @@ class GrowthReasons:
             for relation in growths
             if relation.only[0].sign == "="
         ]
+        if len(above) == 1:
+            yield from self._grown(line, above[0], self._ends_cited(line, growths))
+
+    def _ends_cited(self, line: Line, growths: Sequence[Relation]) -> list[Link]:
+        """The ends of letters that a line cites: those of lines, of facts, and of acute angles."""
         ends = [link for relation in growths for link in relation.only if link.sign != "="]
         ends += [
             link
@@ -89,68 +94,83 @@ class GrowthReasons:
                     Link(angle, ">", Degrees(Fraction(0))),
                     Link(angle, "<", RIGHT_ANGLE),
                 ]
-        if len(above) != 1:
-            return
+        return ends
+
+    def _grown(self, line: Line, above: Link, ends: Sequence[Link]) -> Iterator[Sentence]:
+        """How the value of a line grows, and to what it tends."""
         assert isinstance(line.relation, Relation)
         positive = {name for name, role in self._roles.items() if role.kind == "positive"}
-        varied = self._varied(line)
-        grown = growth(above[0].right, line.relation, ends, positive, varied)
-        if grown is not None:
-            name, sense = grown
-            whole = above[0].right
-            if _is_reciprocal(whole, name) and name not in positive:
-                return  # of k = 1/e the bounds of e say it
-            if not is_short(whole):
-                part = _part_with(whole, name)
-                turn = 0 if part is None else way_of(part, name, ends, line.relation)
-                whole, sense = (above[0].left, sense) if part is None or not turn else (part, turn)
-            letter_ = Letter(name)
-            letter = self._naming.layout(letter_)
-            growth_, itself = growth_said(whole, name, sense, ends, self._roles, self._layout)
-            far = _far_end(line.relation, above[0].left, name, sense, ends)
-            if far is not None and self._is_no_range(line):
-                less = less_than_its_limit(whole, name, sense, ends, self._roles)
-                if less is not None:
-                    yield say("derived.fact", fact=self._naming.relation(less))
-                    return
-            yield growth_
-            limit: tuple[Expression | None, Expression | None] = far, None
-            near: tuple[Sentence, ...] = ()
-            if name in positive and far is not None:
-                if len(line.relation.only) > 1:  # the other end is where the letter is near 0
-                    least = (turned(e) if e.right == letter_ else e for e in ends)
-                    low = (e for e in least if e.left == letter_ and e.sign in DOWN)
-                    low_end = next(low, Link(letter_, ">", ZERO))
-                    near = (
-                        say("derived.fact", fact=self._naming.relation(Relation(((low_end,),)))),
-                    )
-            elif any(end.line == line.number and end.shown for end in self._derivation.items):
-                reached = reached_at_an_end(above[0].right, line.relation, name, ends)
-                if reached is not None:
-                    at = self._naming.relation(equality(letter_, reached[1]))
-                    value_there = self._layout(reached[0])
-                    yield say("derived.it-is", value=value_there, at=at)
-                    return
-                limit = limit_at_an_end(above[0].right, line.relation, name, ends) or (None, None)
-            else:
+        grown = growth(above.right, line.relation, ends, positive, self._varied(line))
+        if grown is None:
+            return
+        name, sense = grown
+        whole = above.right
+        if _is_reciprocal(whole, name) and name not in positive:
+            return  # of k = 1/e the bounds of e say it
+        if not is_short(whole):
+            part = _part_with(whole, name)
+            turn = 0 if part is None else way_of(part, name, ends, line.relation)
+            whole, sense = (above.left, sense) if part is None or not turn else (part, turn)
+        growth_, itself = growth_said(whole, name, sense, ends, self._roles, self._layout)
+        far = _far_end(line.relation, above.left, name, sense, ends)
+        if far is not None and self._is_no_range(line):
+            less = less_than_its_limit(whole, name, sense, ends, self._roles)
+            if less is not None:
+                yield say("derived.fact", fact=self._naming.relation(less))
                 return
-            value, end = (None if bound is None else self._layout(bound) for bound in limit)
-            if value is not None:
-                # Of what grows the limit may be another.
-                named = not itself or whole not in (above[0].left, above[0].right)
-                subject = self._naming.side(above[0].left)
-                words = isinstance(subject, lay.Words | lay.Phrase)
-                quantity = say("derived.the", quantity=subject) if words else subject
-                first = say("derived.its", quantity=quantity) if named else ""
-                if named:
-                    yield from near
-                yield (
-                    say("derived.tends", first=first, value=value, letter=letter)
-                    if end is None
-                    else say("derived.tends-to", first=first, value=value, letter=letter, end=end)
-                )
-                # What falls "and tends to 0" is named once: nothing stands between.
-                yield from () if named else near
+        yield growth_
+        # Of what grows the limit may be another.
+        named = not itself or whole not in (above.left, above.right)
+        if name in positive and far is not None:
+            near = self._near_zero(line.relation, name, ends)
+            yield from self._tending(above.left, name, (far, None), named, near)
+        elif any(end.line == line.number and end.shown for end in self._derivation.items):
+            reached = reached_at_an_end(above.right, line.relation, name, ends)
+            if reached is not None:
+                at = self._naming.relation(equality(Letter(name), reached[1]))
+                yield say("derived.it-is", value=self._layout(reached[0]), at=at)
+                return
+            limit = limit_at_an_end(above.right, line.relation, name, ends) or (None, None)
+            yield from self._tending(above.left, name, limit, named, ())
+
+    def _near_zero(
+        self, relation: Relation, name: str, ends: Sequence[Link]
+    ) -> tuple[Sentence, ...]:
+        """The lower end of a letter, where a range has another end beside the limit."""
+        if len(relation.only) == 1:
+            return ()
+        letter = Letter(name)
+        least = (turned(e) if e.right == letter else e for e in ends)
+        low = (e for e in least if e.left == letter and e.sign in DOWN)
+        low_end = next(low, Link(letter, ">", ZERO))
+        return (say("derived.fact", fact=self._naming.relation(Relation(((low_end,),)))),)
+
+    def _tending(
+        self,
+        subject: Expression,
+        name: str,
+        limit: tuple[Expression | None, Expression | None],
+        named: bool,
+        near: tuple[Sentence, ...],
+    ) -> Iterator[Sentence]:
+        """To what a quantity tends, which is ``named`` once more where another one grows."""
+        letter = self._naming.layout(Letter(name))
+        value, end = (None if bound is None else self._layout(bound) for bound in limit)
+        if value is None:
+            return
+        side = self._naming.side(subject)
+        words = isinstance(side, lay.Words | lay.Phrase)
+        quantity = say("derived.the", quantity=side) if words else side
+        first = say("derived.its", quantity=quantity) if named else ""
+        if named:
+            yield from near
+        yield (
+            say("derived.tends", first=first, value=value, letter=letter)
+            if end is None
+            else say("derived.tends-to", first=first, value=value, letter=letter, end=end)
+        )
+        # What falls "and tends to 0" is named once: nothing stands between.
+        yield from () if named else near
 
     def at_its_end(self, line: Line) -> Iterator[Sentence]:
         """How a bound goes with a letter that is in it twice, where its end is put in for that."""
@@ -205,7 +225,7 @@ class GrowthReasons:
 
 
 def _far_end(
-    bound: Relation, subject: Expression, name: str, sense: int, ends: list[Link]
+    bound: Relation, subject: Expression, name: str, sense: int, ends: Sequence[Link]
 ) -> Expression | None:
     """The bound that is approached as a letter grows, where nothing cited bounds it above."""
     for end in ends:
