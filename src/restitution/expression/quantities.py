@@ -21,6 +21,7 @@ from restitution.expression.dimensions import (
     times,
 )
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
@@ -406,7 +407,7 @@ def dimension_of(
     """
     match tree:
         case Quantity(kind, arguments):
-            if kind in ("along", "across"):
+            if kind in COMPONENTS:
                 return dimension_of(arguments[0], of_letters)
             if kind == "dot":
                 first, second = (dimension_of(argument, of_letters) for argument in arguments)

@@ -398,6 +398,15 @@ def is_quantity(node: object, *kinds: str) -> TypeGuard[Quantity]:
     return isinstance(node, Quantity) and node.kind in kinds
 
 
+COMPONENTS = ("along", "across")
+"""The kinds of components of a vector: in a direction, and perpendicular to it."""
+
+
+def is_component(node: object) -> TypeGuard[Quantity]:
+    """Whether a node is a component of a vector."""
+    return is_quantity(node, *COMPONENTS)
+
+
 def is_binary(node: object, *signs: str) -> TypeGuard[Binary]:
     """Whether a node is two trees with one of the signs between them."""
     return isinstance(node, Binary) and node.op in signs

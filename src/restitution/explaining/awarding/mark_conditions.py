@@ -38,6 +38,7 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     is_binary,
+    is_component,
     is_function,
     is_quantity,
     letters,
@@ -552,8 +553,7 @@ def _by_its_letter(work: Work, line: Line) -> bool:
     """A letter stands for the component already: nothing is read off."""
     cited = list(work.cited(line))
     return len(cited) <= 2 and any(
-        isinstance(line.relation, Meaning)
-        and is_quantity(line.relation.quantity, "along", "across")
+        isinstance(line.relation, Meaning) and is_component(line.relation.quantity)
         for line in cited
     )
 

@@ -40,6 +40,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_component,
     is_quantity,
     is_zero,
     letters,
@@ -103,7 +104,7 @@ def _maker(problem: Problem) -> FactsOf:
 def _is_about_the_sense(tree: Expression) -> bool:
     """Whether a tree is a line of centres, or holds a component in its direction."""
     return is_quantity(tree, "line_of_centres") or any(
-        is_quantity(node, "along", "across") and is_quantity(node.arguments[-1], "line_of_centres")
+        is_component(node) and is_quantity(node.arguments[-1], "line_of_centres")
         for node in walk(tree)
     )
 

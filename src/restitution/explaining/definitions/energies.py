@@ -11,6 +11,7 @@ from restitution.explaining.definitions.common import axis_of, squared, total_of
 from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    COMPONENTS,
     Binary,
     Degrees,
     Expression,
@@ -82,7 +83,7 @@ def _squares(form: str, body: str, stage: int, event: Event | None) -> Expressio
     """The square of a speed: by components of an event, by the vector, or as it is."""
     velocity = Quantity("velocity", (Name(body),), stage)
     if form == "components" and event is not None and body in event.bodies:
-        parts = (_component(kind, body, stage, event) for kind in ("along", "across"))
+        parts = (_component(kind, body, stage, event) for kind in COMPONENTS)
         return total_of([squared(part) for part in parts])
     if form == "along" and event is not None:
         return squared(_component("along", body, stage, event))
@@ -194,7 +195,7 @@ def _momentum_in_directions(step: Step, event: Event | None) -> Iterator[Link]:
                 Quantity(kind, (Name(body),), stage) for kind in ("momentum", "velocity")
             )
             for axis in axes:
-                for kind in ("along", "across"):
+                for kind in COMPONENTS:
                     component = Quantity(kind, (velocity, axis))
                     yield Link(Quantity(kind, (whole, axis)), "=", Binary("*", mass, component))
 

@@ -20,6 +20,7 @@ from restitution.explaining.lines.quotients import Plane
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     Apply,
     AtTime,
@@ -205,7 +206,7 @@ def chords(step: Step, event: Event | None) -> Iterator[Link]:
         if place is None:
             return
         radial = place
-    along, across = (Quantity(kind, (velocity, radial)) for kind in ("along", "across"))
+    along, across = (Quantity(kind, (velocity, radial)) for kind in COMPONENTS)
     if event.wall:
         here = axis_of(event)
         yield Link(Quantity("along", (velocity, here)), "=", Negate(along))
@@ -233,7 +234,7 @@ def _chord_as_before(
     radial = Quantity("line_of_centres", (), since)
     for stage in (before, since):
         velocity = Quantity("velocity", (body,), stage)
-        along, across = (Quantity(kind, (velocity, radial)) for kind in ("along", "across"))
+        along, across = (Quantity(kind, (velocity, radial)) for kind in COMPONENTS)
         sizes.append((along, total_of([squared(along), squared(across)])))
     (towards, early), (away, late) = sizes
     first, second = (
@@ -246,7 +247,7 @@ def _chord_as_before(
 
 def _speeds(velocity: Quantity, radial: Expression) -> Iterator[Expression]:
     """A speed by the components along a radius and across it, as it is, and by the vector."""
-    parts = [Quantity(kind, (velocity, radial)) for kind in ("along", "across")]
+    parts = [Quantity(kind, (velocity, radial)) for kind in COMPONENTS]
     yield Apply("sqrt", total_of([squared(part) for part in parts]))
     yield replace(velocity, kind="speed")
     yield Apply("abs", velocity)

@@ -18,6 +18,7 @@ from restitution.explaining.lines.quotients import Plane, Quotient
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
     Apply,
@@ -162,15 +163,16 @@ def ties(
     step: Step, event: Event | None, left: Expression, right: Expression, relation: str
 ) -> Iterator[Link]:
     """What it says of components that two directions are perpendicular, or parallel."""
-    kinds = ("along", "across")
     for a, b in ((left, right), (right, left)):
         for axis in () if event is None else (axis_of(event),):
             wall = len(event.bodies) > 1 and b == Name(event.bodies[1]) if event else False
             if b == axis or wall:
                 square = (relation == "perpendicular to") != wall
-                yield Link(Quantity(kinds[0] if square else kinds[1], (a, axis)), "=", ZERO)
+                yield Link(
+                    Quantity(COMPONENTS[0] if square else COMPONENTS[1], (a, axis)), "=", ZERO
+                )
     for axes in (axis_of(event),) if event is not None else ():
-        (a, b), (c, d) = ([Quantity(k, (tree, axes)) for k in kinds] for tree in (left, right))
+        (a, b), (c, d) = ([Quantity(k, (tree, axes)) for k in COMPONENTS] for tree in (left, right))
         if relation == "perpendicular to":
             yield Link(Binary("+", Binary("*", a, c), Binary("*", b, d)), "=", ZERO)
         else:

@@ -17,6 +17,7 @@ from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -85,9 +86,7 @@ def _from_its_axis(step: Step, early: Quantity, late: Quantity) -> Iterator[Quan
 def _between(step: Step, event: Event, one: Moving, other: Moving) -> Expression | None:
     """The angle between two velocities; None where what is cited leaves it open."""
     a, b, c, d = (
-        _component(step, event, kind, state)
-        for state in (one, other)
-        for kind in ("along", "across")
+        _component(step, event, kind, state) for state in (one, other) for kind in COMPONENTS
     )
     if a is None or b is None or c is None or d is None:
         return None
@@ -158,9 +157,7 @@ def _further_back(step: Step, event: Event, one: Moving, other: Moving) -> int |
     −1 where the first does; None where that, or on which sides they are, is open.
     """
     a, b, c, d = (
-        _component(step, event, kind, state)
-        for state in (one, other)
-        for kind in ("along", "across")
+        _component(step, event, kind, state) for state in (one, other) for kind in COMPONENTS
     )
     if a is None or b is None or c is None or d is None or _sign(step, b * d) != 1:
         return None

@@ -12,7 +12,16 @@ from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.lines.quotients import NotComparableError, Plane
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.steps.step import Step
-from restitution.expression.tree import Apply, Binary, Expression, Name, Negate, Quantity, walk
+from restitution.expression.tree import (
+    COMPONENTS,
+    Apply,
+    Binary,
+    Expression,
+    Name,
+    Negate,
+    Quantity,
+    walk,
+)
 
 
 def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
@@ -43,11 +52,11 @@ def to_walls(step: Step, event: Event | None) -> Iterator[Link]:
             wall != own and (None in directions or directions[0] != directions[1])
         ):
             continue
-        along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
+        along, across = (Quantity(kind, (velocity, axis)) for kind in COMPONENTS)
         for below in (across, Apply("abs", across)):
             yield Link(Apply("tan", meaning.quantity), "=", Binary("/", along, below))
     for angle in _given_angles(step, event, own):
-        along, across = (Quantity(kind, (angle.arguments[0], axis)) for kind in ("along", "across"))
+        along, across = (Quantity(kind, (angle.arguments[0], axis)) for kind in COMPONENTS)
         yield Link(Apply("tan", angle), "=", Binary("/", along, Apply("abs", across)))
 
 
@@ -59,7 +68,7 @@ def _to_the_line(step: Step, event: Event) -> Iterator[Link]:
             case Quantity("angle", (Quantity("velocity", _, int()) as velocity, own)) if (
                 own == axis
             ):
-                along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
+                along, across = (Quantity(kind, (velocity, axis)) for kind in COMPONENTS)
                 size = Apply("abs", along)
                 yield Link(Apply("tan", meaning.quantity), "=", Binary("/", across, size))
 
@@ -94,7 +103,7 @@ def _to_other_walls(step: Step, event: Event) -> Iterator[Link]:
             continue  # of a wall parallel to the own one the directions alone tell
         for body in step.move.bodies:
             velocity = Quantity("velocity", (Name(body),), event.number)
-            along, across = (Quantity(kind, (velocity, axis)) for kind in ("along", "across"))
+            along, across = (Quantity(kind, (velocity, axis)) for kind in COMPONENTS)
             above, below = (along, across) if dot.vanishes else (across, along)
             angle = Apply("tan", Quantity("angle", (velocity, wall)))
             for size in (below, Apply("abs", below)):

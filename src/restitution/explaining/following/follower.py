@@ -43,6 +43,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    is_component,
     is_quantity,
     letters,
     walk,
@@ -515,7 +516,7 @@ class Reader:
                 node.arguments[1]
                 for tree in (*trees_of(line.relation), *named)
                 for node in walk(tree)
-                if is_quantity(node, "along", "across")
+                if is_component(node)
             }
             for ref in line.premises:
                 for axis, direction in self._axes_of(ref):

@@ -21,7 +21,7 @@ from restitution.explaining.lines.saying import topic_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.explaining.lines.titles import title_of
 from restitution.explaining.lines.trees import renamed, trees_of
-from restitution.expression.tree import Quantity, walk
+from restitution.expression.tree import COMPONENTS, Quantity, walk
 from restitution.records import dataclass
 
 
@@ -357,8 +357,8 @@ DEFINITIONS = (
         ("energy",),
     ),
     # What a cited right angle, or a cited common direction, says of components or vectors.
-    Record("perpendicular", "definition", gives=("along", "across")),
-    Record("parallel", "definition", gives=("along", "across")),
+    Record("perpendicular", "definition", gives=COMPONENTS),
+    Record("parallel", "definition", gives=COMPONENTS),
     Record(
         "scalar-angle",
         "definition",

@@ -12,6 +12,7 @@ from itertools import product
 
 from restitution.explaining.laws.templates import AXIS, across_line, along_line
 from restitution.explaining.mistakes.alteration import Alteration, AlteredLaw, AlteredResult, Where
+from restitution.expression.tree import COMPONENTS
 
 _Body = str
 _Plain = tuple[Where, tuple[AlteredLaw, ...], tuple[AlteredResult, ...], tuple[str, ...], str]
@@ -424,7 +425,7 @@ def _second_wall_angle() -> Iterator[_Plain]:
     """The components into the second wall by the angle with the first one."""
     last = "line_of_centres(0)"
     into, by = f"along(velocity(F, 0), {last})", f"across(velocity(F, 0), {last})"
-    first = [f"{part}(velocity(F, before), {last})" for part in ("along", "across")]
+    first = [f"{part}(velocity(F, before), {last})" for part in COMPONENTS]
     share = [f"{_before('F')} abs({direction})/speed(F, before)" for direction in first]
     for (normal, beside), words in (
         ((f"abs({into})", f"abs({by})"), "the angle after the last wall"),

@@ -16,6 +16,7 @@ from restitution.explaining.moves.bases import FLIPPED
 from restitution.explaining.moves.laws import is_law, is_tie
 from restitution.explaining.steps.step import Step, alike
 from restitution.expression.tree import (
+    COMPONENTS,
     Binary,
     Degrees,
     Expression,
@@ -203,7 +204,7 @@ def _is_component(step: Step, line: Link) -> bool:
     rules = step.rules()
     parts = [
         rules.put_into(step.world.value(Quantity(kind, (velocity, axis_of(event)))))
-        for kind in ("along", "across")
+        for kind in COMPONENTS
     ]
     right = step.world.value(line.right)
     for own, other in (parts, parts[::-1]):

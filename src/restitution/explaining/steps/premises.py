@@ -33,7 +33,6 @@ from restitution.expression.tree import (
 from restitution.oracle import Oracle, compared
 from restitution.records import dataclass
 
-_COMPONENTS = ("along", "across")
 POSITIVE_KINDS = ("speed", "mass")
 
 

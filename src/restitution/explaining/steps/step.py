@@ -19,6 +19,7 @@ from restitution.explaining.steps.premises import POSITIVE_KINDS, Premises
 from restitution.explaining.steps.rules import Rules
 from restitution.explaining.steps.signs import Signs, ratio
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -39,8 +40,6 @@ from restitution.expression.tree import (
 from restitution.oracle import All, Formula, Oracle, Some, compared, joined
 from restitution.oracle.roles import POSITIVE, REAL, Role
 from restitution.records import dataclass
-
-_COMPONENTS = ("along", "across")
 
 
 @dataclass
@@ -99,7 +98,7 @@ class Step(Premises):
                             parts.setdefault((vector, axis), {})[kind] = right, sense
         for (whole, line), pair in parts.items():
             if len(pair) == 2:
-                rules.assemble(whole, line, *(pair[kind] for kind in _COMPONENTS))
+                rules.assemble(whole, line, *(pair[kind] for kind in COMPONENTS))
 
     @cached_property
     def _rules(self) -> Rules:
@@ -214,7 +213,7 @@ class Step(Premises):
         for event in self.setting.events:
             axis = Quantity("line_of_centres", (), event.number)
             if axis not in self.world.directions:
-                for kind in _COMPONENTS:
+                for kind in COMPONENTS:
                     yield Quantity(kind, (velocity, axis)), zero
 
     def _sense_along(self, component: Expression, rules: Rules) -> int | None:
@@ -319,7 +318,7 @@ class Step(Premises):
         """−1 where a component is counted against the direction in which it is taken."""
         if meaning.sense is None:
             return 1
-        if not (isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in _COMPONENTS):
+        if not (isinstance(meaning.quantity, Quantity) and meaning.quantity.kind in COMPONENTS):
             raise NotComparableError("the sense of what has none")
         axis = meaning.quantity.arguments[-1]
         if meaning.sense == axis:

@@ -10,6 +10,7 @@ from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -174,9 +175,7 @@ def _turn_of_a_velocity(scene: Scene, velocity: Quantity, *, slants: bool) -> _T
     if angle is None:
         return None
     try:
-        along, across = (
-            in_direction(scene, kind, body, stage, frame) for kind in ("along", "across")
-        )
+        along, across = (in_direction(scene, kind, body, stage, frame) for kind in COMPONENTS)
     except NotPlannedError:
         return None
     if across.value != 0 or scene.model.proved_sign(scene.model.in_data(along.value)) != 1:

@@ -11,6 +11,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -52,7 +53,7 @@ def write_deflection(scene: Scene, equation: GivenEquation) -> int:
     assert isinstance(event, int)
     frame = scene.frame(event)
     early, late = (
-        tuple(in_direction(scene, kind, name.name, stage, frame) for kind in ("along", "across"))
+        tuple(in_direction(scene, kind, name.name, stage, frame) for kind in COMPONENTS)
         for stage in (event - 1, event)
     )
     angle, refs = scene.put(scene.scalar(equation.link.right))
@@ -230,7 +231,7 @@ def turned_at_a_wall(
 
 
 def _pair(scene: Scene, body: str, stage: int, frame: Frame) -> tuple[Source, Source]:
-    along, across = (in_direction(scene, axis, body, stage, frame) for axis in ("along", "across"))
+    along, across = (in_direction(scene, axis, body, stage, frame) for axis in COMPONENTS)
     return along, across
 
 

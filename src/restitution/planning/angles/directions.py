@@ -11,6 +11,7 @@ from restitution.exact import tidy, tidy_angle
 from restitution.explaining.definitions.turnings import direction_from_i
 from restitution.explaining.lines.derivation import Move, MoveId, numbers_in
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
     Apply,
@@ -104,7 +105,7 @@ def along_the_centres(scene: Scene, asked: Quantity) -> int | None:
     if _goes_aslant(scene, body, stage):
         return None
     frame = scene.frame(stage)
-    along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
+    along, across = (in_direction(scene, kind, body, stage, frame) for kind in COMPONENTS)
     angle = angle_of_the_line(scene, frame)
     if angle is None:
         return None

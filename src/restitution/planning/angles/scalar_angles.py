@@ -10,6 +10,7 @@ from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Ref
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -230,7 +231,7 @@ def _terms(
         sources = [
             in_direction(scene, kind, body, impact - (stage != impact), frame)
             for body, stage in pair
-            for kind in ("along", "across")
+            for kind in COMPONENTS
         ]
         refs = together(*(source.whole for source in sources))
         refs = together(refs, frame.names_axis("along"), frame.names_axis("across"), frame.refs)

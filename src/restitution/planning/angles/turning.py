@@ -12,6 +12,7 @@ from restitution.exact import tidy, tidy_angle
 from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation, equality
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
     Apply,
@@ -428,11 +429,11 @@ def _is_along_the_line(scene: Scene, asked: Quantity, pair: Sequence[tuple[str, 
     if {first, second} != set(scene.bodies(late)):
         return False
     frame = scene.frame(late)
-    components = [frame.component(k, b, s) for k in ("along", "across") for b, s in pair]
+    components = [frame.component(k, b, s) for k in COMPONENTS for b, s in pair]
     are_new = any(scene.desk.known(component) is None for component in components)
     if frame.is_slanted and are_new and stand_as_vectors(scene, pair):
         return False
-    own = [[in_direction(scene, k, b, late, frame) for k in ("along", "across")] for b, _ in pair]
+    own = [[in_direction(scene, k, b, late, frame) for k in COMPONENTS] for b, _ in pair]
     across = [parts[1].value == 0 for parts in own]
     return across.count(True) == 1 and all(parts[0].value != 0 for parts in own)
 
@@ -497,7 +498,7 @@ class _Turn(NamedTuple):
 def _turn(scene: Scene, body: str, event: int, asked: Quantity, wanted: str | None) -> _Turn:
     frame = scene.frame(event)
     early, late = (
-        tuple(in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
+        tuple(in_direction(scene, kind, body, stage, frame) for kind in COMPONENTS)
         for stage in (event - 1, event)
     )
     a, b = (Vector(*(source.value for source in own)) for own in (early, late))
@@ -606,7 +607,7 @@ def _are_exact(scene: Scene, body: str, event: int, frame: Frame) -> bool:
     last = scene.last_event(body, event - 1)
     if not last or frame.wall is None:
         return False
-    late = [in_direction(scene, kind, body, event, frame) for kind in ("along", "across")]
+    late = [in_direction(scene, kind, body, event, frame) for kind in COMPONENTS]
     if late[0].value == 0 or late[1].value == 0:
         return False
     after = sp.sympify(tidy(late[0].value / late[1].value), strict=True)

@@ -7,6 +7,7 @@ import sympy as sp
 from restitution.exact import tidy_angle
 from restitution.explaining.lines.derivation import Move, numbers_in
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     Binary,
     Degrees,
@@ -48,7 +49,7 @@ def complement_to_a_wall(scene: Scene, body: str, stage: int, wall: str) -> Sour
     move = Move("define", "difference", stage, (body,))
     relation = chain(asked, (Binary("-", RIGHT_ANGLE, letter), None))
     frame_ = scene.frame(stage)
-    parts = (in_direction(scene, kind, body, stage, frame_) for kind in ("along", "across"))
+    parts = (in_direction(scene, kind, body, stage, frame_) for kind in COMPONENTS)
     walls = (f"wall {frame.wall}", f"wall {wall}")
     pool = together(known.refs, *(own.whole for own in parts), walls)
     refs = scene.judge.needed(move, pool, relation, known.refs)

@@ -10,6 +10,7 @@ from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.tree import (
+    COMPONENTS,
     Expression,
     Letter,
     Name,
@@ -294,7 +295,7 @@ def senses(scene: Scene, symbol: sp.Symbol) -> tuple[Ref, ...]:
             for node in walk(side)
         ]
         about = any(
-            is_quantity(node, "velocity", "direction", "along", "across")
+            is_quantity(node, "velocity", "direction", *COMPONENTS)
             and any(Name(body) in walk(node) for body in bodies)
             for node in nodes
         )

@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -124,7 +125,7 @@ def in_direction(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -
         blow = blown(scene, body, last) if vector is None else vector
         return _of_vector(scene, kind, body, frame, blow, last)
     own = scene.frame(last)
-    for own_kind in ("along", "across"):
+    for own_kind in COMPONENTS:
         sign = _parallel(scene, own.direction(own_kind), direction)
         if sign:
             source = settled(scene, own.component(own_kind, body, last)) or after(
@@ -235,9 +236,9 @@ def _parallel(scene: Scene, a: Vector, b: Vector) -> int:
 def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> Source:
     """A component of a velocity of which the components in other directions are known."""
     own = scene.frame(stage)
-    parts = [after(scene, axis, body, own) for axis in ("along", "across")]
+    parts = [after(scene, axis, body, own) for axis in COMPONENTS]
     direction = frame.direction(kind)
-    shares = [tidy(own.direction(axis).dot(direction)) for axis in ("along", "across")]
+    shares = [tidy(own.direction(axis).dot(direction)) for axis in COMPONENTS]
     put = [_put(scene, part) for part in parts]
     straight = component_at_right_angles(scene, kind, body, stage, frame, put)
     if straight is not None:
@@ -266,7 +267,7 @@ def _resolved(scene: Scene, kind: str, body: str, stage: int, frame: Frame) -> S
             _share_of_degrees(b, function, short=in_degrees)
             or _product_of_units(own.direction(axis), direction, b),
         )
-        for axis, a, b, function in zip(("along", "across"), put, shares, functions, strict=True)
+        for axis, a, b, function in zip(COMPONENTS, put, shares, functions, strict=True)
         if a.value
     ]
     if own.direction("along").x == 0:
@@ -453,7 +454,7 @@ def blown(scene: Scene, body: str, number: int) -> Source:
     if fact is None:
         raise NotPlannedError(f"the velocity of {body} after event {number}")
     plain = scene.frame(number)
-    parts = [in_direction(scene, axis, body, number - 1, plain) for axis in ("along", "across")]
+    parts = [in_direction(scene, axis, body, number - 1, plain) for axis in COMPONENTS]
     early = Vector(*(part.value for part in parts))
     mass = scene.mass(body)
     right = fact.relation.only[0].right

@@ -6,7 +6,7 @@ from typing import Literal
 
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Name, Quantity, Unit
+from restitution.expression.tree import COMPONENTS, Name, Quantity, Unit
 from restitution.planning.formulas.impacts import after
 from restitution.planning.formulas.settled import settled
 from restitution.planning.writing.desk import Source, chain, together
@@ -33,7 +33,7 @@ def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> 
     if vector is not None and last not in scene.model.frames:
         return Source(tidy(vector.value.dot(unit)), vector.refs)
     frame = scene.frame(last)
-    for kind in ("along", "across"):
+    for kind in COMPONENTS:
         share = tidy(frame.direction(kind).dot(unit))
         if share in (1, -1):
             component = frame.component(kind, body, last)
@@ -48,7 +48,7 @@ def along_axis(scene: Scene, body: str, stage: int, axis: Literal["i", "j"]) -> 
     if vector is not None:
         return Source(tidy(vector.value.dot(unit)), vector.refs)
     parts = []
-    for kind in ("along", "across"):
+    for kind in COMPONENTS:
         own = after(scene, kind, body, frame)
         value, refs = scene.put(own.value)
         parts.append((value, frame.direction(kind).dot(unit), together(own.whole, refs)))

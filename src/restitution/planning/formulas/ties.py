@@ -10,6 +10,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
+    COMPONENTS,
     Binary,
     Degrees,
     Expression,
@@ -34,8 +35,6 @@ from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import whole_direction
 from restitution.vector import Vector
-
-_KINDS = ("along", "across")
 
 
 def write_tie(scene: Scene, equation: GivenEquation) -> int:
@@ -94,7 +93,8 @@ def _two_velocities(
     sources = _as_vectors(scene, both) if frame.is_slanted else None
     if sources is None:
         sources = [
-            [in_direction(scene, kind, name, when, frame) for kind in _KINDS] for name, when in both
+            [in_direction(scene, kind, name, when, frame) for kind in COMPONENTS]
+            for name, when in both
         ]
     (a, b), (c, d) = sources
     pairs = ((a, c), (b, d)) if record == "perpendicular" else ((a, d), (b, c))
@@ -241,7 +241,7 @@ def _across_a_frame(
     about: tuple[Ref, ...],
 ) -> int:
     """By the components in the directions of an impact that slants."""
-    sources = [in_direction(scene, kind, body, stage, frame) for kind in _KINDS]
+    sources = [in_direction(scene, kind, body, stage, frame) for kind in COMPONENTS]
     if move.record == "parallel":
         direction = direction.turned_left()
         if direction.y == 0 and scene.model.sign(direction.x) < 0:

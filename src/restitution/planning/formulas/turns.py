@@ -17,6 +17,7 @@ import sympy as sp
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Line, Meaning, Move, Ref, Relation, numbers_in
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -309,7 +310,7 @@ def velocities_of(scene: Scene, asked: Quantity) -> tuple[Moving, Moving] | None
 
 def _direction(scene: Scene, frame: Frame, body: str, last: int) -> Direction | None:
     stage = frame.number if last == frame.number else frame.number - 1
-    along, across = (in_direction(scene, kind, body, stage, frame) for kind in ("along", "across"))
+    along, across = (in_direction(scene, kind, body, stage, frame) for kind in COMPONENTS)
     velocity = Quantity("velocity", (Name(body),), last)
     named = Quantity("angle", (velocity, Quantity("line_of_centres", (), frame.number)))
     zero = [scene.model.identically_zero(source.value) for source in (along, across)]

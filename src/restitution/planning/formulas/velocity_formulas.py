@@ -12,6 +12,7 @@ from restitution.components.verdicts import proved_sign
 from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -119,7 +120,7 @@ def frame_after(scene: Scene, body: str, stage: int) -> Frame:
 def parts(scene: Scene, body: str, stage: int, frame: Frame | None = None) -> list[Source]:
     """The components of a velocity, along and across, with all known values put in."""
     own = frame or frame_after(scene, body, stage)
-    return [in_direction(scene, kind, body, stage, own) for kind in ("along", "across")]
+    return [in_direction(scene, kind, body, stage, own) for kind in COMPONENTS]
 
 
 def _velocity_at_the_start(scene: Scene, quantity: Quantity, body: str) -> Formula:
@@ -372,7 +373,7 @@ def _by_its_angle(
     if frame.wall is not None:
         lines[Quantity("angle", (velocity, Name(frame.wall)))] = ("cos", "sin", ())
     for other in scene.spheres(stage):
-        own = [scene.desk.known(frame.component(k, other, stage)) for k in ("along", "across")]
+        own = [scene.desk.known(frame.component(k, other, stage)) for k in COMPONENTS]
         if other == body or own[0] is None or own[1] is None or own[1].value != 0:
             continue
         second = Quantity("velocity", (Name(other),), stage)

@@ -21,6 +21,7 @@ from restitution.explaining.lines.derivation import (
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.quantities import ANGLES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -452,7 +453,7 @@ class Conditions:
                 case Quantity("velocity", (Name(),), int()):
                     body, stage = body_and_stage(self.scene, node)
                     frame = frame_after(self.scene, body, stage)
-                    for kind in ("along", "across"):
+                    for kind in COMPONENTS:
                         refs += self._with_letter(kind, body, stage, frame)
         return refs
 

@@ -10,6 +10,7 @@ from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, equality
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
@@ -75,7 +76,7 @@ def _as_before(
         return None
     frame = scene.frame(since)
     sources: list[Source] = []
-    for kind in ("along", "across"):
+    for kind in COMPONENTS:
         component = scene.desk.known(frame.component(kind, body, before))
         late = after(scene, kind, body, frame)
         if component is None or tidy(_put(scene, component) ** 2 - _put(scene, late) ** 2) != 0:
@@ -243,7 +244,7 @@ def _speed_on_a_chord(scene: Scene, body: str, since: int) -> Source:
     if known is not None:
         own, used = scene.put(known.value)
         return Source(own, together(known.refs, used))
-    parts = [after(scene, kind, body, scene.frame(since)) for kind in ("along", "across")]
+    parts = [after(scene, kind, body, scene.frame(since)) for kind in COMPONENTS]
     values, refs = [], []
     for part in parts:
         value, used = scene.put(part.value)

@@ -17,6 +17,7 @@ from restitution.exact import tidy
 from restitution.explaining.lines.derivation import Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
     Apply,
@@ -95,7 +96,7 @@ def write_round(scene: Scene, own: Round) -> int:
             after(scene, kind, own.body, frame)
             if stage
             else in_direction(scene, kind, own.body, 0, frame)
-            for kind in ("along", "across")
+            for kind in COMPONENTS
         )
         velocity = Quantity("velocity", (Name(own.body),), stage)
         angle = Quantity("angle", (velocity, Quantity("line_of_centres", (), event)))

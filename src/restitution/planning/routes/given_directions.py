@@ -6,6 +6,7 @@ import sympy as sp
 
 from restitution.explaining.lines.derivation import Link, Move
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     Expression,
     Letter,
@@ -66,7 +67,7 @@ def _written(scene: Scene, number: int, symbol: sp.Symbol | None) -> bool:
         return False
     if ray.role is not REAL and 0 not in ray.direction:
         return False  # told by an angle: there would be roots in both components
-    early = [before(scene, kind, body, frame).value for kind in ("along", "across")]
+    early = [before(scene, kind, body, frame).value for kind in COMPONENTS]
     if any(value.has(sp.Add) for value in early):
         return False  # both laws would be long
     size, line = write_ray(scene, number, without_root(ray), _LETTERS, "silent")

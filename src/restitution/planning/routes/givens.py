@@ -12,6 +12,7 @@ from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.quantities import ANGLES, ENERGIES, UNSIGNED_ANGLES
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -180,7 +181,7 @@ def _of_one_quantity(scene: Scene, given: GivenEquation, own: Quantity) -> int |
             return line
     if own.kind == "velocity":
         return _velocity(scene, given)
-    if own.kind in ("along", "across") and in_letters:
+    if own.kind in COMPONENTS and in_letters:
         if any(is_quantity(e, "position") for e in walk(own)):
             return write_given_place(scene, given)
         return _component(scene, given)
@@ -625,7 +626,7 @@ def _of_several(scene: Scene, equation: GivenEquation) -> int:
                 or node in values
             ):
                 continue
-            if node.kind in ("along", "across"):
+            if node.kind in COMPONENTS:
                 component = formula(scene, node)
                 values[node] = tree_of(component.value)
                 refs += component.refs

@@ -20,6 +20,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
@@ -641,7 +642,7 @@ def in_a_frame(scene: Scene, asked: Expression, *, write: bool = False) -> Expre
             frame = scene.frame(stage)
             own = scene.model.story.direction(axis, scene.events)
             own = own if kind == "along" else own.turned_left()
-            for own_kind in ("along", "across"):
+            for own_kind in COMPONENTS:
                 named, direction = frame.component(own_kind, body, stage), frame.direction(own_kind)
                 if tidy(own.cross(direction)) != 0 or scene.model.sign(own.dot(direction)) <= 0:
                     continue

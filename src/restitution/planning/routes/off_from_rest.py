@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from restitution.explaining.lines.derivation import Move
-from restitution.expression.tree import Letter, Name, Quantity
+from restitution.expression.tree import COMPONENTS, Letter, Name, Quantity
 from restitution.planning.formulas.impacts import in_direction
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import tree_of
@@ -35,7 +35,7 @@ def write_speed_from_rest(scene: Scene, given: GivenEquation, symbol: sp.Symbol)
     if scene.unknown(value):
         return None
     mark, frame = scene.desk.mark(), scene.frame(number)
-    along, across = (in_direction(scene, kind, body, number, frame) for kind in ("along", "across"))
+    along, across = (in_direction(scene, kind, body, number, frame) for kind in COMPONENTS)
     if frame.letter_sign == 1 and along.value == symbol and across.value == 0:
         move = Move("define", "component", number, (body,))
         relation = chain(Letter(symbol.name), (tree_of(value), None))

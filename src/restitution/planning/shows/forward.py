@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     is_binary,
+    is_component,
     is_quantity,
     letters,
 )
@@ -308,7 +309,7 @@ def _again(claims: Claims, link: Link) -> tuple[int, Relation] | None:
 
 def _component_shown(claims: Claims, link: Link) -> tuple[int, Relation] | None:
     """A component to be shown for which the working has a letter: the line of that."""
-    if not is_quantity(link.left, "along", "across"):
+    if not is_component(link.left):
         return None
     scene, mark = claims.scene, claims.worths.mark()
     if has_quantity(link.right):

@@ -13,6 +13,7 @@ from restitution.exact import tidy
 from restitution.explaining.data.facts import links_of
 from restitution.explaining.lines.derivation import Link, Move, Ref, Relation, numbers_in
 from restitution.expression.tree import (
+    COMPONENTS,
     Expression,
     Name,
     Quantity,
@@ -127,7 +128,7 @@ def _tied(
     for body, stage in moving:
         own = scene.velocity(body, stage)
         claims.solver.determine(list(own))
-        for kind in ("along", "across"):
+        for kind in COMPONENTS:
             refs += claims.worths.component(kind, body, stage, frame).whole
     refs += [f"wall {wall.name}" for wall in scene.problem.walls]
     move = Move("define", record, frame.number, tuple(dict.fromkeys(b for b, _ in moving)))

@@ -13,6 +13,7 @@ from restitution.explaining.lines.derivation import Fact, Line, Link, Meaning, R
 from restitution.expression.enclosed import UndefinedError
 from restitution.expression.evaluate import Angle, Evaluator
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
@@ -149,7 +150,7 @@ def evaluator(
             if tree.kind == "restitution":
                 number = tree.stage or 1
                 kept[tree] = float(story.happenings[number - 1].e)  # type: ignore[operator]
-            elif tree.kind in ("along", "across") and tree.arguments[1] in axes:
+            elif tree.kind in COMPONENTS and tree.arguments[1] in axes:
                 axis = _floats(numbers.direction(axes[tree.arguments[1]]))
                 direction = axis if tree.kind == "along" else axis.turned_left()
                 kept[tree] = own.value(tree.arguments[0]).dot(direction) / _size(axis)

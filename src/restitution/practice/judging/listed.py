@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Expression, Name, Negate, Quantity, letters
+from restitution.expression.tree import COMPONENTS, Expression, Name, Negate, Quantity, letters
 from restitution.practice.judging.entries import Meanings
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.arrays import Array
@@ -67,7 +67,7 @@ def _claims(
         return Quantity(kind, (Quantity("velocity", (Name(body),), stage), line))
 
     try:
-        before, across = (world.scalar(part(x, event - 1)) for x in ("along", "across"))
+        before, across = (world.scalar(part(x, event - 1)) for x in COMPONENTS)
         after = world.scalar(part("along", event))
         e = world.scalar(Quantity("restitution", (), event))
         first, second = (world.scalar(value, meanings) for value in values)

@@ -33,6 +33,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     is_binary,
+    is_component,
     is_function,
     is_quantity,
     letters,
@@ -588,7 +589,7 @@ def _is_impulse(tree: Expression, entry: Entry) -> bool:
     """Whether a side is the size of an impulse, or a component of one."""
     meant = entry.meanings.get(tree.name, tree) if isinstance(tree, Letter) else tree
     meant = unsigned(meant)
-    if is_quantity(meant, "along", "across"):
+    if is_component(meant):
         meant = meant.arguments[0]
     return is_quantity(meant, "impulse")
 

@@ -12,6 +12,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Degrees,
@@ -24,6 +25,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     is_binary,
+    is_component,
     is_function,
     is_quantity,
     letters,
@@ -180,15 +182,13 @@ def times_directions(
 
 def _is_along(tree: Expression) -> bool:
     inside = unsigned(tree)
-    return is_quantity(inside, "along", "across")
+    return is_component(inside)
 
 
 def _directions_in(claim: Claim, world: World) -> Iterator[Expression]:
     """The vectors of a claim, without letters, that are along or across a line of centres."""
     for side in (claim.left, claim.right):
-        parts = (
-            node.arguments for node in walk(side) if is_quantity(node, "dot", "along", "across")
-        )
+        parts = (node.arguments for node in walk(side) if is_quantity(node, "dot", *COMPONENTS))
         for tree in (side, *chain.from_iterable(parts)):
             if any(isinstance(node, Letter | Name) for node in walk(tree)):
                 continue

@@ -10,6 +10,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.expression.quantities import ENERGIES, LOSSES
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
@@ -123,9 +124,7 @@ def is_of_exchanged_squares(entry: Entry, world: World) -> bool:
         for number, body in world.wall_impacts():
             before = Quantity("velocity", (Name(body),), number - 1)
             line = Quantity("line_of_centres", (), number)
-            into, along = (
-                Binary("^", Quantity(kind, (before, line)), _TWO) for kind in ("along", "across")
-            )
+            into, along = (Binary("^", Quantity(kind, (before, line)), _TWO) for kind in COMPONENTS)
             wrong, right = (_with_square_of_e(*pair) for pair in ((along, into), (into, along)))
             ratios = [_ratios_for(side, square, entry, world) for square in (wrong, right)]
             if _are_constant(ratios[0]) and not _are_constant(ratios[1]):

@@ -10,6 +10,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import (
+    COMPONENTS,
     Binary,
     Expression,
     Name,
@@ -72,7 +73,7 @@ def is_change_of_momentum(impulse: Expression, value: Expression, world: World) 
         mass = Quantity("mass", (Name(body),))
         velocities = [Quantity("velocity", (Name(body),), n) for n in (number - 1, number)]
         momenta = [
-            [Binary("*", mass, Quantity(kind, (v, line))) for kind in ("along", "across")]
+            [Binary("*", mass, Quantity(kind, (v, line))) for kind in COMPONENTS]
             for v in velocities
         ]
         for terms in _two_terms(value):

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     is_binary,
+    is_component,
     is_function,
     is_quantity,
     letters,
@@ -109,7 +110,7 @@ def _is_other_component(entry: Entry, world: World) -> bool:
         return False  # a number may be one by a slip
     meant = meant_by(entry)
     meant = unsigned(meant)
-    if not is_quantity(meant, "along", "across"):
+    if not is_component(meant):
         return False
     other = "across" if meant.kind == "along" else "along"
     size = Apply("abs", replace(meant, kind=other))

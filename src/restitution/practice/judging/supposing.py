@@ -9,7 +9,15 @@ from itertools import pairwise
 import numpy as np
 
 from restitution.errors import RestitutionError
-from restitution.expression.tree import Apply, Expression, Letter, Name, Quantity, letters
+from restitution.expression.tree import (
+    COMPONENTS,
+    Apply,
+    Expression,
+    Letter,
+    Name,
+    Quantity,
+    letters,
+)
 from restitution.practice.judging.entries import Entry, Meanings
 from restitution.practice.script import Claim, Link, ScriptLine
 from restitution.practice.worlds.agreement import agrees
@@ -108,7 +116,7 @@ def changes_of_sizes(claim: Claim, line: ScriptLine, world: World) -> Iterator[t
     for number in world.lines:
         axis = Quantity("line_of_centres", (), number)
         for name in world.start:
-            for kind in ("along", "across"):
+            for kind in COMPONENTS:
                 before, after = (
                     _size(Quantity(kind, (Quantity("velocity", (Name(name),), stage), axis)))
                     for stage in (number - 1, number)

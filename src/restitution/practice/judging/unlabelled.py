@@ -12,6 +12,7 @@ import numpy as np
 
 from restitution.errors import RestitutionError
 from restitution.expression.tree import (
+    COMPONENTS,
     Binary,
     Expression,
     Letter,
@@ -101,7 +102,7 @@ class Unlabelled(Following):
             return
         yield from filter(_is_of_energy, known)
         bodies = tuple(self._base.start)
-        for number, kind in product(self._base.lines, ("along", "across")):
+        for number, kind in product(self._base.lines, COMPONENTS):
             axis = Quantity("line_of_centres", (), number)
             for names in {*((name,) for name in bodies), bodies}:
                 before, after = (

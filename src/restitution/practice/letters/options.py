@@ -17,6 +17,7 @@ from restitution.expression.tree import (
     Quantity,
     Stage,
     Unit,
+    is_component,
     is_quantity,
     unsigned,
     walk,
@@ -381,7 +382,7 @@ def multiples(
 
 def _is_component(tree: Expression) -> bool:
     inner = unsigned(tree)
-    if not is_quantity(inner, "along", "across"):
+    if not is_component(inner):
         return False
     axis = inner.arguments[1]
     return is_quantity(axis, "line_of_centres")

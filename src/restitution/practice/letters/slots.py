@@ -11,7 +11,7 @@ import numpy as np
 
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import Nature
-from restitution.expression.tree import Expression, Quantity, is_quantity, unsigned
+from restitution.expression.tree import Expression, Quantity, is_component, unsigned
 from restitution.practice.letters.candidates import AXES, Candidate
 from restitution.practice.letters.trial import Tester
 from restitution.practice.worlds.arrays import Array, angle
@@ -138,7 +138,7 @@ def _direction_key(tester: Tester, tree: Expression) -> Any:
     A fact may make the components along two lines equal: they are two quantities all the same.
     """
     inner = unsigned(tree)
-    if not is_quantity(inner, "along", "across"):
+    if not is_component(inner):
         return None
     units = (Quantity(inner.kind, (unit, inner.arguments[1])) for unit in AXES)
     values = [tester.value(unit, {}) for unit in units]

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Quantity,
     children,
     is_binary,
+    is_component,
     is_function,
     is_quantity,
     letters,
@@ -416,7 +417,7 @@ class Sides:
         """Whether a tree is a component of a velocity, or that turned round."""
         if isinstance(tree, Negate):
             (tree,) = children(tree)
-        return is_quantity(tree, "along", "across")
+        return is_component(tree)
 
     def _size(self, quantity: Expression) -> Array | None:
         """The true size of a velocity or speed; None where a quantity is neither."""

@@ -15,6 +15,7 @@ from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import FLIPPED, Link
 from restitution.expression.quantities import ANGLES, ENERGIES
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
@@ -415,7 +416,7 @@ class Values(LineContents):
                 assert isinstance(v, Vector)
                 pairs = [(world.spread(v.x), world.spread(v.y))]
                 for line in lines:
-                    parts = (Quantity(kind, (velocity, line)) for kind in ("along", "across"))
+                    parts = (Quantity(kind, (velocity, line)) for kind in COMPONENTS)
                     along, across = (world.scalar(part) for part in parts)
                     pairs.append((along, across))
                 if any(

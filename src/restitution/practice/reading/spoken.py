@@ -221,16 +221,19 @@ def _at_the_end(match: re.Match[str], _: Problem) -> str:
     return f"{'initial' if match[2] == 'i' else 'final'} KE "
 
 
+def _names(problem: Problem) -> set[str]:
+    """The names of the spheres and walls."""
+    return {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
+
+
 def _energy(match: re.Match[str], problem: Problem) -> str:
     """The energy that E is before its moment, where no body has that name."""
-    names = {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
-    return match[0] if "E" in names else "energy "
+    return match[0] if "E" in _names(problem) else "energy "
 
 
 def _angle(match: re.Match[str], problem: Problem) -> str:
     """The angle of what a sentence begins with to what it ends with."""
-    names = {sphere.name for sphere in problem.spheres} | {wall.name for wall in problem.walls}
-    known = {"wall", "LOC", "i", "j"} | names
+    known = {"wall", "LOC", "i", "j"} | _names(problem)
     subject, value, other = match.groups()
     if not all(name in known or len(name) > 3 for name in (subject, other)):
         return match[0]

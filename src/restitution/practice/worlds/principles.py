@@ -13,6 +13,7 @@ import numpy as np
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.quantities import ENERGIES
 from restitution.expression.tree import (
+    COMPONENTS,
     Binary,
     Expression,
     Letter,
@@ -419,7 +420,7 @@ def _kind(tree: Quantity) -> str | None:
         return "energy"
     if tree.kind in _ANGLES:
         return "angle"
-    if tree.kind in ("along", "across"):
+    if tree.kind in COMPONENTS:
         return "component"
     known = ("impulse", "deflection", "speed", "velocity")
     return tree.kind if tree.kind in known else None

@@ -29,7 +29,6 @@ from restitution.solving.story.state import State
 from restitution.vector import Vector
 
 _AFTER = frozenset({"speed", "energy"})
-_COMPONENTS = frozenset({"along", "across"})
 Components = Mapping[tuple[str, str], Scalar]
 Residual = Callable[[Components], Scalar]
 

@@ -29,6 +29,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    is_component,
     is_quantity,
     letters,
     walk,
@@ -147,7 +148,7 @@ def _angles(problem: Problem) -> tuple[set[str], set[str]]:
                 used.update(_linear_letters(node.argument))
             elif isinstance(node, Polar):
                 used.update(_linear_letters(node.angle))
-            elif is_quantity(node, "along", "across"):
+            elif is_component(node):
                 direction(node.arguments[1] if len(node.arguments) > 1 else None)
             elif is_quantity(node, "angle"):
                 for argument in node.arguments:

@@ -9,7 +9,14 @@ from restitution.explaining.lines.derivation import Derivation, Line, Link, Mean
 from restitution.explaining.lines.layouts import chains
 from restitution.explaining.lines.saying import Sentence, Slot, say
 from restitution.explaining.lines.sentences import SentenceId
-from restitution.expression.tree import Expression, Letter, Quantity, is_quantity, is_zero, letters
+from restitution.expression.tree import (
+    Expression,
+    Letter,
+    Quantity,
+    is_component,
+    is_zero,
+    letters,
+)
 from restitution.render import layout as lay
 from restitution.workings.naming.ends import Ends
 from restitution.workings.naming.measured import Measures, is_plain, with_unit
@@ -107,7 +114,7 @@ class Carried:
         for earlier in self._derivation.lines:
             if isinstance(earlier.relation, Meaning) and left == Letter(earlier.relation.letter):
                 left = earlier.relation.quantity
-        return is_quantity(left, "along", "across")
+        return is_component(left)
 
     def beside(
         self,

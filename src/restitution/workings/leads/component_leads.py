@@ -9,6 +9,7 @@ from restitution.explaining.lines.derivation import Event, Line, Link, Meaning, 
 from restitution.explaining.lines.saying import Sentence, say, slots_of
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.tree import (
+    COMPONENTS,
     RIGHT_ANGLE,
     STRAIGHT_ANGLE,
     Binary,
@@ -333,7 +334,7 @@ class ComponentLeads(LinesAround):
     def _apart(self, line: Line) -> Sentence | None:
         """Who moves across the line of centres, and who along it, where that is a right angle."""
         still = self._standing(line)
-        if set(still) != {"along", "across"}:
+        if set(still) != set(COMPONENTS):
             return None
         one, other = still["along"], still["across"]
         rested = self.tells_of_rest(other, line.move.event or 0, line)

@@ -31,6 +31,7 @@ from restitution.expression.tree import (
     Unit,
     has_quantity,
     is_binary,
+    is_component,
     is_quantity,
     is_zero,
     letters,
@@ -100,7 +101,7 @@ class GivenLeads(Leads):
             words = tuple(fact_in_words(self._naming, fact) for fact in values)
             side = slope_title(self._naming, line)
             if side is not None:
-                return (say("given.velocities", facts=words), side)
+                return (say("given.facts", facts=words), side)
             return (say("given.turned", facts=words),)
         if len(facts) != 1:
             return ()
@@ -262,7 +263,7 @@ class GivenLeads(Leads):
         past = past_a_right_angle(self._opened(fact.relation.options[0][0]))
         if past is not None:
             return (say(_PRODUCTS[past[2]], fact=sentence, product=self._product_of(fact)),)
-        if not is_zero(last.right) or is_quantity(first.left, "along", "across"):
+        if not is_zero(last.right) or is_component(first.left):
             return None
         mover = self._on_the_line(line) if is_binary(first.left, "*") else None
         if mover is None:
@@ -457,7 +458,7 @@ class GivenLeads(Leads):
         if velocities:
             self._given |= {fact.id for fact in velocities}
             facts = tuple(velocity_given(self._naming, fact) for fact in velocities)
-            return (say("given.velocities", facts=facts),)
+            return (say("given.facts", facts=facts),)
         put = self._lengths_put(line) if line.move.record == "straight-line" else []
         if put:
             self._given |= {fact.id for fact in put}

@@ -18,6 +18,7 @@ from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
+    COMPONENTS,
     Apply,
     Binary,
     Expression,
@@ -201,11 +202,11 @@ def _by_components(derivation: Derivation, line: Line, velocity: Expression) -> 
             case Quantity("along" | "across" as kind, (own_velocity, Quantity("line_of_centres"))):
                 if own_velocity == velocity:
                     parts[kind] = links[-1].right
-    if axis is None or parts.keys() != {"along", "across"}:
+    if axis is None or parts.keys() != set(COMPONENTS):
         return None
     try:
         normal = in_letters(axis.relation.only[-1].right)
-        along, across = (in_letters(parts[kind]) for kind in ("along", "across"))
+        along, across = (in_letters(parts[kind]) for kind in COMPONENTS)
     except RestitutionError:
         return None
     if not isinstance(normal, Vector) or 0 not in normal or normal.dot(normal) != 1:

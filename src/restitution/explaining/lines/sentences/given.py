@@ -31,7 +31,7 @@ SENTENCES: Mapping[str, str] = {
     "given.fact-from": "It is given that {fact}. So from {equations:and}:",
     "given.fact-sense": "It is given that {fact}, and {sense}, as {bound}:",
     "given.and": "It is given that {fact}.",
-    "given.velocities": "It is given that {facts:and}.",
+    "given.facts": "It is given that {facts:and}.",
     "given.turned": (
         "It is given that {facts:and}. The velocity, from its magnitude and direction:"
     ),
