@@ -675,3 +675,18 @@ find speed(B)
     assert "m(√3 u/3) = mv + 3mw" in working
     assert "speed of B = √3 u/8 ≈ 0.217u" in working
     assert "not written out" not in working
+
+
+def test_a_place_of_a_sphere_that_was_struck_at_rest_is_by_the_line_of_centres() -> None:
+    text = """
+sphere P: mass 2m, at (0, 0), velocity 3u i
+sphere Q: mass m, at (0, 0), at rest
+wall W: along j, through (a, 0)
+P hits Q: along i + 2j, e = 1/3
+Q hits W: e = 1/2
+find position(Q, 2)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "component of 𝐯_Q along 𝐢 = (8√5 u/15)(√5/5) = 8u/15" in working
+    assert "= a((16u/15)/(8u/15)) = 2a" in working
+    assert "position of Q at the second impact = (a, 2a)" in working

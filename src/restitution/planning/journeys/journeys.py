@@ -47,7 +47,30 @@ def goals(scene: Scene, asked: Expression) -> list[sp.Expr]:
     match asked:
         case Quantity("time", (), int(number)):
             parts += _on_the_way(scene, number)
+        case Quantity("position", (Name(body),), int(stage)) | Quantity(
+            "along", (Quantity("position", (Name(body),), int(stage)), _)
+        ):
+            parts += _off_from_rest(scene, body, stage)
+        case Quantity("distance", places):
+            for place_ in places:
+                match place_:
+                    case Quantity("position", (Name(body),), int(stage)):
+                        parts += _off_from_rest(scene, body, stage)
     return [without_walls(scene, sp.sympify(part, strict=True)) for part in parts]
+
+
+def _off_from_rest(scene: Scene, body: str, stage: int) -> list[sp.Expr]:
+    """The velocity by which a sphere comes to a place from where it was struck at rest.
+
+    Its direction is the line of centres: where that tells the place, its letter would stay open.
+    """
+    since = last_move(scene, body, stage) if stage else 0
+    if not since or len(scene.spheres(since)) != len(scene.bodies(since)) or stage == since:
+        return []
+    if scene.last_event(body, since - 1) or any(scene.initial(body).value):
+        return []
+    own = list(scene.velocity(body, since))
+    return [] if any(scene.model.identically_zero(part) for part in own) else own
 
 
 def _on_the_way(scene: Scene, number: int) -> list[sp.Expr]:
