@@ -316,3 +316,32 @@ def test_a_line_by_which_no_item_can_be_is_the_answer_of_none() -> None:
     shown = " ".join(to_text(explain(solve(parse(text)))).split())
     assert "The velocity, from its components: 𝐯₂ = (−𝐢 + 𝐣) m s⁻¹" in shown
     assert "(i), (ii), (iii), (iv) So P moves away from W" in shown
+
+
+BOTH_ABOVE = """
+sphere A: mass 3m, velocity 2u at 60°
+sphere B: mass m, at rest
+A hits B: along i
+"""
+
+
+def test_no_two_roots_are_called_possible_of_which_none_is() -> None:
+    """16(49/16 − 3) = (3 − e)², so that e is 2 or 4."""
+    shown = working(BOTH_ABOVE + "part a\nfind speed(A)\npart b\ngiven speed(A) = 7/4 u\nfind e")
+    assert "e = 4 or e = 2 DM1 But e ≤ 1. So what is described cannot happen." in shown
+    assert "possible" not in shown
+
+
+def test_of_a_square_no_root_is_taken_where_what_is_known_excludes_both() -> None:
+    """3 − e is neither 1 nor −1, as e ≤ 1."""
+    shown = working(BOTH_ABOVE + "given speed(A) = 7/4 u\nfind e")
+    assert "3 − e = −1" not in shown
+    assert "(3 − e)² = 1 e = 4 or e = 2" in shown
+    assert "But e ≤ 1. So what is described cannot happen." in shown
+
+
+def test_every_impossible_coefficient_is_named() -> None:
+    text = BOTH_ABOVE + "given speed(A) = 7/4 u\nfind speed(B), e"
+    with pytest.raises(ImpossibleError, match="e = 4 or e = 2 rejected"):
+        _ = solve(parse(text))["e"].exact
+    assert "as the data give e = 4 or e = 2, and a coefficient of restitution" in working(text)

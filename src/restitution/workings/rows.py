@@ -146,8 +146,15 @@ class Rows(Chains):
                 yield called
             if self._is_gain(line):
                 yield say("derived.gained")
-            if are_values(line.relation) and not conditioned:
+            if are_values(line.relation) and not conditioned and not self._is_refused(line):
                 yield say(self._possible(line.relation))
+
+    def _is_refused(self, line: Line) -> bool:
+        """Whether none of the values in a line can be."""
+        return any(
+            note.kind == "impossible" and line.number in note.lines
+            for note in self._derivation.notes
+        )
 
     def _possible(self, relation: Relation) -> SentenceId:
         """Why both of two values hold, where that is seen; that all do, where there are more."""

@@ -113,11 +113,21 @@ def _of_one_square(scene: Scene, number: int, symbol: sp.Symbol) -> int | None:
     )
     if own is None:
         return None
+    standing = scene.desk.mark()
     taken = in_another_form(scene, own, equality(base, tree_of(root)))
+    if taken is not None and _follows_too(scene, taken, equality(base, tree_of(-root))):
+        scene.desk.back(standing)  # what is known excludes both: neither is taken for certain
+        taken = None
     if taken is None and own != number and power != 2:
         scene.desk.back(mark)
         return None
     return taken or own
+
+
+def _follows_too(scene: Scene, number: int, other: Relation) -> bool:
+    """Whether another relation follows just as a line does, as what it rests on cannot all be."""
+    line = scene.desk.line(number)
+    return scene.judge.follows(line.move, line.premises, other)
 
 
 def as_square(value: sp.Expr) -> Expression | None:

@@ -106,14 +106,21 @@ def without_impossible(
     ]
     if branches and not kept:
         named = {name for tree in trees for name in letters(tree)}
-        wrong = impossible_coefficients(branches[0])
-        blamed = next((impossible for impossible in wrong if impossible.letters & named), wrong[0])
+        every = [_blamed(branch, named) for branch in branches]
+        blamed = every[0]
         e = blamed.step.e
         place = line_and_column(e.place if e is not None and not blamed.letters else None)
-        error = ImpossibleError(f"{blamed.text} rejected: {COEFFICIENTS}", *place)
-        error.because = f"the data give {blamed.text}, and {COEFFICIENTS}"
+        values = " or ".join(dict.fromkeys(wrong.text for wrong in every))
+        error = ImpossibleError(f"{values} rejected: {COEFFICIENTS}", *place)
+        error.because = f"the data give {values}, and {COEFFICIENTS}"
         raise error
     return kept
+
+
+def _blamed(branch: Branch, named: set[str]) -> Impossible:
+    """The impossible coefficient of a solution: one with a letter that is named, if there is."""
+    wrong = impossible_coefficients(branch)
+    return next((impossible for impossible in wrong if impossible.letters & named), wrong[0])
 
 
 def _rests(branch: Branch, setting: Setting, tree: Expression, now: int) -> bool:
