@@ -690,3 +690,27 @@ find position(Q, 2)
     assert "component of 𝐯_Q along 𝐢 = (8√5 u/15)(√5/5) = 8u/15" in working
     assert "= a((16u/15)/(8u/15)) = 2a" in working
     assert "position of Q at the second impact = (a, 2a)" in working
+
+
+@pytest.mark.parametrize(
+    ("given", "lines"),
+    [
+        ("tan(angle(velocity(P), W1)) = 1/2", "e³ = ½ e = ∛4/2 ≈ 0.794"),
+        ("tan(angle(velocity(P), W1)) = 1/8", "e³ = ⅛ e = ½"),
+        ("energy = 55% of energy(0)", "e⁶ = 1/10 e = (100000)^(1/6)/10 ≈ 0.681, as e ≥ 0"),
+    ],
+)
+def test_a_power_that_is_a_number_has_the_root_of_its_degree(given: str, lines: str) -> None:
+    text = f"""
+wall W1: along i
+wall W2: along i
+sphere P: velocity u at 45° to W1
+P hits W1: e = e
+P hits W2: e = e
+P hits W1: e = e
+given {given}
+find e
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert lines in working
+    assert "does not follow" not in working

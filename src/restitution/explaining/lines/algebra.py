@@ -145,7 +145,8 @@ class World(Angles):
         if power.denominator == 2:
             base, power = self.root(base), Fraction(power.numerator)
         if power.denominator != 1:
-            raise NotComparableError("a root that is not a square root")
+            base = self.higher_root(base, power.denominator)
+            power = Fraction(power.numerator)
         return self.reduced(base ** int(power))
 
     def _apply(self, tree: Expression, function: str, argument: Expression) -> Value:
@@ -357,6 +358,8 @@ class World(Angles):
                 return sp.sin(angle) if turns is None else sine_of(turns)
             case ("root", inside):
                 return sp.sqrt(self._expression(inside, roles))
+            case ("odd-root", power, number):
+                return sp.Integer(number) ** sp.Rational(1, power)
             case ("size", inside):
                 return sp.Abs(self._expression(inside, roles))
             case ("degree",):

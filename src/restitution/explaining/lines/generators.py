@@ -53,6 +53,8 @@ class Generators:
     roles: Mapping[str, Role]
     printed: bool = True
     squares: dict[int, PolyElement] = field(default_factory=dict)
+    odd_powers: dict[int, tuple[int, int]] = field(default_factory=dict)
+    """Of the roots of numbers that are no square roots: which power is which number."""
     denominators: list[PolyElement] = field(default_factory=list)
     tangents: list[PolyElement] = field(default_factory=list)
     _keys: dict[Key, int] = field(default_factory=dict)
@@ -94,7 +96,7 @@ class Generators:
 
     def reduced(self, x: Quotient) -> Quotient:
         """The quotient with squares of roots (and of sines, where Pythagoras is named) put in."""
-        if not self.squares:
+        if not self.squares and not self.odd_powers:
             return x
         return lean(self._reduced(x.above), self._reduced(x.below))
 
@@ -105,6 +107,14 @@ class Generators:
         return self.reduced(x)
 
     def _reduced(self, polynomial: PolyElement) -> PolyElement:
+        for number, (power, whole) in self.odd_powers.items():
+            if any(powers[number] >= power for powers in polynomial):
+                put_in = quotient_ring().zero
+                for powers, value in polynomial.items():
+                    times, left = divmod(powers[number], power)
+                    rest = (*powers[:number], left, *powers[number + 1 :])
+                    put_in = total(put_in, polynomial.new({rest: value * whole**times}))
+                polynomial = put_in
         for number in sorted(self.squares, reverse=True):
             square = self.squares[number]
             while any(powers[number] > 1 for powers in polynomial):

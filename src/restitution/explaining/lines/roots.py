@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import isqrt, prod
 from typing import Any
 
+import sympy as sp
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement
 
@@ -164,6 +165,29 @@ class Roots(Generators):
             total = total * self._root_generator(quotient_ring().ground_new(QQ(prime)))
         return total
 
+    def higher_root(self, x: Quotient, power: int) -> Quotient:
+        """The root of any degree of a positive number. Raises NotComparableError for other values.
+
+        It is a square root as often as its degree is even, and of the rest by primes.
+        """
+        if not (x.above and x.above.is_ground and x.below.is_ground):
+            raise NotComparableError("a root that is not a square root")
+        ratio = _fraction(x.above.LC) / _fraction(x.below.LC)
+        if ratio < 0:
+            raise NotComparableError("the root of a negative number")
+        halves = (power & -power).bit_length() - 1
+        odd = power >> halves
+        root = CONSTANT(Fraction(1, ratio.denominator))
+        for prime, times in sp.factorint(ratio.numerator * ratio.denominator ** (odd - 1)).items():
+            own = self.generator(("odd-root", odd, prime)) if odd > 1 else CONSTANT(prime)
+            if odd > 1:
+                self.odd_powers[self._keys["odd-root", odd, prime]] = odd, prime
+            root = root * own**times
+        root = self.reduced(root)
+        for _ in range(halves):
+            root = self.root(root)
+        return root
+
     def _root_generator(self, inside: PolyElement) -> Quotient:
         own = self.generator(("root", inside))
         self.squares[self._keys["root", inside]] = inside
@@ -223,7 +247,7 @@ class Roots(Generators):
                 return True  # a number of degrees, below 45°
             atom, count = terms[0] if len(terms) == 1 and not degrees and terms[0] else ("", 2)
             return getattr(atom, "name", "") in self.nonnegative and 0 < count <= 1
-        return key[0] in ("root", "size")
+        return key[0] in ("root", "odd-root", "size")
 
 
 def _fraction(number: Any) -> Fraction:

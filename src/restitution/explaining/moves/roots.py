@@ -35,6 +35,8 @@ def are_roots(step: Step, relation: Relation) -> bool:
     polynomial = _polynomial(step, expected_residual(step, equation, rules), subject)
     if polynomial is None:
         return False
+    if _are_of_a_power(step, polynomial, [step.world.scalar(link.right) for link in links]):
+        return True
     for link in links:
         root = step.world.scalar(link.right)
         times = 0
@@ -46,6 +48,21 @@ def are_roots(step: Step, relation: Relation) -> bool:
         if not times:
             return False
     return _never_zero(step, polynomial)
+
+
+def _are_of_a_power(step: Step, polynomial: list[Quotient], roots: list[Quotient]) -> bool:
+    """Whether these are all roots of xⁿ = c: one where n is odd, two that are opposite if even."""
+    degree = len(polynomial) - 1
+    if degree < 3 or not all(coefficient.vanishes for coefficient in polynomial[1:-1]):
+        return False
+    reduced = step.world.reduced
+    if step.signs.of(polynomial[-1]) is None or polynomial[0].vanishes:
+        return False
+    if any(not reduced(r**degree * polynomial[-1] + polynomial[0]).vanishes for r in roots):
+        return False
+    if degree % 2:
+        return len(roots) == 1
+    return len(roots) == 2 and reduced(roots[0] + roots[1]).vanishes
 
 
 def _are_factors(step: Step, equation: Link, links: Sequence[Link]) -> bool:

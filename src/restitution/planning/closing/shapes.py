@@ -44,6 +44,7 @@ from restitution.planning.closing.known_values import (
     with_known,
 )
 from restitution.planning.closing.one_root import alone, in_squares
+from restitution.planning.closing.pure_powers import pure_power
 from restitution.planning.closing.ratios import (
     by_its_half,
     divided_angle,
@@ -542,6 +543,7 @@ SHAPES: tuple[Shape, ...] = (
     by_its_half,
     even,
     divided_angle,
+    pure_power,
     _linear,
     _quadratic,
 )

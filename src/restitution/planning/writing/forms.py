@@ -198,6 +198,8 @@ def _from_layout(layout: Any, names: dict[tuple[str, str], str]) -> Expression:
             return Binary("/", of(above), of(below))
         case lay.Root(inside, 2):
             return Apply("sqrt", of(inside))
+        case lay.Root(inside, index):
+            return Binary("^", of(inside), Binary("/", ONE, Number(Fraction(index))))
         case lay.Power(base, exponent):
             return Binary("^", of(base), of(exponent))
         case lay.Function(name, argument, exponent):

@@ -11,7 +11,15 @@ from restitution.expression import tree as trees
 from restitution.expression.quantities import KINDS
 from restitution.records import dataclass
 from restitution.render.layout.algebra import plain_number
-from restitution.render.layout.builders import bracketed, function, letter, power, product, total
+from restitution.render.layout.builders import (
+    bracketed,
+    function,
+    letter,
+    power,
+    product,
+    root,
+    total,
+)
 from restitution.render.layout.nodes import (
     Bold,
     Brackets,
@@ -128,6 +136,9 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
         case "/":
             return Fraction(left, right)
         case "^":
+            match right:
+                case Fraction(Number("1"), Number(index)) if index.isdigit():
+                    return root(left, int(index))
             return power(left, right)
 
 
