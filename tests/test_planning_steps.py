@@ -714,3 +714,19 @@ find e
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
     assert lines in working
     assert "does not follow" not in working
+
+
+def test_what_is_shown_with_a_sum_of_angles_has_it_written_out_first() -> None:
+    text = """
+wall W: along i
+sphere P: mass m, velocity u at alpha to W
+P hits W
+let beta = angle(velocity(P), W)
+show energy_lost = 1/2 m u^2 sin(alpha + beta) sin(alpha - beta)/cos^2(beta)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    first = "mu²(sin²α cos²β − cos²α sin²β)/(2 cos²β)"
+    product = "(sin α cos β + cos α sin β)(sin α cos β − cos α sin β)"
+    assert f"Substituting in (1): kinetic energy lost = {first} = ½mu²{product}/cos²β" in working
+    assert "By the formulae for a sum of angles: kinetic energy lost = ½mu² sin(α + β)" in working
+    assert "does not follow" not in working

@@ -58,6 +58,7 @@ from restitution.planning.shows.shown_speeds import (
     multiple_of_data,
     speed_by_a_tie,
 )
+from restitution.planning.shows.sums_expanded import with_sums_expanded
 from restitution.planning.shows.values_put_in import by_numbers, with_values
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between, with_squares_out
@@ -359,7 +360,7 @@ class ShownEquation(ShownAngles):
             self.claims.worths.back(mark)
         line = self._by_tangent_of_double(pool) or self.judge.write(LAST, pool, self.relation)
         if line is not None:
-            return line
+            return with_sums_expanded(self.scene, self.judge, line, self.link)
         # What divides a side may vanish by its role, and not as bodies approach.
         story = [ref for ref in self.scene.facts if ref.startswith(("approach ", "velocity "))]
         line = self.judge.write((Move("rearrange"),), [*pool, *story], self.relation)
