@@ -690,6 +690,24 @@ def test_roots_of_surds_are_undone_with_their_sign(left: str, right: str, same: 
     assert world.reduced(gap).vanishes is same
 
 
+@pytest.mark.parametrize(
+    ("left", "right", "same"),
+    [
+        ("(1/10)^(1/6)", "100000^(1/6)/10", True),
+        ("((1/10)^(1/6))^3", "1/sqrt(10)", True),
+        ("(8/27)^(1/3)", "2/3", True),
+        ("4^0.25", "sqrt(2)", True),
+        ("2^(1/3) 4^(1/3)", "2", True),
+        ("((1/10)^(1/6))^2", "1/sqrt(10)", False),
+        ("(1/2)^(1/3)", "(1/2)^(1/5)", False),
+    ],
+)
+def test_roots_of_a_higher_index_are_compared(left: str, right: str, same: bool) -> None:
+    world = World({})
+    gap = world.scalar(read_tree(left, {})) - world.scalar(read_tree(right, {}))
+    assert world.reduced(gap).vanishes is same
+
+
 def test_an_inequality_has_its_values_from_lines_that_it_cites() -> None:
     # Any two positive values are the one times what is positive: that puts nothing in.
     problem = parse(

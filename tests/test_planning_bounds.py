@@ -146,7 +146,18 @@ SAYS = {
     ),
     "a share of at most 1": (
         REST.format(k="2", e="") + "show energy_lost <= 2/3 energy(0)",
-        ["as (1 − e²) cos²α ≤ 1"],
+        ["as 1 − e² ≤ 1 and cos²α ≤ 1"],
+    ),
+    "a share that is less than 1, factor by factor": (
+        REST.format(k="3", e="") + "show energy_lost < 3/4 energy(0)\nshow speed(B) < u/2",
+        [
+            "as 1 − e² ≤ 1 and cos²α < 1",
+            "as ½(1 + e) ≤ 1 and cos α < 1",
+        ],
+    ),
+    "a share with a ratio of masses": (
+        REST.format(k="k ", e="") + "show energy_lost < energy(0)",
+        ["as k/(1 + k) < 1, 1 − e² ≤ 1 and cos²α < 1"],
     ),
     "a quotient": (
         REST.format(k="2", e="")

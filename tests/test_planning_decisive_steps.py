@@ -454,3 +454,33 @@ def test_a_difference_of_a_letter_for_an_angle_is_made_greatest_in_a_later_part(
         "part b\nfind maximum of delta over theta"
     )
     assert "δ ≤ arctan(√5(1 + e)/(10√(4 − e))), as −90° < δ < 180°" in own
+
+
+# --- powers -----------------------------------------------------------------------------------
+
+CHANNEL = "wall V, W: along j\nsphere P: velocity 3u i\n" + "P hits V: e = e\nP hits W: e = e\n" * 2
+
+
+@pytest.mark.parametrize(
+    ("given", "lines"),
+    [
+        ("speed(P) = 16/81 * 3u", ["e⁴ = 16/81", "e² = 4/9", "e = ⅔, as e ≥ 0"]),
+        ("energy = 3/5 energy(0)", ["e⁸ = ⅗", "e = (⅗)^(1/8) ≈ 0.938, as e ≥ 0"]),
+        ("e^3 = 1/20", ["e³ = 1/20", "e = ∛(1/20) ≈ 0.368"]),
+    ],
+)
+def test_what_a_power_of_the_unknown_is_stands_before_its_root(
+    given: str, lines: list[str]
+) -> None:
+    own = rows(f"{CHANNEL}given {given}\nfind e")
+    assert own[-len(lines) :] == lines
+
+
+def test_a_factor_that_every_term_has_goes_first() -> None:
+    own = rows(
+        "sphere A, B: mass 2m, radius a\nsphere A: velocity u i\nsphere B: at rest\n"
+        "wall W: along j\nA hits B: offset a, e = e\nB hits W: e = e\n"
+        "given velocity(A) perpendicular to velocity(B)\nfind e"
+    )
+    last = own.index("Dividing by 1 + e, which is not zero as e ≥ 0:")
+    assert own[last + 1 : last + 3] == ["(5 − 3e)e + 1 + e = 0", "3e² − 6e − 1 = 0"]

@@ -34,6 +34,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.closing.brackets import bracket_alone
 from restitution.planning.closing.collecting import multiplied_out
+from restitution.planning.closing.common_factors import sums_above, without_common_factor
 from restitution.planning.closing.complements import without_complements
 from restitution.planning.closing.crossing import multiplied_across
 from restitution.planning.closing.known_values import (
@@ -156,12 +157,14 @@ def _by_sine_and_cosine(scene: Scene, number: int, symbol: sp.Symbol) -> int:
 
 
 def _without_common_sums(scene: Scene, number: int, symbol: sp.Symbol) -> int:
-    """The line without a sum such as 1 + e, certain not to vanish, that both sides have above."""
+    """The line without a sum such as 1 + e, certain not to vanish, that each term has above."""
     link = scene.desk.last_link(number)
-    if link.sign != "=" or link.right == ZERO:
+    if link.sign == "=" and link.right == ZERO:
+        return without_common_factor(scene, number, symbol) or number
+    if link.sign != "=":
         return number
     sides = [factored(scene_value(scene, side)) for side in (link.left, link.right)]
-    first, second = (_sums_above(side) for side in sides)
+    first, second = (sums_above(side) for side in sides)
     common = [
         base ** min(power, second[base])
         for base, power in first.items()
@@ -177,12 +180,6 @@ def _without_common_sums(scene: Scene, number: int, symbol: sp.Symbol) -> int:
     known = background(scene, symbol_names(whole))
     refs = scene.judge.enough(Move("cancel"), (number,), relation, known)
     return number if refs is None else scene.desk.write(Move("cancel"), refs, relation)
-
-
-def _sums_above(value: sp.Expr) -> dict[sp.Expr, sp.Expr]:
-    """The sums that are factors of the upper part of a quotient, each with its power."""
-    powers = (factor.as_base_exp() for factor in sp.Mul.make_args(value))
-    return {base: power for base, power in powers if base.is_Add and power.is_Integer and power > 0}
 
 
 # --- shapes -------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -30,9 +31,13 @@ from restitution.workings.reasons.right_angles import in_letters_alone
 
 
 def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
-    """The factor in letters by which a line was divided; None where it has no short form."""
+    """The factor in letters by which a line was divided; None where it has no short form.
+
+    Beside a sum nothing is said of letters of which nothing is cited: they are positive.
+    """
     both = _before_and_after(derivation, line)
-    return None if both is None else _cancelled(*both)
+    cited = frozenset(re.findall(r"\w+", " ".join(e for e in line.premises if isinstance(e, str))))
+    return None if both is None else _cancelled(*both, cited)
 
 
 def _before_and_after(derivation: Derivation, line: Line) -> tuple[Relation, Relation] | None:
@@ -48,13 +53,15 @@ def _before_and_after(derivation: Derivation, line: Line) -> tuple[Relation, Rel
 
 
 @remembered(1024)
-def _cancelled(above: Relation, line: Relation) -> Expression | None:
+def _cancelled(above: Relation, line: Relation, cited: frozenset[str]) -> Expression | None:
     """The factor by which one relation was divided to be the other."""
     try:
         own, back = _with_letters_for_tangents(above, line)
         before, after = map(_residual, own)
         numerator, _ = sp.fraction(sp.cancel(before / after))
         _, factor = sp.factor_list(numerator)
+        if any(base.is_Add for base, _ in factor):
+            factor = [e for e in factor if not e[0].is_Symbol or e[0].name in cited]
         # Of an inequality the whole factor has a sign; an equation is divided by what is not zero.
         ordered = line.only[0].sign in FLIPPED
         bases = [base**power if ordered else base for base, power in factor]

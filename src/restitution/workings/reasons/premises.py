@@ -37,7 +37,6 @@ from restitution.workings.reasons.before_walls import walls_ahead
 from restitution.workings.reasons.equality import equal_tangents
 from restitution.workings.reasons.every_value import every_positive_value
 from restitution.workings.reasons.factors import factor_cancelled
-from restitution.workings.reasons.factors_below import factors_below
 from restitution.workings.reasons.grounds import (
     angle_acute_by,
     grounds_of,
@@ -56,6 +55,7 @@ from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
 from restitution.workings.reasons.rejected_roots import made_of_a_root
 from restitution.workings.reasons.right_angles import RightAngles
 from restitution.workings.reasons.shape_reasons import DOWN, UP, ZERO
+from restitution.workings.reasons.shares import bounded_factors
 from restitution.workings.reasons.signs_of_factors import signs_of_factors
 from restitution.workings.reasons.together import with_acute_angles_together
 
@@ -173,12 +173,9 @@ class Reasons(PositiveReasons):
         )
         if ahead:
             return ahead
-        if line.move.id == "sign" and isinstance(line.relation, Relation):
-            cited = map(self._shapes.relation_of, line.premises)
-            parts = factors_below(line.relation, cited, self._roles)
-            if parts:
-                reasons = tuple(self._layout(Relation(((part,),))) for part in parts)
-                return (say("derived.as", reasons=reasons),)
+        shares = tuple(map(self._layout, bounded_factors(self._derivation, line, self._roles)))
+        if shares:
+            return (say("derived.as", reasons=shares),)
         tangents = equal_tangents(self._derivation, line)
         if tangents is None:
             return None

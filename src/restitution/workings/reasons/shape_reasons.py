@@ -7,7 +7,6 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.errors import RestitutionError
 from restitution.explaining.data.setting import Setting
 from restitution.explaining.lines.derivation import (
     FLIPPED,
@@ -31,7 +30,6 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
-    has_quantity,
     is_binary,
     letters,
     walk,
@@ -47,6 +45,7 @@ from restitution.workings.reasons.bounding_parts import (
     wave_of,
 )
 from restitution.workings.reasons.equality import divisor_left_out, place_of_zero
+from restitution.workings.reasons.shares import share_of
 
 # A longer expression is told by the name of what it is worth.
 _LONGEST = 24
@@ -287,38 +286,14 @@ class ShapeReasons:
 
     def _share(self, line: Line) -> Iterator[Sentence]:
         """That what a value is of its bound is at most 1, where nothing else is cited for that."""
-        assert isinstance(line.relation, Relation)
-        links = line.relation.options[0]
-        if line.move.id != "sign" or len(links) != 1 or links[0].sign not in UP:
+        share = share_of(self._derivation, line)
+        if share is None or sp.fraction(share)[1].free_symbols:
             return
-        values: dict[Expression, Expression] = {}
-        for ref in line.premises:
-            own = self._derivation.line(ref)
-            if (
-                own is None
-                or not isinstance(own.relation, Relation)
-                or len(own.relation.options) > 1
-            ):
-                return  # a reason is cited
-            values[own.relation.only[0].left] = own.relation.only[-1].right
-        sides = [
-            rebuilt(side, lambda tree: values.get(tree, tree))
-            for side in (links[0].left, links[0].right)
-        ]
-        if not values or any(map(has_quantity, sides)):
-            return
-        try:
-            value, most = (in_letters(side) for side in sides)
-        except (RestitutionError, TypeError, ValueError):
-            return
-        share = sp.factor(value / most)
-        if not share.free_symbols or sp.fraction(share)[1].free_symbols or share.has(sp.zoo):
-            return
-        if any(not atom.exp.is_Integer for atom in share.atoms(sp.Pow)):
-            return
-        link = Link(tree_of(share), links[0].sign, Number(Fraction(1)))
-        if is_short(link.left):
-            yield say("derived.fact", fact=self._naming.relation(Relation(((link,),))))
+        if not any(isinstance(ref, str) for ref in line.premises):
+            assert isinstance(line.relation, Relation)
+            link = Link(tree_of(share), line.relation.only[0].sign, Number(Fraction(1)))
+            if is_short(link.left):
+                yield say("derived.fact", fact=self._naming.relation(Relation(((link,),))))
 
 
 def is_short(tree: Expression) -> bool:

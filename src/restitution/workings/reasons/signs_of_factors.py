@@ -46,7 +46,7 @@ def signs_of_factors(
     hidden = any(map(_is_of_a_part, open_))
     if (len(open_) < _SEVERAL and not hidden) or has_quantity(whole):
         return ()
-    oracle = Oracle(roles, tuple(_cited(derivation, line, roles)))
+    oracle = Oracle(roles, tuple(cited_bounds(derivation, line, roles)))
     signs = [_sign(tree, oracle, roles) for tree in open_]
     if None in signs:
         return ()
@@ -100,7 +100,9 @@ def _is_difference(tree: Expression) -> bool:
     )
 
 
-def _cited(derivation: Derivation, line: Line, roles: Mapping[str, Role]) -> Iterator[Formula]:
+def cited_bounds(
+    derivation: Derivation, line: Line, roles: Mapping[str, Role]
+) -> Iterator[Formula]:
     """What is cited of letters, as the oracle takes it."""
     for ref in line.premises:
         if not isinstance(ref, str) or ref.startswith("acute:"):
@@ -112,11 +114,12 @@ def _cited(derivation: Derivation, line: Line, roles: Mapping[str, Role]) -> Ite
         for link in relation.only:
             sides = (link.left, link.right)
             if link.sign in _ORDERS and not any(map(has_quantity, sides)):
-                left, right = (_value(side, roles) for side in sides)
+                left, right = (worth_of(side, roles) for side in sides)
                 yield compared(left, link.sign, right)
 
 
-def _value(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
+def worth_of(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
+    """A tree in letters that know what they may be."""
     own = sp.sympify(in_letters(tree), strict=True)
     named = {s: roles[s.name].symbol(s.name) for s in own.free_symbols if s.name in roles}
     return own.xreplace(named)
@@ -125,7 +128,7 @@ def _value(tree: Expression, roles: Mapping[str, Role]) -> sp.Expr:
 def _sign(tree: Expression, oracle: Oracle, roles: Mapping[str, Role]) -> Sign | None:
     """How a factor compares with zero; None where that is not certain."""
     try:
-        value = _value(tree, roles)
+        value = worth_of(tree, roles)
         signs: tuple[Sign, ...] = (">", "<", ">=", "<=")
         for sign in signs:
             if oracle.proves(compared(value, sign, sp.Integer(0))):
