@@ -484,3 +484,25 @@ def test_a_factor_that_every_term_has_goes_first() -> None:
     )
     last = own.index("Dividing by 1 + e, which is not zero as e ≥ 0:")
     assert own[last + 1 : last + 3] == ["(5 − 3e)e + 1 + e = 0", "3e² − 6e − 1 = 0"]
+
+
+# --- a speed beside the angle of its velocity to a wall ----------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("angle", "line", "answer"),
+    [
+        ("90° - 58°", "5.4 cos 32° = 2u cos 40°", "u = (27 cos 32°)/(10 cos 40°) ≈ 2.99"),
+        ("35°", "5.4 cos 35° = 2u cos 40°", "u = (27 cos 35°)/(10 cos 40°) ≈ 2.89"),
+    ],
+)
+def test_a_given_speed_at_a_given_angle_to_a_wall_is_resolved(
+    angle: str, line: str, answer: str
+) -> None:
+    own = rows(
+        WALL.replace("theta", "40°")
+        + f"given angle(velocity(P), W) = {angle}, speed(P) = 5.4\nfind e, u"
+    )
+    assert line in own
+    assert answer in own
+    assert not [row for row in own if "90°" in row or "²" in row]

@@ -23,7 +23,7 @@ from restitution.explaining.data.first_hits import hits
 from restitution.explaining.data.one_line import axis_of_all, side_along, with_lines_of_centres
 from restitution.explaining.lines.derivation import Fact, FactKind, Link, Relation, Sign
 from restitution.explaining.lines.quotients import Plane
-from restitution.explaining.lines.trees import rebuilt, settled
+from restitution.explaining.lines.trees import degrees_worked_out, rebuilt, settled
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Apply,
@@ -528,7 +528,7 @@ class FactsOf(Arrangement):
     def _links(self, relation: Said, events: int) -> Iterator[tuple[Link, ...]]:
         match relation:
             case Compare(operands, operators):
-                trees = [self.settled(operand, events) for operand in operands]
+                trees = [degrees_worked_out(self.settled(e, events)) for e in operands]
                 for left, sign, right in zip(trees, operators, trees[1:], strict=False):
                     yield (Link(left, sign, right),)
             case Aligned(left, how, right):

@@ -16,8 +16,10 @@ from restitution.expression.tree import (
     Apply,
     AtTime,
     Binary,
+    Degrees,
     Expression,
     Name,
+    Number,
     Quantity,
     has_quantity,
     walk,
@@ -57,6 +59,24 @@ def has_ratio_of_a_sum(tree: Expression) -> bool:
         for node in walk(tree)
         if isinstance(node, Apply) and isinstance(node.argument, Binary)
     )
+
+
+def degrees_worked_out(tree: Expression) -> Expression:
+    """A tree with sums and multiples of degrees as one number of degrees: 90° − 55° as 35°."""
+    return rebuilt(tree, _in_degrees)
+
+
+def _in_degrees(tree: Expression) -> Expression:
+    match tree:
+        case Binary("+", Degrees(one), Degrees(other)):
+            return Degrees(one + other, place=tree.place)
+        case Binary("-", Degrees(one), Degrees(other)):
+            return Degrees(one - other, place=tree.place)
+        case Binary("*", Number(times), Degrees(one)) | Binary("*", Degrees(one), Number(times)):
+            return Degrees(one * times, place=tree.place)
+        case Binary("/", Degrees(one), Number(parts)) if parts:
+            return Degrees(one / parts, place=tree.place)
+    return tree
 
 
 def exchanged(tree: Expression, values: Mapping[Expression, Expression]) -> Expression:

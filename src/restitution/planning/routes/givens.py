@@ -61,6 +61,7 @@ from restitution.planning.journeys.given_places import write_given_place
 from restitution.planning.routes.given_energies import write_share_of_energy
 from restitution.planning.routes.given_times import write_time_since
 from restitution.planning.routes.quoted import QUOTED, has_root, quoted, quoted_as, quoted_ratio
+from restitution.planning.routes.sizes_resolved import write_resolved_speed
 from restitution.planning.writing import place_trees
 from restitution.planning.writing.between import terms_between
 from restitution.planning.writing.candidates import Candidate
@@ -147,6 +148,7 @@ def write_given(scene: Scene, given: GivenEquation) -> int:
         if standing is not None:
             return standing
     line = given_along_the_centres(scene, given)
+    line = write_resolved_speed(scene, given) if line is None else line
     if line is None and isinstance(own.left, Quantity):
         line = _of_one_quantity(scene, given, own.left)
     if line is None:
