@@ -506,3 +506,12 @@ def test_a_given_speed_at_a_given_angle_to_a_wall_is_resolved(
     assert line in own
     assert answer in own
     assert not [row for row in own if "90°" in row or "²" in row]
+
+
+def test_an_impulse_that_is_typed_by_its_size_and_angle_stands_by_components() -> None:
+    own = rows(
+        "wall W\nsphere P: mass 1/2, velocity 6i\nP hits W\n"
+        "given impulse(P) = 2 at 120°\nfind speed(P), e"
+    )
+    assert "−𝐢 + √3 𝐣 = ½(𝐯_P − 6𝐢)" in own
+    assert "the normal to W is parallel to −𝐢 + √3 𝐣" in own

@@ -256,7 +256,14 @@ def _parallel(
     value = scene.value(right)
     if not isinstance(value, Vector):
         raise NotPlannedError("an impulse along a direction at an angle")
-    return _write(scene, record, number, body, refs, right)
+    return _write(scene, record, number, body, refs, by_components(scene, right))
+
+
+def by_components(scene: Scene, tree: Expression) -> Expression:
+    """A vector by its components, where it is typed by a size and an angle."""
+    if not any(isinstance(node, Polar) for node in walk(tree)):
+        return tree
+    return tree_of(tuple(map(tidy, scene.vector(tree))))
 
 
 def _write(
@@ -448,7 +455,8 @@ def take_opposite(scene: Scene, given: GivenEquation) -> str | None:
     if polar or scene.unknown(scene.mass(other).value):
         return None
     opposite = tree_of(tuple(tidy(-value) for value in scene.vector(right)))
-    impulse = right.operand if isinstance(right, Negate) else opposite
+    plain = isinstance(right, Negate) and not isinstance(right.operand, Polar)
+    impulse = right.operand if isinstance(right, Negate) and plain else opposite
     line = scene.desk.write(
         Move("law", "opposite-impulses", event, scene.bodies(event)),
         given.refs,
@@ -465,7 +473,7 @@ def _take(scene: Scene, body: str, event: int, impulse: Expression, refs: tuple[
     velocity = Quantity("velocity", (Name(body),), event)
     if scene.unknown(mass.value):
         raise NotPlannedError("an impulse on a sphere whose mass is open")
-    push = scene.vector(impulse)
+    push, impulse = scene.vector(impulse), by_components(scene, impulse)
     late = Vector(*(tidy(u + p / mass.value) for u, p in zip(early.value, push, strict=True)))
     before = tree_of(early.value)
     change: Expression = velocity
