@@ -515,3 +515,12 @@ def test_an_impulse_that_is_typed_by_its_size_and_angle_stands_by_components() -
     )
     assert "−𝐢 + √3 𝐣 = ½(𝐯_P − 6𝐢)" in own
     assert "the normal to W is parallel to −𝐢 + √3 𝐣" in own
+
+
+def test_a_tangent_in_figures_keeps_the_decimal_of_the_data() -> None:
+    own = rows(
+        TWO.format(a="2", u="2.5 at 37°", b="3", v="velocity 1.7 at 20°", e=", e = 1/3")
+        + "find deflection(B)"
+    )
+    assert "tan β ≈ (1.7 sin 20°)/1.81" in own
+    assert "δ = 20° − β ≈ 20° − arctan((1.7 sin 20°)/1.81)" in own

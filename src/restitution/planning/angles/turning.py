@@ -10,7 +10,7 @@ import sympy as sp
 
 from restitution.exact import tidy, tidy_angle
 from restitution.explaining.lines.derivation import Meaning, Move, Ref, Relation, equality
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     COMPONENTS,
     RIGHT_ANGLE,
@@ -271,7 +271,11 @@ def _by_inverse(scene: Scene, own: Ratio) -> int:
             if line is None:
                 raise
             return line
-    right = rebuilt(own.angle or _angle_of(scene, own), _without_inverse)
+    angle = own.angle or _angle_of(scene, own)
+    if not own.value.free_symbols:
+        # The ratio stands as in the line above: 3.2 sin 37° over a component.
+        angle = exchanged(angle, {tree_of(own.value): scene.desk.last_link(own.line).right})
+    right = rebuilt(angle, _without_inverse)
     named: tuple[Ref, ...] = ()
     if isinstance(right, Binary) and isinstance(right.right, Letter):
         named = (range_of(scene, right.right.name),)  # of 90° − α

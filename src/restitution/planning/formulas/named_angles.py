@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    Number,
     Quantity,
     has_quantity,
     is_function,
@@ -25,10 +26,13 @@ from restitution.expression.tree import (
 from restitution.planning.formulas.definitions import Formula
 from restitution.planning.writing.angle_ratios import given_ratio
 from restitution.planning.writing.desk import chain, together
-from restitution.planning.writing.forms import ONE, in_tangents, swept, tree_of
+from restitution.planning.writing.forms import ONE, factors, in_tangents, product, swept, tree_of
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.same_angles import tangent_by_the_same, write_same_angle
 from restitution.planning.writing.scene import Scene
+
+# Numbers with more places are fractions.
+_PLACES = 4
 
 ANGLES = {
     "deflection": ("delta", "phi", "psi"),
@@ -89,7 +93,8 @@ def ratio_line(
     Where the one in the denominator is negative it keeps its sign: that tells the angle. One that
     is 1 stands there all the same, 4/1: so the components are seen.
     """
-    first = swept(right)
+    numbered = _with_a_number_in_front(right)
+    first = numbered or swept(right)
     match right:
         case Binary("/", above, below) if isinstance(swept(below), Negate) or (
             swept(below) == ONE and is_function(ratio, "tan")
@@ -97,7 +102,7 @@ def ratio_line(
             first = Binary("/", swept(above), swept(below))
     final = in_tangents(value) if sp.sympify(value, strict=True).is_number else value
     ends = tuple(_over_roots(scene, first))
-    if not (ends and _is_of_degrees(final)):
+    if numbered is None and not (ends and _is_of_degrees(final)):
         ends = (*ends, tree_of(final))
     rearrange: MoveId = "rearrange"
     relation = chain(ratio, (first, None), *((end, rearrange) for end in ends))
@@ -115,6 +120,22 @@ def ratio_line(
         if premises is not None:
             refs, relation = premises, by_squares
     return scene.desk.write(move, refs, relation)
+
+
+def _with_a_number_in_front(quotient: Expression) -> Expression | None:
+    """A quotient of figures, 3.2 sin 37° over a sum, without a quotient above: 16 sin 37°/5.
+
+    None of another one, and where that number has no end as a decimal.
+    """
+    match quotient:
+        case Binary("/", above, Binary("+" | "-") as below) if not letters(quotient):
+            first, *rest = factors(above)
+        case _:
+            return None
+    match first:
+        case Binary("/", Number(whole), Number(part)) if rest and 10**_PLACES % part == 0:
+            return Binary("/", product(Number(whole / part), *rest), swept(below))
+    return None
 
 
 def _is_of_degrees(value: Any) -> bool:
