@@ -524,3 +524,13 @@ def test_a_tangent_in_figures_keeps_the_decimal_of_the_data() -> None:
     )
     assert "tan β ≈ (1.7 sin 20°)/1.81" in own
     assert "δ = 20° − β ≈ 20° − arctan((1.7 sin 20°)/1.81)" in own
+
+
+def test_sine_and_cosine_by_a_tangent_in_letters_stand_over_one_root() -> None:
+    own = rows(
+        "wall AB: along i\nwall BC: along 120°\nsphere P: velocity 2u at theta to AB\n"
+        "P hits AB: e = e\nP hits BC: e = e\ngiven velocity(P) parallel to AB\n"
+        "find tan(theta)\nfind speed(P)"
+    )
+    sine = own.index("sin θ = √3(1 + e)/√(3 + 6e + 12e² − 6e³ + e⁴)")
+    assert own[sine + 1] == "cos θ = (3 − e)e/√(3 + 6e + 12e² − 6e³ + e⁴)"

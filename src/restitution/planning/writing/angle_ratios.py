@@ -9,10 +9,12 @@ import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact import tidy
+from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Fact, Link, Move, MoveId, Ref, Relation
 from restitution.expression.tree import Apply, Binary, Degrees, Expression, Letter
 from restitution.planning.writing.desk import Desk, NotPlannedError, Source, chain
 from restitution.planning.writing.forms import ONE, square, total, tree_of
+from restitution.planning.writing.judging import Judge
 
 
 class Angles(Protocol):
@@ -20,6 +22,9 @@ class Angles(Protocol):
 
     model: Model
     desk: Desk
+
+    @property
+    def judge(self) -> Judge: ...
 
     @property
     def ratio_facts(self) -> Mapping[str, Fact]: ...
@@ -119,16 +124,42 @@ def write_other_ratio(scene: Angles, symbol: sp.Symbol, kind: str) -> None:
         known, angle = _in_numbers(scene, Apply(ratio, letter), known, worth)
         kinds = [kind] if kind == "tan" else [own for own in ("sin", "cos") if own != ratio]
         trees = {own: ratio_of(own, angle) for own in kinds}
+        if ratio == "tan":
+            trees |= _over_one_root(scene, known.value, trees)
         links = tuple(Link(Apply(own, letter), "=", tree_of(trees[own])) for own in kinds)
         refs = known.refs
         nested = any(_has_root(power) for own in trees.values() for power in own.atoms(sp.Pow))
         if ratio == "tan" and nested and known.value.is_number:
             refs = (square_of_cosine(scene, letter, known),)
         premises = (*refs, range_of(scene, symbol.name))
+        more = scene.judge.known(symbol_names(known.value))
+        enough = scene.judge.enough(Move("triangle"), premises, Relation((links,)), more)
+        premises = premises if enough is None else enough
         number = scene.desk.write(Move("triangle"), premises, Relation((links,)))
         for own in kinds:
             scene.desk.know(Apply(own, letter), trees[own], (number,))
         return
+
+
+def _over_one_root(
+    scene: Angles, tangent: sp.Expr, ratios: Mapping[str, sp.Expr]
+) -> dict[str, sp.Expr]:
+    """Sine and cosine by a tangent p/q in letters as p and q over the root of p² + q².
+
+    Those that are no shorter so are left out.
+    """
+    above, below = sp.fraction(sp.together(tangent))
+    if not tangent.free_symbols or not below.free_symbols:
+        return {}
+    if scene.model.sign(scene.model.in_data(below)) < 0:
+        above, below = -above, -below
+    root = sp.sqrt(sp.expand(above**2 + below**2))
+    own = {"sin": above / root, "cos": below / root}
+    return {
+        kind: own[kind]
+        for kind, value in ratios.items()
+        if kind in own and own[kind].count_ops() < value.count_ops()
+    }
 
 
 def ratio_of_degrees(scene: Angles, asked: Apply) -> Source | None:
