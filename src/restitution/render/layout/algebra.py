@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import Any, Literal, NamedTuple
 
 import sympy
-from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol
+from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, ilcm
 
 from restitution import exact
 from restitution.exact.symbols import symbol_names
@@ -327,7 +327,31 @@ LARGE_INSIDE = 10**6  # from here on a number is not multiplied out under a root
 LONG_SURD = 100  # from here on a root is not worth writing a second time, as in 11√185/185
 
 
+def _one_higher_root(value: Expr) -> Layout | None:
+    """A number below a root of an index above 2 that stands above its denominator: (1/10)^(1/6).
+
+    SymPy has 10^(5/6)/10 for it. None of another product, and where the root is no shorter so.
+    """
+    rational, rest = value.as_coeff_Mul()
+    if rational.p < 0:
+        root = _one_higher_root(-value)
+        return None if root is None else negative(root)
+    powers = [factor.as_base_exp() for factor in Mul.make_args(rest)]
+    if rational.q == 1 or rational.p != 1:
+        return None
+    if not all(base.is_Integer and base > 0 and exponent.is_Rational for base, exponent in powers):
+        return None
+    index = ilcm(1, *(exponent.q for _, exponent in powers))
+    inside = rational**index * Mul(*(base ** (exponent * index) for base, exponent in powers))
+    if index == 2 or not inside.is_Rational or inside.p * inside.q > rational.q**2:
+        return None
+    return Root(fraction(*map(_from_expression, inside.as_numer_denom())), int(index))
+
+
 def _from_product(value: Expr) -> Layout:
+    higher = _one_higher_root(value)
+    if higher is not None:
+        return higher
     sign = 1
     rational = S.One
     surds: list[Integer] = []
