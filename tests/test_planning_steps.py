@@ -728,3 +728,17 @@ show energy_lost = 1/2 m u^2 sin(alpha + beta) sin(alpha - beta)/cos^2(beta)
     assert f"Substituting in (1): kinetic energy lost = {first} = ½mu²{product}/cos²β" in working
     assert "By the formulae for a sum of angles: kinetic energy lost = ½mu² sin(α + β)" in working
     assert "does not follow" not in working
+
+
+def test_a_greatest_angle_that_is_shown_ends_in_the_printed_form() -> None:
+    text = """
+wall W: along i
+sphere P: velocity u at alpha to W
+P hits W: e = e
+given 0 < e < 1
+show maximum of alpha - angle(velocity(P), W) over alpha = arctan((1 - e^2)/(2(1 + e) sqrt(e)))
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "tan δ ≤ (1 − e²)/(2(1 + e)√e)" in working
+    assert "greatest value of δ = arctan((1 − e²)/(2(1 + e)√e))" in working
+    assert "does not follow" not in working

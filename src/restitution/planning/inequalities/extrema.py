@@ -148,6 +148,7 @@ class _Extremum:
         known = roles(self.scene.problem)
         degrees = angle or (isinstance(asked, Letter) and known[asked.name].kind == "angle")
         self.printed = printed if not angle else None
+        self.arctangent = printed.argument if angle and is_function(printed, "arctan") else None
         form = self.printed or tree_of(value, angle=degrees, as_it_is=angle)
         self.end = Link(self.asked, sign, form)
 
@@ -159,12 +160,13 @@ class _Extremum:
             return again
         if _is_angle(self.asked) or is_of_two_angles(self.asked):
             start, end, value = self.claims.worths.mark(), self.end, self.value
-            try:
-                return self._of_angle()
-            except NotPlannedError:
-                self.claims.worths.back(start)
-                self.end, self.value = end, value
-                return self._at_an_end()
+            for form in (self.arctangent, None) if self.arctangent else (None,):
+                try:
+                    return self._of_angle(form)
+                except NotPlannedError:
+                    self.claims.worths.back(start)
+                    self.end, self.value = end, value
+            return self._at_an_end()
         if (
             isinstance(self.asked, Letter)
             and (tied := self._of_tied_letter(self.asked)) is not None
@@ -197,12 +199,12 @@ class _Extremum:
             self.end = end
         raise NotPlannedError("a greatest or least value")
 
-    def _of_angle(self) -> int:
-        """An angle by its tangent."""
+    def _of_angle(self, form: Expression | None = None) -> int:
+        """An angle by its tangent, which has a form where that is to be shown."""
         asked, whole, value = self.asked, self.end, self.value
         tangent = tidy(sp.tan(value))
         if not value.is_Symbol and not sp.deg(value).is_Rational:
-            whole = replace(whole, right=Apply("arctan", tree_of(tangent)))
+            whole = replace(whole, right=Apply("arctan", form or tree_of(tangent)))
         if tangent.has(sp.zoo) or self.scene.model.sign(tangent) <= 0:
             return self._of_wide_angle(asked)
         start = self.claims.worths.mark()
@@ -221,7 +223,7 @@ class _Extremum:
         if is_of_two_angles(asked) or self.claims.worths.is_of_statement(letter):
             asked, whole = letter, replace(whole, left=letter)
         self.value = tangent
-        self.end = Link(Apply("tan", letter), whole.sign, tree_of(tangent))
+        self.end = Link(Apply("tan", letter), whole.sign, form or tree_of(tangent))
         for method in (self._monotone, self._quotient, self._gap, self._plain):
             mark = self.claims.worths.mark()
             self.support, self.place = (), None
