@@ -64,7 +64,7 @@ def law_plot(experiment: Experiment) -> str:
         names = _law_names(experiment)
         axes.set_xlabel(names[0], labelpad=3)
         axes.set_ylabel(names[1], labelpad=3)
-        walls = _walls(experiment)
+        walls = is_of_walls(experiment)
         if walls:
             _angles_beside(axes, frame)
         _legend(axes, above=9.5 if walls else 2.0)
@@ -84,7 +84,7 @@ def residual_plot(experiment: Experiment) -> str:
     all_points = experiment.points
     experiment = _thinned(experiment)
     points = experiment.points
-    walls = _walls(experiment)
+    walls = is_of_walls(experiment)
     x = [_angle_or_speed(point) for point in points]
     highest = max(
         FAR * 1.15, outlying([abs(point.residual) for point in all_points], 4 * FAR) * 1.1
@@ -497,7 +497,8 @@ def _trend(axes: Any, experiment: Experiment, rows: Sequence[_Ratio]) -> None:
 # --- words -------------------------------------------------------------------------------------
 
 
-def _walls(experiment: Experiment) -> bool:
+def is_of_walls(experiment: Experiment) -> bool:
+    """Whether angles at a wall were measured, and no speeds."""
     return experiment.points[0].alpha is not None
 
 
@@ -508,14 +509,14 @@ def _unit(experiment: Experiment) -> str:
 
 
 def _law_names(experiment: Experiment) -> tuple[str, str]:
-    if _walls(experiment):
+    if is_of_walls(experiment):
         return r"$\tan\,\alpha$", r"$\tan\,\beta$"
     unit = _unit(experiment)
     return f"speed of approach, in {unit}", f"speed of separation, in {unit}"
 
 
 def _ratio_name(experiment: Experiment) -> str:
-    if _walls(experiment):
+    if is_of_walls(experiment):
         return r"$\tan\,\beta\;/\;\tan\,\alpha$"
     return "separation / approach"
 
@@ -562,7 +563,9 @@ def _list_sentence(what: str, words: Sequence[str]) -> str:
 
 
 def _law_words(experiment: Experiment, total: int, outside: int) -> str:
-    what = "tan β against tan α" if _walls(experiment) else "speed of separation against approach"
+    what = (
+        "tan β against tan α" if is_of_walls(experiment) else "speed of separation against approach"
+    )
     beside = f", {outside} of them outside the frame" if outside else ""
     return (
         f"{what}: {total} readings with their errors{beside}; the line of the fit, "

@@ -10,7 +10,7 @@ from restitution.counting import counted
 from restitution.drawing.svg import abreast
 from restitution.experiments.formulas import ALPHA, BETA, RATIO, TAN_ALPHA, TAN_BETA, E
 from restitution.experiments.numbers import fixed, with_error
-from restitution.experiments.plots import law_plot, residual_plot, speed_plot
+from restitution.experiments.plots import is_of_walls, law_plot, residual_plot, speed_plot
 from restitution.experiments.results import Check, Point
 from restitution.experiments.texts import TITLES, class_words, error_sentence, interval_sentence
 from restitution.experiments.track_scenes import track_scenes
@@ -120,7 +120,7 @@ def _sentence(check: Check) -> str:
 
 def _class(experiment: Experiment) -> Iterator[Block]:
     mean, slope, fit = class_words(experiment)
-    ratio: Inline = RATIO if _walls(experiment) else "separation / approach"
+    ratio: Inline = RATIO if is_of_walls(experiment) else "separation / approach"
     yield Heading("What a class computes")
     yield Table(
         ("", "value"),
@@ -176,7 +176,7 @@ def _columns(experiment: Experiment) -> Iterator[tuple[Inline, _Cell]]:
     points = experiment.points
     if any(point.label for point in points):
         yield "trial", lambda point: point.label
-    if _walls(experiment):
+    if is_of_walls(experiment):
         yield ALPHA, lambda point: _number(point.alpha, 1, "°")
         yield BETA, lambda point: _number(point.beta, 1, "°")
         yield TAN_ALPHA, lambda point: _number(point.x)
@@ -212,10 +212,6 @@ def _left_out(experiment: Experiment) -> Iterator[Block]:
     yield Table(("line", "column", "value", "why"), rows, "rlll")
     if len(faults) > MOST_ROWS:
         yield Paragraph(f"{len(faults) - MOST_ROWS} more are not printed.", "remark")
-
-
-def _walls(experiment: Experiment) -> bool:
-    return experiment.points[0].alpha is not None
 
 
 def _joined(words: str, rest: Inline) -> Inline:

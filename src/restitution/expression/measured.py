@@ -25,6 +25,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     is_binary,
+    is_vector,
     walk,
 )
 from restitution.records import dataclass
@@ -74,7 +75,7 @@ def without_units(
             return replace(tree, operand=inside(operand, slot))
         case Binary("+" | "-", left, right):
             whole: Any = right
-            if isinstance(whole, Measured) and _is_vector(whole.operand) and not has_unit(left):
+            if isinstance(whole, Measured) and is_vector(whole.operand) and not has_unit(left):
                 # ``3i + 4j m/s``: the unit is that of the whole vector.
                 total = replace(tree, right=whole.operand)
                 return decide(replace(whole, operand=total, place=tree.place), slot)
@@ -86,7 +87,7 @@ def without_units(
                 slot = replace(slot, mixed=True)
             return replace(tree, left=inside(left, slot), right=inside(right, slot))
         case Binary(op, left, right):
-            first = slot if op in "*/" and (_is_number(right) or _is_vector(right)) else NOWHERE
+            first = slot if op in "*/" and (_is_number(right) or is_vector(right)) else NOWHERE
             second = slot if op == "*" and _is_number(left) else NOWHERE
             return replace(tree, left=inside(left, first), right=inside(right, second))
         case Pair(x, y):
@@ -125,11 +126,6 @@ def _polar(tree: Polar, slot: Slot, inside: Callable[[Any, Slot], Expression]) -
         angle=inside(angle, ANGLE),
         origin=None if origin is None else inside(origin, NOWHERE),
     )
-
-
-def _is_vector(tree: Any) -> bool:
-    """Whether an expression is a vector, from the way it is written."""
-    return any(isinstance(node, Unit | Pair) for node in walk(tree))
 
 
 def _is_number(tree: Any) -> bool:

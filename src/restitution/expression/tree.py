@@ -7,6 +7,7 @@ to hold one.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import field, fields
 from fractions import Fraction
 from functools import lru_cache
@@ -405,6 +406,36 @@ COMPONENTS = ("along", "across")
 def is_component(node: object) -> TypeGuard[Quantity]:
     """Whether a node is a component of a vector."""
     return is_quantity(node, *COMPONENTS)
+
+
+def is_vector(tree: Expression) -> bool:
+    """Whether an expression is a vector, from the way it is written."""
+    return any(isinstance(node, Unit | Pair) for node in walk(tree))
+
+
+def is_rest(velocity: object) -> bool:
+    """Whether a velocity is that of a body at rest."""
+    return isinstance(velocity, Pair) and is_zero(velocity.x) and is_zero(velocity.y)
+
+
+def name_of(tree: Expression) -> str | None:
+    """The name that an expression is, if it is one."""
+    return tree.name if isinstance(tree, Name) else None
+
+
+def letter_nodes(tree: Expression) -> Iterator[Letter]:
+    """The letters in an expression, as often as they stand in it."""
+    return (node for node in walk(tree) if isinstance(node, Letter))
+
+
+def has_operator(tree: Expression, *signs: str) -> bool:
+    """Whether a sum, product or power with one of the signs stands in an expression."""
+    return any(is_binary(node, *signs) for node in walk(tree))
+
+
+def has_root(tree: Expression) -> bool:
+    """Whether a square root stands in an expression."""
+    return any(is_function(node, "sqrt") for node in walk(tree))
 
 
 def is_binary(node: object, *signs: str) -> TypeGuard[Binary]:

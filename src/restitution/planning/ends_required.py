@@ -8,8 +8,8 @@ from typing import Any
 import sympy as sp
 
 from restitution.explaining.lines.derivation import ItemEnd, Link, Relation, equality
-from restitution.expression.evaluate import Angle
 from restitution.expression.tree import Apply, Expression, letters, walk
+from restitution.planning.writing.checking import measured
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of
 from restitution.planning.writing.scene import Scene
@@ -25,11 +25,6 @@ def require_found(scene: Scene, asked: Expression) -> None:
             raise NotPlannedError(f"an answer with {', '.join(sorted(open_letters))}")
 
 
-def _measured(value: Any) -> Any:
-    """A value; of an angle that in radians."""
-    return value.measure() if isinstance(value, Angle) else value
-
-
 def require_answer(scene: Scene, result: ItemResult) -> None:
     """Refuses an answer that is not that of the solver for all letters which a solution admits.
 
@@ -41,7 +36,7 @@ def require_answer(scene: Scene, result: ItemResult) -> None:
         return
     written, wanted = (
         value if isinstance(value, tuple) else (value,)
-        for value in (_measured(scene.value(options[0][-1].right)), answer.value)
+        for value in (measured(scene.value(options[0][-1].right)), answer.value)
     )
     if len(written) != len(wanted):
         return  # nothing, for a vector
@@ -60,7 +55,7 @@ def require_letters(scene: Scene, result: ItemResult) -> None:
             named = {name for name in letters(link.right) - asked if f"let {name}" in scene.facts}
             if named:
                 raise NotPlannedError(f"an answer in {', '.join(sorted(named))}")
-            value = _measured(scene.value(link.right))
+            value = measured(scene.value(link.right))
             parts = value if isinstance(value, tuple) else (value,)
             others = {
                 symbol.name

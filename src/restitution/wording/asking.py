@@ -14,6 +14,7 @@ from restitution.expression.tree import (
     has_quantity,
     is_quantity,
     letters,
+    name_of,
 )
 from restitution.problem import (
     Compare,
@@ -34,7 +35,7 @@ from restitution.wording.formulas import noun_phrase
 from restitution.wording.formulas import plain as sayable
 from restitution.wording.noun_phrases import Noun, kinds_of, of_bodies
 from restitution.wording.nouns import line, phrase, share
-from restitution.wording.scene import Scene, name_of
+from restitution.wording.scene import Scene
 from restitution.wording.structure import Emphasis, Words
 from restitution.wording.words import listed, words
 

@@ -20,6 +20,7 @@ from restitution.expression.tree import (
     Quantity,
     has_quantity,
     is_quantity,
+    is_rest,
 )
 from restitution.problem import Aligned, AtRest, Compare, Meets, Relation
 from restitution.render import layout as lay
@@ -158,7 +159,7 @@ def _without_zero(relation: Compare) -> Compare:
     """A difference that is compared with nothing as two things compared."""
     match relation:
         case Compare((Binary("-", left, right), zero), operators, figures) if (
-            values.is_zero(zero) or values.is_rest(zero)
+            values.is_zero(zero) or is_rest(zero)
         ) and figures is None:
             return Compare((left, right), operators)
     return relation

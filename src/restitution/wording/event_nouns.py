@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from restitution.expression.quantities import KINDS
 from restitution.expression.tree import (
     Quantity,
+    name_of,
 )
 from restitution.problem import Impact, Kick
 from restitution.wording.moments import during, event_number, in_event
@@ -14,11 +15,7 @@ from restitution.wording.noun_phrases import (
     Noun,
     of_bodies,
 )
-from restitution.wording.scene import (
-    Scene,
-    event_name,
-    name_of,
-)
+from restitution.wording.scene import Scene, event_name
 from restitution.wording.structure import Emphasis, Words
 from restitution.wording.words import names, words
 

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     has_quantity,
     is_binary,
     is_quantity,
+    name_of,
     rational,
 )
 from restitution.problem import Arrival, Event, Impact, bodies_of
@@ -61,7 +62,6 @@ from restitution.wording.scene import (
     happening,
     instant,
     just_before,
-    name_of,
 )
 from restitution.wording.structure import Emphasis, Words
 from restitution.wording.words import listed, names, words

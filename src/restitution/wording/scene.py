@@ -346,8 +346,3 @@ def instant(scene: Scene, number: int, subject: str | None = None) -> Words:
 def leading(when: Words) -> Words:
     """A moment in front of its clause, which may begin with a name as the moment ends."""
     return words(when, ", ") if isinstance(when[-1], Emphasis) else words(when, " ")
-
-
-def name_of(tree: Expression) -> str | None:
-    """The name that an expression is, if it is one."""
-    return tree.name if isinstance(tree, Name) else None

@@ -11,7 +11,7 @@ import sympy
 from restitution.errors import RestitutionError
 from restitution.expression.dimensions import MASS, SPEED
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Expression, Name, Negate, Polar
+from restitution.expression.tree import Expression, Name, Negate, Polar, is_rest
 from restitution.problem import Problem, Sphere, Wall
 from restitution.shapes import Circle, Line, Segment
 from restitution.vector import Vector
@@ -185,7 +185,7 @@ def start(scene: Scene) -> Iterator[Sentence]:
     phrases: list[Words] = []
     resting: list[str] = []
     for sphere in scene.problem.spheres:
-        if values.is_rest(sphere.velocity) and sphere.position is None:
+        if is_rest(sphere.velocity) and sphere.position is None:
             resting.append(sphere.name)
         elif sphere.velocity is not None or sphere.position is not None:
             phrases.append(_state(scene, sphere))
@@ -208,7 +208,7 @@ def start(scene: Scene) -> Iterator[Sentence]:
 
 def _state(scene: Scene, sphere: Sphere) -> Words:
     name = Emphasis(sphere.name)
-    rest = values.is_rest(sphere.velocity)
+    rest = is_rest(sphere.velocity)
     if sphere.position is None:
         return words(name, " is ", moving(scene, sphere.velocity))
     centre = words("the centre of ", name) if sphere.radius is not None else (name,)

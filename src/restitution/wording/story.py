@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from restitution.expression.dimensions import IMPULSE
-from restitution.expression.tree import Expression, Letter, Negate, Number, Polar
+from restitution.expression.tree import Expression, Letter, Negate, Number, Polar, is_rest
 from restitution.problem import Arrival, Impact, Kick, bodies_of
 from restitution.render import layout as lay
 from restitution.wording import values
@@ -175,7 +175,7 @@ def _paths(scene: Scene, event: Impact) -> str:
     speeds: Mapping[str, Any] = {sphere.name: sphere.velocity for sphere in scene.problem.spheres}
     if sum(body in bodies_of(one) for one in scene.events for body in bodies_of(event)) > 2:
         return ""
-    if values.is_rest(speeds[event.second]):
+    if is_rest(speeds[event.second]):
         return "struck at rest"
     one, other = exact(speeds[event.first]), exact(speeds[event.second])
     if one is None or other is None or one.cross(other) != 0:

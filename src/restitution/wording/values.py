@@ -61,11 +61,6 @@ def is_zero(tree: Any) -> bool:
     return isinstance(tree, Number) and tree.value == 0
 
 
-def is_rest(tree: Any) -> bool:
-    """Whether a velocity is zero."""
-    return isinstance(tree, Pair) and is_zero(tree.x) and is_zero(tree.y)
-
-
 def is_vector(tree: Any) -> bool:
     """Whether an expression is a vector, as far as its form tells."""
     match tree:

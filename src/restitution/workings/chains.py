@@ -19,7 +19,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
-    is_function,
+    has_root,
     is_quantity,
     is_zero,
     letters,
@@ -226,7 +226,7 @@ class Chains:
             case (Binary("/", above, below) | Negate(Binary("/", above, below))) as ratio if (
                 line.move.record in _TANGENTS
                 and len(links) > 1
-                and _has_root(below)
+                and has_root(below)
                 and 1 not in draft.in_figures
             ):
                 # Components that are multiples of roots stand as they are before they cancel.
@@ -514,11 +514,6 @@ class Chains:
 def is_value(tree: Expression) -> bool:
     """Whether a side names one quantity, whose dimension is known."""
     return isinstance(tree, Letter | Quantity) or is_time(tree) or is_displacement(tree)
-
-
-def _has_root(tree: Expression) -> bool:
-    """Whether a tree has a root in it."""
-    return any(is_function(node, "sqrt") for node in walk(tree))
 
 
 def sign_of(link: Link) -> str:

@@ -36,6 +36,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    has_operator,
     has_quantity,
     is_binary,
     is_component,
@@ -338,7 +339,7 @@ def _is_another_angle(work: Work, line: Line) -> bool:
 def _of_one_term(work: Work, line: Line) -> bool:
     """There is nothing to put together: only one component is not zero."""
     nodes = [node for tree in trees_of(line.relation) for node in walk(tree)]
-    squares = any(is_binary(node, "+", "-") and _has_power(node) for node in nodes)
+    squares = any(is_binary(node, "+", "-") and has_operator(node, "^") for node in nodes)
     rooted = any(
         is_function(node, "sqrt", "abs") and is_binary(node.argument, "+", "-") for node in nodes
     )
@@ -365,7 +366,7 @@ def _has_power_on_the_left(line: Line) -> bool:
     if isinstance(line.relation, Meaning):
         return False
     left = line.relation.options[0][0].left
-    return _has_power(left) and not has_quantity(left)
+    return has_operator(left, "^") and not has_quantity(left)
 
 
 def _closes_a_given(work: Work, line: Line) -> bool:
@@ -397,10 +398,6 @@ def _of_a_number(work: Work, line: Line) -> bool:
     if sides is None or not isinstance(sides[0], Apply):
         return False
     return length(line) == 1 and not letters(sides[1])
-
-
-def _has_power(tree: Expression) -> bool:
-    return any(is_binary(node, "^") for node in walk(tree))
 
 
 def is_opposite(work: Work, line: Line) -> bool:

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     is_binary,
+    is_rest,
     is_zero,
     negated,
     rational,
@@ -424,8 +425,3 @@ def opposite(tree: Expression) -> Expression:
 def dot(world: World, a: Plane, b: Plane) -> Quotient:
     """The scalar product of two vectors of a world."""
     return world.reduced(a.x * b.x + a.y * b.y)
-
-
-def is_rest(velocity: object) -> bool:
-    """Whether a velocity is that of a body at rest."""
-    return isinstance(velocity, Pair) and is_zero(velocity.x) and is_zero(velocity.y)

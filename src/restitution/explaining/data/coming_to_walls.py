@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from restitution.explaining.data.arrangement import Arrangement, is_rest
+from restitution.explaining.data.arrangement import Arrangement
 from restitution.explaining.data.one_line import side_along
 from restitution.explaining.lines.derivation import FLIPPED, Link, Sign
 from restitution.explaining.lines.quotients import NotComparableError
@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    is_rest,
 )
 from restitution.problem import Impact
 from restitution.shapes import Circle

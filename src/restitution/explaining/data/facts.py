@@ -10,14 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from restitution.explaining.data.arrangement import (
-    Arrangement,
-    difference,
-    dot,
-    is_rest,
-    turned,
-    world_of,
-)
+from restitution.explaining.data.arrangement import Arrangement, difference, dot, turned, world_of
 from restitution.explaining.data.coming_to_walls import coming_to_wall
 from restitution.explaining.data.first_hits import hits
 from restitution.explaining.data.one_line import axis_of_all, side_along, with_lines_of_centres
@@ -42,6 +35,7 @@ from restitution.expression.tree import (
     has_quantity,
     is_component,
     is_quantity,
+    is_rest,
     is_zero,
     letters,
     negated,

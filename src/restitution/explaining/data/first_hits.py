@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from restitution.explaining.data.arrangement import Arrangement, is_rest
+from restitution.explaining.data.arrangement import Arrangement
 from restitution.explaining.lines.algebra import World
 from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.quotients import Plane
@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    is_rest,
     is_zero,
 )
 from restitution.problem import Arrival, Event, Impact, Meets, Wall

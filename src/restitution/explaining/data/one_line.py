@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from restitution.explaining.data.arrangement import Arrangement, difference, is_rest, world_of
+from restitution.explaining.data.arrangement import Arrangement, difference, world_of
 from restitution.explaining.lines.quotients import NotComparableError, Plane
-from restitution.expression.tree import Expression, Negate, Pair, Quantity, Unit, is_zero
+from restitution.expression.tree import Expression, Negate, Pair, Quantity, Unit, is_rest, is_zero
 from restitution.problem import Arrival, Impact, Kick, Problem, Sphere, Step
 
 

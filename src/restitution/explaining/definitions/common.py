@@ -18,7 +18,7 @@ from restitution.expression.tree import (
 ZERO = Number(Fraction(0))
 
 
-def axis_of(event: Event) -> Expression:
+def axis_of(event: Event) -> Quantity:
     """The line of centres of an event."""
     return Quantity("line_of_centres", (), event.number)
 
@@ -29,11 +29,6 @@ def total_of(terms: Sequence[Expression]) -> Expression:
     for term in terms[1:]:
         total = Binary("+", total, term)
     return total
-
-
-def squared(tree: Expression) -> Expression:
-    """The square of a tree."""
-    return Binary("^", tree, Number(Fraction(2)))
 
 
 def unit_vector(axis: str) -> Expression:

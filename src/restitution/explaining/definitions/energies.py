@@ -7,8 +7,9 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product
 
-from restitution.explaining.definitions.common import axis_of, squared, total_of, whole_links
+from restitution.explaining.definitions.common import axis_of, total_of, whole_links
 from restitution.explaining.lines.derivation import Event, Link
+from restitution.explaining.lines.trees import squared
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     COMPONENTS,

@@ -8,16 +8,10 @@ from fractions import Fraction
 from itertools import pairwise, product
 from typing import Any
 
-from restitution.explaining.definitions.common import (
-    axis_of,
-    squared,
-    total_of,
-    unit_vector,
-    whole_links,
-)
+from restitution.explaining.definitions.common import axis_of, total_of, unit_vector, whole_links
 from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.lines.quotients import Plane
-from restitution.explaining.lines.trees import settled
+from restitution.explaining.lines.trees import settled, squared
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     COMPONENTS,

@@ -10,6 +10,7 @@ from itertools import permutations
 
 import sympy as sp
 
+from restitution.explaining.definitions.common import axis_of
 from restitution.explaining.definitions.senses import oriented
 from restitution.explaining.lines.derivation import Event, Link
 from restitution.explaining.lines.quotients import Plane, Quotient
@@ -123,7 +124,7 @@ def _from_a_unit(step: Step, event: Event, one: Moving, other: Moving) -> Expres
     Where it is that by which one body turns, the component along the line of centres, in that
     direction, falls as the angle grows. Two bodies go to one side of the line.
     """
-    unit = step.world.directions.get(_axis(event))
+    unit = step.world.directions.get(axis_of(event))
     sense = 1
     if isinstance(unit, Negate):
         unit, sense = unit.operand, -1
@@ -227,11 +228,11 @@ def _beside_a_velocity_along_i(step: Step, event: Event) -> Iterator[Link]:
 
 def _to_parallel_lines(step: Step, event: Event) -> Iterator[Link]:
     """The angle of a velocity to the line of centres, by that to a wall parallel to it."""
-    centres = _along(step, _axis(event))
+    centres = _along(step, axis_of(event))
     for let in step.lets:
         match let.quantity:
             case Quantity("angle", (Quantity("velocity") as velocity, Name() as wall)):
-                own = Quantity("angle", (velocity, _axis(event)))
+                own = Quantity("angle", (velocity, axis_of(event)))
                 if centres is not None and _along(step, Quantity("direction", (wall,))) == centres:
                     yield Link(own, "=", let.quantity)
 
@@ -353,14 +354,10 @@ def _is_along_i(step: Step, line: Expression) -> bool:
     return False
 
 
-def _axis(event: Event) -> Quantity:
-    return Quantity("line_of_centres", (), event.number)
-
-
 def _component(step: Step, event: Event, kind: str, moving: Moving) -> Quotient | None:
     """A component in a direction of the impact, with what is cited put in."""
     body, stage = moving
-    tree = Quantity(kind, (Quantity("velocity", (Name(body),), stage), _axis(event)))
+    tree = Quantity(kind, (Quantity("velocity", (Name(body),), stage), axis_of(event)))
     value = step.rules().put_into(step.world.value(settled(tree, step.setting.events)))
     return None if isinstance(value, Plane) else step.world.reduced(value)
 
@@ -372,7 +369,7 @@ def _to_the_line(event: Event, moving: Moving, along: Quotient, across: Quotient
     if across.vanishes:
         return _NONE
     body, stage = moving
-    return Quantity("angle", (Quantity("velocity", (Name(body),), stage), _axis(event)))
+    return Quantity("angle", (Quantity("velocity", (Name(body),), stage), axis_of(event)))
 
 
 def _sign(step: Step, value: Quotient) -> int | None:

@@ -401,6 +401,12 @@ def citing(premises: Iterable[Ref], others: Mapping[Ref, Ref]) -> tuple[Ref, ...
     return tuple(dict.fromkeys(others.get(ref, ref) for ref in premises))
 
 
+def turned(link: Link) -> Link:
+    """A link with its sides exchanged."""
+    sign: Sign = FLIPPED.get(link.sign, link.sign)
+    return Link(link.right, sign, link.left)
+
+
 def equality(left: Expression, right: Expression) -> Relation:
     """``left = right`` as a relation."""
     return Relation(((Link(left, "=", right),),))

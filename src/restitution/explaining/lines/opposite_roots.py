@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from restitution.explaining.lines.derivation import Link, Relation, equality
-from restitution.expression.tree import Binary, Expression, Negate, Number
+from restitution.explaining.lines.trees import squared
+from restitution.expression.tree import Negate
 
 
 def root_but_for_sign(options: tuple[tuple[Link, ...], ...]) -> Link | None:
@@ -23,11 +22,7 @@ def root_but_for_sign(options: tuple[tuple[Link, ...], ...]) -> Link | None:
 def as_squares(relation: Relation) -> Relation | None:
     """``v = ±a`` as v² = a²; None of any other relation."""
     root = root_but_for_sign(relation.options)
-    return None if root is None else equality(_squared(root.right), _squared(root.left))
-
-
-def _squared(side: Expression) -> Expression:
-    return Binary("^", side, Number(Fraction(2)))
+    return None if root is None else equality(squared(root.right), squared(root.left))
 
 
 __all__ = ["as_squares", "root_but_for_sign"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from fractions import Fraction
 from functools import lru_cache
 from operator import is_
 from typing import Any
@@ -192,3 +193,8 @@ def _settled(tree: Expression, events: tuple[Event, ...]) -> Expression:
         return tree if last == tree.stage else replace(tree, stage=last)
 
     return rebuilt(tree, change)
+
+
+def squared(tree: Expression) -> Expression:
+    """The square of a tree."""
+    return Binary("^", tree, Number(Fraction(2)))

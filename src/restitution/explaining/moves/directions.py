@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import FLIPPED, Link, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Relation, Sign, turned
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import settled
 from restitution.explaining.moves.bases import equal_in
@@ -96,7 +96,7 @@ def is_bounded_cotangent(step: Step, relation: Relation) -> bool:
     if not defined or window is None:
         return False
     for link in step.links:
-        own = link if _angle(step, link.left) == angle else _turned(link)
+        own = link if _angle(step, link.left) == angle else turned(link)
         if _angle(step, own.left) != angle or own.sign != FLIPPED[sign]:
             continue
         bound = _value(step, own.right)
@@ -157,16 +157,11 @@ def _is_cited_to_180(step: Step, angle: Quantity) -> bool:
 def _bounds_of(step: Step, ratio: Apply) -> Iterator[Link]:
     """What is cited of a ratio of a direction, with that on the left."""
     for link in step.links:
-        for own in (link, _turned(link)):
+        for own in (link, turned(link)):
             match own.left:
                 case Apply(function, argument) if function == ratio.function:
                     if own.sign in FLIPPED and _angle(step, argument) == ratio.argument:
                         yield Link(ratio, own.sign, own.right)
-
-
-def _turned(link: Link) -> Link:
-    sign: Sign = FLIPPED.get(link.sign, link.sign)
-    return Link(link.right, sign, link.left)
 
 
 @dataclass(frozen=True)
@@ -204,7 +199,7 @@ def _is_by_components(step: Step, relation: Relation, angle: Quantity) -> bool:
     """
     bounds: list[tuple[Sign, sp.Expr]] = []
     for link in relation.only:
-        own = link if _angle(step, link.left) == angle else _turned(link)
+        own = link if _angle(step, link.left) == angle else turned(link)
         if own.sign not in FLIPPED or not isinstance(own.right, Degrees | Negate | Number):
             return False
         bounds.append((own.sign, _value(step, own.right)))
@@ -357,7 +352,7 @@ def _is_bounded(
     step: Step, link: Link, angle: Quantity, function: str, ratios: list[Link], window: _Window
 ) -> bool:
     """Whether a bound of a direction lies in a window, and its ratio is a bound of the ratio."""
-    own = link if _angle(step, link.left) == angle else _turned(link)
+    own = link if _angle(step, link.left) == angle else turned(link)
     if own.sign not in FLIPPED:
         return False
     bound = _value(step, own.right)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.explaining.data.setting import Cited
-from restitution.explaining.lines.derivation import Link, Meaning, Relation, Sign
+from restitution.explaining.lines.derivation import Link, Meaning, Relation, turned
 from restitution.explaining.lines.quotients import NotComparableError, Plane, Quotient
 from restitution.explaining.lines.trees import (
     exchanged,
@@ -193,7 +193,7 @@ def between_tangents(step: Step, relation: Relation) -> bool:
     ratios = [
         (named.get(side.argument, side.argument), link)
         for other in step.links
-        for link in (other, _turned(other))
+        for link in (other, turned(other))
         for side in (link.left,)
         if is_function(side, "tan") and link.sign in FLIPPED
     ]
@@ -201,7 +201,7 @@ def between_tangents(step: Step, relation: Relation) -> bool:
     for link in relation.only:
         for angle, own in (
             (link.left, link),
-            (link.right, _turned(link)),
+            (link.right, turned(link)),
         ):
             role = step.setting.of_angle(named.get(angle, angle))
             if role is None and isinstance(angle, Letter):
@@ -227,12 +227,6 @@ def _is_acute_or_has_a_negative_tangent(role: Role) -> bool:
     from_zero = role.low == 0
     from_below = role.low == -sp.pi / 2 and not role.closed[0]
     return (from_zero or from_below) and role.high in (sp.pi / 2, sp.pi)
-
-
-def _turned(link: Link) -> Link:
-    """A link with its sides exchanged."""
-    sign: Sign = FLIPPED.get(link.sign, link.sign)
-    return Link(link.right, sign, link.left)
 
 
 def _is_tangent_below_90(step: Step, angle: Expression, ratio: Expression) -> bool:

@@ -22,6 +22,7 @@ from restitution.expression.tree import (
 )
 from restitution.planning.formulas.impacts import scene_value
 from restitution.planning.formulas.rewriting import in_another_form
+from restitution.planning.writing.between import is_square
 from restitution.planning.writing.desk import chain, together
 from restitution.planning.writing.forms import (
     TWO,
@@ -294,7 +295,7 @@ def squares_collected(scene: Scene, number: int, symbol: sp.Symbol) -> int:
     shares: dict[Expression, sp.Expr] = {}
     for term in terms:
         own = factors(term)
-        squares = [e for e in own if _is_square(e) and symbol.name in letters(e)]
+        squares = [e for e in own if is_square(e) and symbol.name in letters(e)]
         if len(squares) != 1:
             return number
         share = sp.cancel(scene_value(scene, term) / scene_value(scene, squares[0]))
@@ -337,7 +338,7 @@ def side_by_side(one: sp.Expr, other: sp.Expr) -> tuple[sp.Expr, ...]:
 def _root_of(tree: Expression) -> Expression | None:
     """The root of a product of squares, as a tree; None for any other."""
     match tree:
-        case Binary("^", base, _) if _is_square(tree):
+        case Binary("^", base, _) if is_square(tree):
             return base
         case Binary("*" | "/" as op, left, right):
             roots = [_root_of(tree) for tree in (left, right)]
@@ -350,10 +351,6 @@ def _root_of(tree: Expression) -> Expression | None:
             root = sp.sqrt(sp.Rational(value.numerator, value.denominator))
             return tree_of(root) if root.is_Rational else None
     return None
-
-
-def _is_square(tree: Expression) -> bool:
-    return is_binary(tree, "^") and tree.right == TWO
 
 
 def _replace(tree: Expression, other: Expression) -> Callable[[Expression], Expression]:

@@ -15,6 +15,7 @@ from restitution.explaining.lines.derivation import (
     Relation,
     Sign,
     equality,
+    turned,
 )
 from restitution.expression.tree import (
     Apply,
@@ -33,13 +34,7 @@ from restitution.planning.inequalities.turned_at_walls import tangent_of
 from restitution.planning.routes.order import Standing
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import ZERO, square, tree_of
-from restitution.planning.writing.inequalities import (
-    is_monic,
-    same,
-    solve_linear,
-    subject_of,
-    turned,
-)
+from restitution.planning.writing.inequalities import is_monic, same, solve_linear, subject_of
 from restitution.planning.writing.one_tangent import in_one_tangent, write_in_one_tangent
 from restitution.planning.writing.polynomials import factored, one_fraction
 from restitution.solving.story.letters import roles

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, Sign, turned
 from restitution.expression.tree import Apply, Expression, Letter, Quantity, has_quantity
 from restitution.planning.angles.turn_lines import meeting
 from restitution.planning.inequalities.claim_lines import ClaimLines
@@ -19,7 +19,6 @@ from restitution.planning.inequalities.quotients import write_quotient
 from restitution.planning.inequalities.turned_at_walls import tangent_of
 from restitution.planning.inequalities.worths import NAMED
 from restitution.planning.writing.forms import ZERO, tree_of
-from restitution.planning.writing.inequalities import turned
 from restitution.planning.writing.polynomials import factored
 from restitution.solving.story.letters import roles
 

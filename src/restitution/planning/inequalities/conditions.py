@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     Sign,
+    turned,
 )
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.quantities import ANGLES, UNSIGNED_ANGLES
@@ -62,12 +63,7 @@ from restitution.planning.inequalities.worths import Worths
 from restitution.planning.writing.desk import together
 from restitution.planning.writing.forms import ZERO, square, swept, tree_of
 from restitution.planning.writing.frames import Frame
-from restitution.planning.writing.inequalities import (
-    completed_square,
-    solve_linear,
-    turned,
-    without_signs,
-)
+from restitution.planning.writing.inequalities import completed_square, solve_linear, without_signs
 from restitution.planning.writing.polynomials import expanded, factored, one_fraction
 from restitution.problem import Given, Meets
 from restitution.vector import Vector

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, turned
 from restitution.expression.quantities import UNSIGNED_ANGLES
 from restitution.expression.tree import (
     Apply,
@@ -26,7 +26,6 @@ from restitution.planning.formulas.velocity_formulas import body_and_stage, in_t
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.desk import NotPlannedError, Source, together
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.inequalities import turned
 from restitution.planning.writing.scene import Scene
 
 

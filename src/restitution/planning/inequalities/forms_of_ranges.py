@@ -13,7 +13,7 @@ from functools import partial
 
 from restitution.components.models import Model
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Ref, Relation, turned
 from restitution.explaining.lines.notation import read_relation
 from restitution.expression.tree import Apply, Letter, has_quantity, letters
 from restitution.oracle import BeyondError, Formula, compared
@@ -21,7 +21,6 @@ from restitution.planning.routes.order import Solver
 from restitution.planning.writing.checking import require_true
 from restitution.planning.writing.desk import UNPLANNED, Desk, NotPlannedError
 from restitution.planning.writing.forms import square
-from restitution.planning.writing.inequalities import turned
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer
 

@@ -8,12 +8,11 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
-from restitution.explaining.lines.derivation import Link, Relation, Sign
+from restitution.explaining.lines.derivation import Link, Relation, Sign, turned
 from restitution.expression.tree import Binary, Expression, Letter, Number
 from restitution.planning.inequalities.claims import Claims
 from restitution.planning.writing.desk import NotPlannedError
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.inequalities import turned
 from restitution.solving.story.letters import roles
 
 _End = tuple[sp.Expr, bool]

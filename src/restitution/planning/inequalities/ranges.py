@@ -9,7 +9,15 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.explaining.lines.derivation import FLIPPED, Fact, Link, Move, Relation, Sign
+from restitution.explaining.lines.derivation import (
+    FLIPPED,
+    Fact,
+    Link,
+    Move,
+    Relation,
+    Sign,
+    turned,
+)
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -35,7 +43,7 @@ from restitution.planning.routes.order import Solver
 from restitution.planning.writing.angles import RIGHT
 from restitution.planning.writing.desk import UNPLANNED, NotPlannedError
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.inequalities import solve_linear, turned, without_signs
+from restitution.planning.writing.inequalities import solve_linear, without_signs
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
 from restitution.solving.equations.solution import Answer, ItemResult

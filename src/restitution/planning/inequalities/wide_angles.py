@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation
+from restitution.explaining.lines.derivation import FLIPPED, Link, Move, Ref, Relation, turned
 from restitution.expression.tree import (
     RIGHT_ANGLE,
     Apply,
@@ -22,7 +22,6 @@ from restitution.planning.formulas.named_angles import letter_of
 from restitution.planning.formulas.turns import velocities_of
 from restitution.planning.inequalities.comparing import Comparing
 from restitution.planning.writing.forms import ZERO, tree_of
-from restitution.planning.writing.inequalities import turned
 from restitution.records import dataclass
 
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
 from itertools import combinations
 
 import sympy as sp
 
 from restitution.components.models import Model
 from restitution.exact.degrees import function_of
+from restitution.exact.symbols import symbols_in
 from restitution.expression.enclosed import UndefinedError
 from restitution.planning.writing.candidates import Candidate
 from restitution.records import dataclass
@@ -63,12 +63,6 @@ def gradient(x: sp.Expr, point: Point) -> dict[sp.Symbol, float]:
     Raises ArithmeticError, KeyError or ValueError where it has none there.
     """
     return _dual(x, point)[1]
-
-
-@lru_cache(maxsize=4096)
-def symbols_in(x: sp.Expr) -> frozenset[sp.Symbol]:
-    """The letters in an expression."""
-    return frozenset(x.free_symbols)
 
 
 def _dual(x: sp.Expr, point: Point) -> _Dual:

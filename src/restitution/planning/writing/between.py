@@ -68,7 +68,7 @@ def terms_between(scene: Scene, right: Expression, final: Expression) -> tuple[E
         case Apply("sqrt", inside), Apply("sqrt", value):
             return tuple(Apply("sqrt", term) for term in terms_between(scene, inside, value))
         case Apply("sqrt", inside), _ if _has_surds_squared(inside):
-            if len({node for node in walk(inside) if _is_square(node)}) == 1:
+            if len({node for node in walk(inside) if is_square(node)}) == 1:
                 return ()  # x√2
             inner = tuple(Apply("sqrt", term) for term in terms_between(scene, inside, final))
             return (*inner, *root_of_a_square(scene, final))
@@ -211,13 +211,14 @@ class _Term:
         return len(sp.Add.make_args(sp.expand(self.base**2))) <= _TERMS_SQUARED
 
 
-def _is_square(tree: Expression) -> TypeGuard[Binary]:
+def is_square(tree: Expression) -> TypeGuard[Binary]:
+    """Whether a tree is the square of something."""
     return is_binary(tree, "^") and tree.right == TWO
 
 
 def _is_square_of_sum(tree: Expression) -> TypeGuard[Binary]:
     """Whether it is the square of what has a sum with letters as a factor."""
-    return _is_square(tree) and any(map(_is_sum, _bases(tree.left)))
+    return is_square(tree) and any(map(_is_sum, _bases(tree.left)))
 
 
 def _bases(tree: Expression) -> Iterator[Expression]:
@@ -247,7 +248,7 @@ def _primitive(scene: Scene, tree: Expression) -> sp.Expr:
 
 def _has_surds_squared(tree: Expression) -> bool:
     """Whether sums of numbers with roots are squared, and no sums of letters."""
-    squares = [node for node in walk(tree) if _is_square(node)]
+    squares = [node for node in walk(tree) if is_square(node)]
     return any(map(_surds_of, squares)) and not any(map(_is_square_of_sum, squares))
 
 
@@ -268,7 +269,7 @@ def _with_squares(scene: Scene, tree: Expression) -> Expression:
     """A tree with each square worked out."""
 
     def change(tree: Expression) -> Expression:
-        if not _is_square(tree):
+        if not is_square(tree):
             return tree
         whole = sp.sympify(scene.scalar(tree), strict=True)
         own = _primitive(scene, tree.left)
@@ -414,7 +415,7 @@ def _as_product(scene: Scene, tree: Expression, common: sp.Expr) -> Expression:
         return negative(_as_product(scene, tree.operand, common))
     *front, bracket = factors(tree)
     match bracket:
-        case Binary("-", left, right) if _is_square(left) and _is_square(right):
+        case Binary("-", left, right) if is_square(left) and is_square(right):
             x, y = (sp.sympify(scene.scalar(node.left), strict=True) for node in (left, right))
             one, other = sp.factor(x - y), sp.factor(x + y)
             ratio = sp.cancel(one / common)

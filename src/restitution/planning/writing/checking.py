@@ -203,7 +203,7 @@ def holds(relation: Relation, value: Callable[[Expression], Any]) -> bool:
 
 
 def _is_true(link: Link, value: Callable[[Expression], Any]) -> bool:
-    left, right = (_measured(value(side)) for side in (link.left, link.right))
+    left, right = (measured(value(side)) for side in (link.left, link.right))
     if link.sign in ("parallel to", "perpendicular to"):
         a, b = (_direction(value) for value in (left, right))
         tie = a.cross(b) if link.sign == "parallel to" else a.dot(b)
@@ -240,7 +240,7 @@ def _magnitude(tree: Expression, value: Callable[[Expression], Any]) -> float:
         case Binary("*", left, right):
             return _magnitude(left, value) * _magnitude(right, value)
         case Binary("/", left, right):
-            return _magnitude(left, value) / _size(_measured(value(right)))
+            return _magnitude(left, value) / _size(measured(value(right)))
         case Binary("^", base, Number(power)) if power > 0:
             return float(_magnitude(base, value) ** float(power))
         case Negate(operand):
@@ -249,10 +249,11 @@ def _magnitude(tree: Expression, value: Callable[[Expression], Any]) -> float:
             return 1.0
         case Quantity("along" | "across", (vector, _)):
             return _magnitude(vector, value)
-    return max(_size(_measured(value(tree))), 1e-300)
+    return max(_size(measured(value(tree))), 1e-300)
 
 
-def _measured(value: Any) -> Any:
+def measured(value: Any) -> Any:
+    """A value; of an angle that in radians."""
     return value.measure() if isinstance(value, Angle) else value
 
 

@@ -14,8 +14,8 @@ from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
     Binary,
     Expression,
+    has_root,
     is_binary,
-    is_function,
     letters,
     walk,
 )
@@ -55,7 +55,7 @@ def _multiplied(link: Link) -> Expression | None:
     None where the denominator is no sum of two numbers of which one at least is a root.
     """
     match link.left:
-        case Binary("/", above, Binary("+" | "-") as below) if _has_root(below):
+        case Binary("/", above, Binary("+" | "-") as below) if has_root(below):
             pass
         case _:
             return None
@@ -73,11 +73,7 @@ def _multiplied(link: Link) -> Expression | None:
 
 def _is_over_roots(node: Expression) -> bool:
     """Whether a node is a quotient with a root below."""
-    return is_binary(node, "/") and _has_root(node.right)
-
-
-def _has_root(tree: Expression) -> bool:
-    return any(is_function(node, "sqrt") for node in walk(tree))
+    return is_binary(node, "/") and has_root(node.right)
 
 
 __all__ = ["with_conjugates"]

@@ -31,11 +31,6 @@ def subject_of(relation: Relation) -> Expression | None:
     return next((side for side in sides if letters(side)), None)
 
 
-def turned(link: Link) -> Link:
-    """An inequality with its sides exchanged."""
-    return Link(link.right, FLIPPED[link.sign], link.left)
-
-
 def same(a: Relation, b: Relation) -> bool:
     """Whether two relations say the same, whichever way round they are written."""
     return content(a) == content(b)

@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    letter_nodes,
     plain_letter,
     walk,
 )
@@ -516,7 +517,7 @@ class Scene:
 
     def lets_in(self, link: Link) -> tuple[Ref, ...]:
         """The facts that let letters of a link stand for something."""
-        names = [letter.name for side in (link.left, link.right) for letter in _letters_of(side)]
+        names = [letter.name for side in (link.left, link.right) for letter in letter_nodes(side)]
         nodes = [node for side in (link.left, link.right) for node in walk(side)]
         return tuple(
             f"let {name}"
@@ -666,7 +667,3 @@ def _ratios_and_letters(x: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Symbo
 
 def _tangent_of(name: str) -> Expression:
     return Apply("tan", Letter(name))
-
-
-def _letters_of(tree: Expression) -> Iterable[Letter]:
-    return (node for node in walk(tree) if isinstance(node, Letter))

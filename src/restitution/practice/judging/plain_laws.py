@@ -20,10 +20,9 @@ from restitution.expression.tree import (
     Name,
     Negate,
     Number,
-    Pair,
     Quantity,
-    Unit,
     is_quantity,
+    is_vector,
     letters,
     unsigned,
     walk,
@@ -179,7 +178,7 @@ def is_law_of_relative_velocities(entry: Entry, world: World) -> bool:
         slowed = Binary("*", _coefficient(number), before)
         for left, right in permutations((entry.claim.left, entry.claim.right)):
             relative = any(has_value(x, left, entry, world) for x in (after, Negate(after)))
-            if not relative or is_bare(left) or not _is_vector(right):
+            if not relative or is_bare(left) or not is_vector(right):
                 continue
             if any(has_value(x, right, entry, world) for x in (slowed, Negate(slowed))):
                 return True
@@ -271,10 +270,6 @@ def _energy_by(body: str, kind: str, stage: int, number: int) -> Expression:
 
 def _plus(one: Expression, other: Expression) -> Expression:
     return Binary("+", one, other)
-
-
-def _is_vector(tree: Expression) -> bool:
-    return any(isinstance(node, Unit | Pair) for node in walk(tree))
 
 
 def _pairs(world: World) -> Iterator[tuple[int, tuple[str, str]]]:

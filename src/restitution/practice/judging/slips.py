@@ -26,6 +26,7 @@ from restitution.expression.tree import (
     Pi,
     Quantity,
     children,
+    letter_nodes,
     rational,
     walk,
 )
@@ -209,7 +210,7 @@ def _factors(tree: Expression) -> Iterator[Edit]:
 def _letters_of(claim: Claim) -> Changes:
     """One letter of a claim written for another."""
     names = sorted(
-        {letter.name for side in (claim.left, claim.right) for letter in letters_in(side)}
+        {letter.name for side in (claim.left, claim.right) for letter in letter_nodes(side)}
     )
 
     def changes(tree: Expression) -> Iterator[Edit]:
@@ -220,11 +221,6 @@ def _letters_of(claim: Claim) -> Changes:
                     yield "letter", put, tree, put
 
     return changes
-
-
-def letters_in(tree: Expression) -> Iterator[Letter]:
-    """The letters of a tree, as they stand."""
-    return (node for node in walk(tree) if isinstance(node, Letter))
 
 
 # --- the calculator in radians ----------------------------------------------------------------

@@ -8,12 +8,12 @@ from fractions import Fraction
 
 from restitution.expression.tree import (
     Degrees,
-    Expression,
     Letter,
     Number,
     Pair,
     Quantity,
     Unit,
+    has_operator,
     is_binary,
     walk,
 )
@@ -95,15 +95,11 @@ def subtracts_squares(line: JudgedLine) -> bool:
     if line.mistake is None or line.mistake.id != "sign":
         return False
     return any(
-        is_binary(node, "-") and _has_power(node.left) and _has_power(node.right)
+        is_binary(node, "-") and has_operator(node.left, "^") and has_operator(node.right, "^")
         for link in line.line.links
         for side in (link.readings[0].left, link.readings[0].right)
         for node in walk(side)
     )
-
-
-def _has_power(tree: Expression) -> bool:
-    return any(is_binary(node, "^") for node in walk(tree))
 
 
 def without_slip(line: JudgedLine) -> JudgedLine:

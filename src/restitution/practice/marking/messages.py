@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from restitution.explaining.lines.trees import exchanged
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS, SLIPS
-from restitution.expression.tree import Expression, Letter, Quantity, walk
+from restitution.expression.tree import Expression, Letter, Quantity, letter_nodes, walk
 from restitution.practice.judgement import JudgedLine, Use, false_roots
 from restitution.practice.judging.judged_link import REPEATED
 from restitution.practice.letters.wordings import words_of
@@ -287,15 +287,11 @@ def _written(point: MarkPoint, words: _Words) -> str | None:
     left, right = (words.put(side) for side in (point.link.left, point.link.right))
     sides = (left, right)
     if any(
-        " " in letter.name for side in sides for letter in _letters_in(side) if letter is not side
+        " " in letter.name for side in sides for letter in letter_nodes(side) if letter is not side
     ):
         return None  # words in the middle of a formula are no line
     sign = {"<=": "≤", ">=": "≥", "!=": "≠"}.get(point.link.sign, point.link.sign)
     return f"{text_of(left)} {sign} {text_of(right)}"
-
-
-def _letters_in(tree: Expression) -> Iterator[Letter]:
-    return (node for node in walk(tree) if isinstance(node, Letter))
 
 
 def _next_step(points: Sequence[PointMark], letters: _Words, level: int) -> str | None:

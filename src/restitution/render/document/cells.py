@@ -66,10 +66,10 @@ def inline(words: Cell) -> list[Tree]:
 def rows(chain: Chain) -> list[Tree]:
     """A line of mathematics as rows of a table: long chains take several."""
     gap = "" if chain.goes_on or not chain.note else " "
-    behind: list[Tree] = [gap, _classed("span", "note", inline(chain.note))] if chain.note else []
+    behind: list[Tree] = [gap, classed("span", "note", inline(chain.note))] if chain.note else []
     left = cell(chain.operands[0])
-    before = [_classed("span", "item", [chain.label])] if chain.label else []
-    mark = _classed("td", "m", [chain.mark])
+    before = [classed("span", "item", [chain.label])] if chain.label else []
+    mark = classed("td", "m", [chain.mark])
     if not chain.signs:
         own = [*before, *(_underlined(left) if chain.answer else left)]
         return [element("tr", [element("td", [*own, *behind], {"colspan": "3"}), mark])]
@@ -85,14 +85,14 @@ def rows(chain: Chain) -> list[Tree]:
                 value = _underlined(value)
             right += _joined(own_sign, value, operand)
         cells = [
-            _classed(
+            classed(
                 "td",
                 "l w" if wide and index == 0 else "l",
                 [*before, *left] if index == 0 else [],
             ),
-            _classed("td", "s", [_sign(first)]),
+            classed("td", "s", [_sign(first)]),
             element("td", [*right, *(behind if last else [])]),
-            mark if last else _classed("td", "m", []),
+            mark if last else classed("td", "m", []),
         ]
         out.append(element("tr", cells))
     return out
@@ -182,15 +182,16 @@ def _sign(own: str) -> Tree:
 
 def _underlined(value: list[Tree]) -> list[Tree]:
     """What was asked, as an answer is underlined on paper."""
-    return [_classed("span", "answer", value)]
+    return [classed("span", "answer", value)]
 
 
 def _whole(value: list[Tree]) -> Tree:
     """What is not broken over lines."""
-    return _classed("span", "whole", value)
+    return classed("span", "whole", value)
 
 
-def _classed(name: str, kind: str, children: Iterable[Tree]) -> Tree:
+def classed(name: str, kind: str, children: Iterable[Tree]) -> Tree:
+    """An element of a class."""
     return element(name, children, {"class": kind})
 
 

@@ -26,7 +26,7 @@ from restitution.render.document import (
     Table,
     Together,
 )
-from restitution.render.document.cells import inline, rows
+from restitution.render.document.cells import classed, inline, rows
 from restitution.render.document.styles import AROUND, STYLES
 from restitution.render.markup import Raw, Tree, element, to_markup
 from restitution.render.page import page
@@ -61,9 +61,9 @@ def to_tree(document: Document) -> Tree:
     title = [element("h1", [document.title])] if document.title else []
     blocks = to_trees(document.blocks)
     if document.kind in ("report", "sheet"):
-        head = [_classed("p", "head", [document.head])] if document.head else []
+        head = [classed("p", "head", [document.head])] if document.head else []
         return element("main", [*head, *title, *blocks])
-    return _classed("article", _CLASSES[document.kind], [*title, *blocks])
+    return classed("article", _CLASSES[document.kind], [*title, *blocks])
 
 
 def to_blocks(blocks: Iterable[Block]) -> str:
@@ -81,18 +81,18 @@ def _block(block: Block) -> list[Tree]:
         case Heading(words, level):
             return [element(f"h{max(level, 2)}", inline(words))]
         case Paragraph(words, role, mark):
-            beside = [_classed("span", "mark", [mark])] if mark else []
+            beside = [classed("span", "mark", [mark])] if mark else []
             own = {} if role == "text" else {"class": role}
             return [element("p", [*beside, *inline(words)], own)]
         case Equations(chains):
             return [element("table", [row for chain in chains for row in rows(chain)])]
         case Entries(entries, lead):
             asked = [_row(label, words) if label else _paragraph(words) for label, words in entries]
-            return [*([_paragraph(lead)] if lead else []), _classed("div", "asked", asked)]
+            return [*([_paragraph(lead)] if lead else []), classed("div", "asked", asked)]
         case Labelled(label, blocks, words):
             inside = to_trees(blocks)
             if words:
-                inside.append(_classed("p", "marks", [words]))
+                inside.append(classed("p", "marks", [words]))
             return [_labelled(label, inside)] if label else inside
         case Table():
             return [_table(block)]
@@ -101,7 +101,7 @@ def _block(block: Block) -> list[Tree]:
         case Listing():
             return [_listing(block)]
         case NewPage():
-            return [_classed("div", "break", [])]
+            return [classed("div", "break", [])]
         case Room(height):
             return [element("div", [], {"style": f"height:{height:g}mm"})]
         case Together(inside):
@@ -111,7 +111,7 @@ def _block(block: Block) -> list[Tree]:
         case Numbered(number, title, inside):
             head = [element("h3", [title])] if title else []
             both = element("div", [*head, *to_trees(inside)])
-            return [_classed("section", "entry", [_classed("div", "number", [f"{number}"]), both])]
+            return [classed("section", "entry", [classed("div", "number", [f"{number}"]), both])]
     assert_never(block)
 
 
@@ -124,7 +124,7 @@ def _row(label: str, words: Inline) -> Tree:
 
 
 def _labelled(label: str, inside: list[Tree]) -> Tree:
-    return _classed("div", "row", [element("span", [label]), element("div", inside)])
+    return classed("div", "row", [element("span", [label]), element("div", inside)])
 
 
 def _picture(picture: Picture) -> Tree:
@@ -148,7 +148,7 @@ def _table(table: Table) -> Tree:
     body = [
         element(
             "tr",
-            [_classed("td", kind, inline(words)) for kind, words in zip(kinds, row, strict=True)],
+            [classed("td", kind, inline(words)) for kind, words in zip(kinds, row, strict=True)],
             high,
         )
         for row in table.rows
@@ -156,7 +156,7 @@ def _table(table: Table) -> Tree:
     names = [*(["ruled"] if table.ruled else []), *([] if table.narrow else ["full"])]
     names += ["shared"] if table.shares else []
     inside = [element("thead", [element("tr", heads)]), element("tbody", body)]
-    return _classed("div", "wide", [_classed("table", " ".join(names), inside)])
+    return classed("div", "wide", [classed("table", " ".join(names), inside)])
 
 
 def _listing(listing: Listing) -> Tree:
@@ -173,7 +173,3 @@ def _listing(listing: Listing) -> Tree:
     if not listing.numbered:
         return element("ul", items)
     return element("ol", items, {} if listing.first == 1 else {"start": f"{listing.first}"})
-
-
-def _classed(name: str, kind: str, children: Iterable[Tree]) -> Tree:
-    return element(name, children, {"class": kind})

@@ -15,11 +15,10 @@ from restitution.expression.tree import (
     Expression,
     Name,
     Negate,
-    Pair,
     Quantity,
-    Unit,
     has_quantity,
     is_quantity,
+    is_vector,
     letters,
     walk,
 )
@@ -148,13 +147,9 @@ def _is_in_numbers(along: Expression) -> bool:
 def _without_size(vector: Expression) -> Expression:
     """A vector without a number in front of it, or below it: (3i + 4j)/5 goes along 3i + 4j."""
     match vector:
-        case Binary("/", whole, size) | Binary("*", size, whole) if _is_vector(whole):
-            return vector if _is_vector(size) or isinstance(size, Negate) else whole
+        case Binary("/", whole, size) | Binary("*", size, whole) if is_vector(whole):
+            return vector if is_vector(size) or isinstance(size, Negate) else whole
     return vector
-
-
-def _is_vector(tree: Expression) -> bool:
-    return any(isinstance(node, Unit | Pair) for node in walk(tree))
 
 
 def _without_empty(steps: Iterable[Step]) -> Iterator[Step]:

@@ -32,6 +32,7 @@ from restitution.expression.tree import (
     is_component,
     is_quantity,
     letters,
+    name_of,
     walk,
 )
 from restitution.oracle.roles import (
@@ -114,7 +115,7 @@ def is_vector(tree: Expression, walls: frozenset[str] = frozenset()) -> bool:
             return True
         case Quantity(kind, arguments):
             if kind == "direction":
-                return bool(arguments) and _name(arguments[0]) in walls
+                return bool(arguments) and name_of(arguments[0]) in walls
             return is_vector_quantity(tree)
         case Negate(operand):
             return is_vector(operand, walls)
@@ -123,10 +124,6 @@ def is_vector(tree: Expression, walls: frozenset[str] = frozenset()) -> bool:
                 return is_vector(left, walls)
             return op != "^" and (is_vector(left, walls) or is_vector(right, walls))
     return False
-
-
-def _name(tree: Expression) -> str | None:
-    return tree.name if isinstance(tree, Name) else None
 
 
 # --- angles -----------------------------------------------------------------------------------
@@ -198,7 +195,7 @@ def is_angle(tree: Expression, angles: set[str], walls: frozenset[str]) -> bool:
             return name in angles
         case Quantity(kind, arguments):
             if kind == "direction":
-                return not (arguments and _name(arguments[0]) in walls)
+                return not (arguments and name_of(arguments[0]) in walls)
             return kind in KINDS and KINDS[kind].nature == "angle"
         case Apply(function):
             return function.startswith("arc")
@@ -329,7 +326,7 @@ def _measured(problem: Problem) -> dict[str, Role]:
             role = TO_180
         elif tree.kind == "angle":
             sharp = any(
-                _name(argument) in walls or is_quantity(argument, "line_of_centres")
+                name_of(argument) in walls or is_quantity(argument, "line_of_centres")
                 for argument in tree.arguments
             )
             role = Role("angle", sp.Integer(0), sp.pi / 2, (True, True)) if sharp else TO_180

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from restitution.explaining.lines.derivation import Fact, Link
+from restitution.explaining.lines.derivation import Fact, Link, turned
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
     Apply,
@@ -21,7 +21,6 @@ from restitution.expression.tree import (
     is_quantity,
     is_zero,
 )
-from restitution.planning.writing.inequalities import turned
 from restitution.problem import Given, Meets
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import is_plain, with_unit

@@ -9,7 +9,7 @@ import sympy as sp
 
 from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Link
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import rebuilt, squared
 from restitution.expression.evaluate import evaluate, in_letters
 from restitution.expression.tree import (
     Apply,
@@ -94,11 +94,6 @@ def is_bound_by(whole: Expression, node: Expression, most: Expression, bound: Ex
         return sign(sp.sympify(one - other, strict=True)) == 0
     except (RestitutionError, TypeError, ValueError):
         return False
-
-
-def squared(tree: Expression) -> Expression:
-    """The square of a tree as it stands."""
-    return Binary("^", tree, Number(Fraction(2)))
 
 
 def squares_of_terms(tree: Expression, sign: str) -> Iterator[tuple[Expression, Expression]]:

@@ -17,6 +17,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     equality,
+    turned,
 )
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import evaluate, in_letters
@@ -32,6 +33,7 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     Unit,
+    has_operator,
     has_quantity,
     is_binary,
     is_function,
@@ -42,7 +44,6 @@ from restitution.expression.tree import (
 )
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import coordinates, factors, tree_of
-from restitution.planning.writing.inequalities import turned
 from restitution.workings.naming.angles_by_signs import signs_behind
 
 _ZERO, _ONE, _TWO = (Number(Fraction(n)) for n in (0, 1, 2))
@@ -367,7 +368,7 @@ def _roots(derivation: Derivation, line: Line) -> Iterator[Relation]:
         frozenset(letters(node.argument))
         for link in line.relation.options[0]
         for node in walk(link.right)
-        if is_function(node, "sqrt") and _has_difference(node.argument)
+        if is_function(node, "sqrt") and has_operator(node.argument, "-")
     }
     for link in given_links(derivation, part):
         if link.sign in _ORDER and letters(link.left) | letters(link.right) in names:
@@ -379,10 +380,6 @@ def given_links(derivation: Derivation, part: str | None) -> Iterator[Link]:
     for fact in derivation.facts:
         if fact.kind in ("given", "range") and fact.part in (None, part):
             yield from fact.relation.only if len(fact.relation.options) == 1 else ()
-
-
-def _has_difference(tree: Expression) -> bool:
-    return any(is_binary(node, "-") for node in walk(tree))
 
 
 def _divisors(roles: Mapping[str, Role], line: Line) -> Iterator[Relation]:

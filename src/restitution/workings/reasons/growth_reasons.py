@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Ref, Relation, equality
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Ref,
+    Relation,
+    equality,
+    turned,
+)
 from restitution.explaining.lines.notation import read_tree
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.tree import (
@@ -21,7 +29,6 @@ from restitution.expression.tree import (
 )
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import factors
-from restitution.planning.writing.inequalities import turned
 from restitution.render import layout as lay
 from restitution.workings.naming.measured import Measures
 from restitution.workings.naming.quantities import Naming

@@ -15,6 +15,7 @@ from restitution.explaining.lines.derivation import (
     Ref,
     Relation,
     equality,
+    turned,
 )
 from restitution.explaining.lines.notation import read_relation, read_tree
 from restitution.explaining.lines.saying import Sentence, say
@@ -31,7 +32,6 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import factors
-from restitution.planning.writing.inequalities import turned
 from restitution.problem import Problem
 from restitution.render import layout as lay
 from restitution.solving.story.letters import roles

@@ -19,10 +19,9 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Number,
+    has_operator,
     has_quantity,
-    is_binary,
     letters,
-    walk,
 )
 from restitution.oracle import BeyondError, Oracle, compared
 from restitution.problem import Find, Range
@@ -177,7 +176,7 @@ def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Ex
                 power == _TWO and not named
             ):
                 value = above[0].relation.only[-1].right
-                if f"{name} <= 1" not in cited and _has_difference(value):
+                if f"{name} <= 1" not in cited and has_operator(value, "-"):
                     yield squared, value, ">="
                 continue
             case Relation(((Link(Letter(name) as letter, "="), *_),)):
@@ -188,12 +187,8 @@ def _bounds(derivation: Derivation, line: Line) -> Iterator[tuple[Expression, Ex
             near = "1" if sign == "<=" else "0"
             cites = f"{name} {other} {far.value}" in cited
             stated = named[:1] == [f"{name} {sign} {near}"] and not cites
-            if stated and _has_difference(value) and not has_quantity(value):
+            if stated and has_operator(value, "-") and not has_quantity(value):
                 yield letter, value, sign
-
-
-def _has_difference(tree: Expression) -> bool:
-    return any(is_binary(node, "-") for node in walk(tree))
 
 
 def _holds(

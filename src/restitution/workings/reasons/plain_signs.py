@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Line, Link, Relation
+from restitution.explaining.lines.derivation import Line, Link, Relation, turned
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.explaining.lines.sentences import SentenceId
 from restitution.expression.evaluate import in_letters
@@ -25,7 +25,6 @@ from restitution.expression.tree import (
 )
 from restitution.oracle.roles import Role
 from restitution.planning.writing.forms import ZERO, factors_above
-from restitution.planning.writing.inequalities import turned
 from restitution.workings.naming.quantities import Naming
 
 

@@ -21,7 +21,7 @@ from restitution.explaining.lines.derivation import (
 )
 from restitution.explaining.lines.quotients import NotComparableError, Quotient
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.explaining.lines.trees import rebuilt
+from restitution.explaining.lines.trees import rebuilt, squared
 from restitution.explaining.steps.step import Step
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import (
@@ -39,7 +39,6 @@ from restitution.planning.writing.forms import factors, tree_of
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.reasons.bounding_parts import (
     is_bound_by,
-    squared,
     squares_below,
     squares_of_terms,
     wave_of,
