@@ -542,6 +542,7 @@ def _by_scalar_product(scene: Scene, turn: _Turn) -> Ratio | int | None:
         own_ratio = by_cosine(scene, asked)
         if own_ratio is not None:
             return own_ratio
+    # A right angle has no tangent, and that of 0° and 180° is the same: cosines tell them apart.
     if not (is_right or wanted == "cos" or is_straight):
         return None
     if frame.wall is not None:

@@ -522,6 +522,7 @@ def _by_double(
         name = _free_letter(scene)
         subject, record = Letter(name), "half-angle"
         meaning = (scene.desk.write(Move("let"), (), Meaning(name, Apply("tan", angle))),)
+    # t = 2kt/(1 − t²), divided by t, which is not 0 for an acute angle: t² = 1 − 2k.
     two = product(number(2), subject)
     below = difference(ONE, square(subject))
     right: Expression = Binary("/", product(tree_of(k), two), below)

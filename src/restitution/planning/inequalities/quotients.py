@@ -117,6 +117,7 @@ class _Parts(NamedTuple):
 
     def rest(self) -> Expression:
         """The least value of the sum, 2√(ab) + d."""
+        # a/x + bx = (√a − x√b)²/x + 2√(ab), and the square is least where it is 0.
         if self.has_letters_in_both:
             # A root of a product is not that of its factors: both are as in the square.
             return total((product(tree_of(2), *self.roots()), tree_of(self.d)))

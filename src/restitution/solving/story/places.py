@@ -421,6 +421,7 @@ def _flight_over(
     state: State, displacement: Vector, approach: Vector, missed: str, step: Impact
 ) -> Scalar:
     """The time in which spheres come closer by a displacement, which is along their approach."""
+    # Only the part along the approach is ever covered: what is left beside it is a miss.
     flight = displacement.dot(approach) / approach.dot(approach)
     _off(state, state.rational(displacement.cross(approach)), missed, step.place)
     return flight
@@ -431,6 +432,7 @@ def _first_contact(
 ) -> tuple[Scalar, Vector]:
     """When two spheres are first two radii apart, and their line of centres then."""
     passed = f"{step.first} passes {step.second} without touching it"
+    # |gap − approach t| = 2r is a quadratic in t: at its later root they would part.
     ga, ww = gap.dot(approach), approach.dot(approach)
     under = ga * ga - ww * (gap.dot(gap) - 4 * r * r)
     if state.field.exact:
