@@ -19,6 +19,12 @@ from restitution.explaining.definitions.ties import tie_of
 from restitution.explaining.lines.derivation import Link, Meaning, Move, Ref, Relation, Showing
 from restitution.expression.tree import Apply, Binary, Expression, Letter, Name, Quantity, Unit
 from restitution.oracle.roles import POSITIVE, REAL, Role
+from restitution.planning.axes.vector_laws import (
+    by_momentum,
+    line_of_change,
+    restitution_along,
+    vector_tree,
+)
 from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.impacts import residual
 from restitution.planning.formulas.named_angles import letters_taken
@@ -26,9 +32,6 @@ from restitution.planning.writing.desk import NotPlannedError, chain, together
 from restitution.planning.writing.forms import (
     ZERO,
     UnwrittenError,
-    alike,
-    difference,
-    negative,
     product,
     square,
     swept,
@@ -167,8 +170,8 @@ def _by_a_letter_before(scene: Scene, number: int) -> bool:
         (symbol,) = names
         late, lines = {body: own[1]}, {body: own[2][0]}
         _add_others(scene, number, body, late, lines)
-        change, axis = _axis(scene, number, late, lines)
-        law, short = _restitution(scene, number, late, lines, change, axis)
+        change, axis = line_of_change(scene, number, late, lines)
+        law, short = restitution_along(scene, number, late, lines, change, axis)
         close(scene, _shortened(scene, law, short), symbol)
         _settle(scene, number, late, lines, change, axis)
         return True
@@ -203,8 +206,8 @@ def _law_along_the_change(scene: Scene, number: int, ray: Ray) -> _Law:
     ray = without_root(ray)
     symbol, late, lines = _ray_line(scene, number, ray)
     _add_others(scene, number, ray.body, late, lines)
-    change, axis = _axis(scene, number, late, lines)
-    law, short = _restitution(scene, number, late, lines, change, axis)
+    change, axis = line_of_change(scene, number, late, lines)
+    law, short = restitution_along(scene, number, late, lines, change, axis)
     return _Law(symbol, late, lines, change, axis, law, short)
 
 
@@ -251,12 +254,12 @@ def _by_a_velocity(scene: Scene, number: int, angle: sp.Symbol | None = None) ->
         if not any(own[1]) or not any(a != b for a, b in zip(own[1], scene.initial(body).value)):
             continue
         late, lines = {body: own[1]}, {body: own[2][0]}
-        change, axis = _axis(scene, number, late, lines)
+        change, axis = line_of_change(scene, number, late, lines)
         if angle is not None and not _tangent(scene, number, angle, change, axis):
             return False
         (other,) = (sphere for sphere in spheres if sphere != body)
-        late[other], lines[other] = _by_momentum(scene, number, body, late, lines, other)
-        law, _ = _restitution(scene, number, late, lines, plain_direction(change), axis)
+        late[other], lines[other] = by_momentum(scene, number, body, late, lines, other)
+        law, _ = restitution_along(scene, number, late, lines, plain_direction(change), axis)
         (symbol,) = names
         close(scene, law, symbol)
         _settle(scene, number, late, lines, change, axis)
@@ -291,7 +294,7 @@ def _in_either_sense(scene: Scene, number: int, ray: Ray) -> bool:
     late[ray.body], lines[ray.body] = _by_speed(scene, number, ray, symbol, lines)
     if not any(scene.unknown(scene.mass(sphere).value) for sphere in scene.spheres(number)):
         _add_others(scene, number, ray.body, late, lines)
-    _settle(scene, number, late, lines, *_axis(scene, number, late, lines))
+    _settle(scene, number, late, lines, *line_of_change(scene, number, late, lines))
     return True
 
 
@@ -322,7 +325,7 @@ def _add_others(
     """Adds the velocity of the other sphere, by the momentum of both."""
     for other in scene.spheres(number):
         if other != body:
-            late[other], lines[other] = _by_momentum(scene, number, body, late, lines, other)
+            late[other], lines[other] = by_momentum(scene, number, body, late, lines, other)
 
 
 def ray_of(scene: Scene, body: str, number: int) -> Ray | None:
@@ -501,7 +504,7 @@ def write_ray(
             raise NotPlannedError("a line that is not told")
         nothing = scene.desk.write(move, premises, none, nothing_shown)
         refs = (let, nothing)
-    value = _tree(ray.direction * symbol)
+    value = vector_tree(ray.direction * symbol)
     if 0 not in ray.direction and ray.role is REAL:
         plain = plain_direction(ray.direction)
         size = tidy(plain.x / ray.direction.x)
@@ -522,144 +525,6 @@ def _record(given: GivenEquation) -> str:
     return tie[2].removesuffix(" to")
 
 
-def _tree(value: Vector) -> Expression:
-    return tree_of(Vector(*(tidy(sp.expand(component)) for component in value)))
-
-
-def _by_momentum(
-    scene: Scene, number: int, body: str, late: dict[str, Vector], lines: dict[str, Ref], other: str
-) -> tuple[Vector, int]:
-    """The velocity of the other sphere by the momentum of both."""
-    early = {name: scene.initial(name) for name in (body, other)}
-    masses = {name: scene.mass(name) for name in (body, other)}
-    sides: list[list[Expression]] = [[], []]
-    whole = Vector(sp.Integer(0), sp.Integer(0))
-    for sphere in scene.bodies(number):
-        whole += early[sphere].value * masses[sphere].value
-        if any(early[sphere].value):
-            sides[0].append(product(tree_of(masses[sphere].value), tree_of(early[sphere].value)))
-        velocity: Expression = Quantity("velocity", (Name(sphere),), number)
-        if sphere == body:
-            velocity = _tree(late[body])
-        sides[1].append(product(tree_of(masses[sphere].value), velocity))
-    refs = together(
-        *(mass.refs for mass in masses.values()), *(e.refs for e in early.values()), (lines[body],)
-    )
-    left, right = (swept(total(side)) for side in sides)
-    move = Move("law", "momentum-vector", number, scene.bodies(number))
-    line = scene.desk.write(move, refs, chain(left, (right, None)))
-    rest = whole - late[body] * masses[body].value
-    value = Vector(*(tidy(sp.expand(component / masses[other].value)) for component in rest))
-    own = Quantity("velocity", (Name(other),), number)
-    return value, scene.desk.write(Move("rearrange"), (line,), chain(own, (_tree(value), None)))
-
-
-def _axis(
-    scene: Scene, number: int, late: dict[str, Vector], lines: dict[str, Ref]
-) -> tuple[Vector, int]:
-    """The line of centres along the change of a velocity: of who was at rest, if any."""
-    body = next(
-        (sphere for sphere in late if not any(scene.initial(sphere).value)), next(iter(late))
-    )
-    source = scene.initial(body)
-    change = Vector(*(sp.expand(a - b) for a, b in zip(late[body], source.value, strict=True)))
-    centres = Quantity("line_of_centres", (), number)
-    own = scene.model.frames[number]
-    is_found = not any(scene.unknown(value) for value in change)
-    ahead = scene.model.sign(Vector(*map(scene.model.in_data, change)).dot(own.n))
-    # Between spheres it points from the first to the second; into a wall, once it is known.
-    back = ahead < 0 if own.wall is None else ahead > 0 and is_found
-    axis: Expression = _tree(-late[body] if back else late[body])
-    if any(source.value):
-        early = tree_of(source.value)
-        axis = Binary("-", early, _tree(late[body])) if back else Binary("-", axis, early)
-    change = -change if back else change
-    final = Relation(((Link(centres, "parallel to", _tree(change)),),))
-    if is_found:
-        final = Relation(((Link(centres, "parallel to", _tree(plain_direction(change))),),))
-    first = Relation(((Link(centres, "parallel to", swept(axis)),),))
-    is_one = final == first or alike(
-        swept(axis), _tree(change)
-    )  # in another order of terms it is the same line
-    line = scene.desk.write(
-        Move("law", "along-the-change", number, (body,)),
-        together(source.refs, (lines[body],)),
-        final if is_one else first,
-    )
-    return change, scene.desk.write(Move("rearrange"), (line,), final)
-
-
-def _restitution(
-    scene: Scene,
-    number: int,
-    late: dict[str, Vector],
-    lines: dict[str, Ref],
-    change: Vector,
-    axis: int,
-) -> tuple[int, Relation]:
-    """Newton's law by scalar products with the change of velocity, whose size cancels.
-
-    Beside the line what it is with the relative velocities worked out.
-    """
-    e = scene.coefficient(number)
-    refs = together(
-        e.refs, *(scene.initial(sphere).refs for sphere in late), lines.values(), (axis,)
-    )
-    if len(late) == 1:
-        (body,) = late
-        gap, approach = late[body], -scene.initial(body).value
-        move = Move("law", "restitution-wall", number, (body,))
-    else:
-        first, second = scene.bodies(number)
-        early = {body: scene.initial(body).value for body in (first, second)}
-        gap, approach = late[second] - late[first], early[first] - early[second]
-        move = Move("law", "restitution", number, (first, second))
-    left, right = (_product(vector, change) for vector in (gap, approach))
-    final = chain(left, (swept(_times(e.value, right)), None))
-    if len(late) == 1:
-        return scene.desk.write(move, refs, final), final
-    # How fast they are, relative to each other, stands as a difference first.
-    left = _product_of_difference((late[second], late[first]), change)
-    right = _product_of_difference((early[first], early[second]), change)
-    relation = chain(left, (swept(_times(e.value, right)), None))
-    return scene.desk.write(move, refs, relation), final
-
-
-def _times(e: sp.Expr, product_: Expression) -> Expression:
-    return product_ if e == 1 else product(tree_of(e), product_)
-
-
-def _product_of_difference(pair: tuple[Vector, Vector], change: Vector) -> Expression:
-    """The scalar product of the difference of two vectors with the change of velocity."""
-    terms = []
-    for one, other, by in zip(*pair, change, strict=True):
-        one, other, by = (tidy(sp.expand(value)) for value in (one, other, by))
-        if one == other or by == 0:
-            continue
-        if one == 0 or other == 0:
-            terms.append(_product(Vector(one - other, sp.Integer(0)), Vector(by, sp.Integer(0))))
-        else:
-            terms.append(product(difference(tree_of(one), tree_of(other)), tree_of(by)))
-    return total(terms) if terms else ZERO
-
-
-def _product(a: Vector, b: Vector) -> Expression:
-    """A scalar product, by components."""
-    terms = []
-    for x, y in zip(a, b, strict=True):
-        one, other = (tidy(sp.expand(value)) for value in (x, y))
-        if one == 0 or other == 0:
-            continue
-        if one.could_extract_minus_sign() and other.could_extract_minus_sign():
-            one, other = -one, -other
-        if one == other and one.is_Symbol:
-            terms.append(square(tree_of(one)))
-            continue
-        tree = product(tree_of(abs(one) if one.is_number else one), tree_of(other))
-        terms.append(negative(tree) if one.is_number and one < 0 else tree)
-    return total(terms) if terms else ZERO
-
-
 def _settle(
     scene: Scene,
     number: int,
@@ -675,7 +540,9 @@ def _settle(
         velocity = Quantity("velocity", (Name(body),), number)
         line: Ref = lines[body]
         if refs:
-            line = scene.desk.write(Move("put"), (line, *refs), chain(velocity, (_tree(put), None)))
+            line = scene.desk.write(
+                Move("put"), (line, *refs), chain(velocity, (vector_tree(put), None))
+            )
         scene.desk.know(
             velocity, Vector(*(tidy(sp.expand(component)) for component in put)), (line,)
         )
@@ -693,13 +560,13 @@ def _settle(
         line = scene.desk.write(
             Move("put"),
             (axis, *refs),
-            Relation(((Link(centres, "parallel to", _tree(put)),),)),
+            Relation(((Link(centres, "parallel to", vector_tree(put)),),)),
         )
-    if _tree(put) != _tree(plain):
+    if vector_tree(put) != vector_tree(plain):
         line = scene.desk.write(
             Move("rearrange"),
             (line,),
-            Relation(((Link(centres, "parallel to", _tree(plain)),),)),
+            Relation(((Link(centres, "parallel to", vector_tree(plain)),),)),
         )
     scene.desk.know(centres, plain, (line,))
     sign = 1 if scene.model.sign(n.dot(own.n)) > 0 else -1

@@ -557,14 +557,12 @@ class Judge(Unlabelled):
         """A case that is none, as the question gives the letter another value: ``e = 1/3: …``."""
         for claim in link.supposed:
             match claim:
-                case Claim(Letter(name), "=", value, ()) if is_numeric(value):
-                    if name in self.question.given and not self._is_so(claim, line):
+                case Claim(Letter(name), "=", value, ()) if (
+                    is_numeric(value) and name in self.question.given
+                ):
+                    if agrees(claim, self._base, self.meanings(line.number), ()) is None:
                         return JudgedLink("false", claim)
         return None
-
-    def _is_so(self, claim: Claim, line: ScriptLine) -> bool:
-        """Whether a claim without decimals holds in the true world."""
-        return agrees(claim, self._base, self.meanings(line.number), ()) is not None
 
     def _link(self, line: ScriptLine, link: Link) -> JudgedLink:
         misquoted = self._misquoted(line, link) if link.supposed else None
