@@ -78,9 +78,9 @@ def _by_the_tie(
     first, tie = lines
     symbol, value = gone
     known = [ref for ref in premises if isinstance(ref, str)]
-    told = chain(Letter(symbol.name), (tree_of(tidy(value)), None))
+    stated = chain(Letter(symbol.name), (tree_of(tidy(value)), None))
     pool = (tie, *known, *background(scene, symbol_names(value)))
-    letter = judge.write((Move("rearrange"), Move("cancel")), pool, told)
+    letter = judge.write((Move("rearrange"), Move("cancel")), pool, stated)
     if letter is None:
         return None
     whole = scene.scalar(scene.desk.last_link(first).right)
