@@ -8,13 +8,12 @@ from fractions import Fraction
 import sympy as sp
 
 from restitution.errors import RestitutionError
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, Sign
+from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation, Sign, turned
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.evaluate import in_letters
 from restitution.expression.tree import Expression, Number, has_quantity
 from restitution.oracle import BeyondError, Oracle, Role, compared
 from restitution.planning.writing.forms import product, tree_of
-from restitution.planning.writing.inequalities import turned
 from restitution.workings.reasons.signs_of_factors import cited_bounds, worth_of
 
 _ONE = Number(Fraction(1))
