@@ -742,3 +742,31 @@ show maximum of alpha - angle(velocity(P), W) over alpha = arctan((1 - e^2)/(2(1
     assert "tan δ ≤ (1 − e²)/(2(1 + e)√e)" in working
     assert "greatest value of δ = arctan((1 − e²)/(2(1 + e)√e))" in working
     assert "does not follow" not in working
+
+
+@pytest.mark.parametrize(
+    ("velocity", "lines"),
+    [
+        ("2i + j", "(2t − 1)² + t² = 5² M1 5t² − 4t − 24 = 0 By the quadratic formula:"),
+        ("3i + 4j", "(3t − 1)² + (4t)² = 5² M1 25t² − 6t − 24 = 0"),
+    ],
+)
+def test_a_time_to_a_circle_has_its_quadratic_in_standard_form(velocity: str, lines: str) -> None:
+    text = f"""
+wall C: circle centre (0, 0) radius 5
+sphere P: at (-1, 0), velocity {velocity}, mass 1
+P hits C: e = 1/3
+find time(1)
+"""
+    assert lines in " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+
+
+def test_a_time_of_touching_has_its_square_alone_where_one_coordinate_stays() -> None:
+    text = """
+sphere A: mass 1, at (0, 0), velocity 3i, radius 1
+sphere B: mass 2, at (10, 1), velocity -i, radius 1
+A hits B: e = 1/2
+find time(1)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "(4t − 10)² + 1² = 2² M1 (4t − 10)² = 3 t = (10 − √3)/4 s or (10 + √3)/4 s" in working

@@ -20,13 +20,22 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
 )
+from restitution.planning.closing.polynomial_trees import polynomial_tree
 from restitution.planning.formulas.impacts import after, in_direction
 from restitution.planning.formulas.named_angles import letters_taken
 from restitution.planning.writing.circles import chord_from, circle_of, from_centre
 from restitution.planning.writing.degrees import share_in_degrees
 from restitution.planning.writing.desk import NotPlannedError, Source, chain, link, together
 from restitution.planning.writing.flights import added
-from restitution.planning.writing.forms import difference, product, square, swept, total, tree_of
+from restitution.planning.writing.forms import (
+    ZERO,
+    difference,
+    product,
+    square,
+    swept,
+    total,
+    tree_of,
+)
 from restitution.planning.writing.frames import Frame
 from restitution.planning.writing.place_trees import Axis, coordinate_tree, place_tree, time_tree
 from restitution.planning.writing.polynomials import expanded
@@ -300,6 +309,31 @@ def time_from_the_centre(scene: Scene, body: str, number: int, flight: Expressio
     return None if line is None else scene.desk.know(flight, value, (line,))
 
 
+def _standard_form(
+    scene: Scene, fact: int, coefficients: tuple[sp.Expr, ...], t: Expression
+) -> int:
+    """The equation for a time as a quadratic in numbers, or as a product where it is one.
+
+    The line itself where letters are in it, or where the time stands as a square alone.
+    """
+    x = sp.Dummy("x", real=True)
+    polynomial = sp.Poly([tidy(expanded(c)) for c in coefficients], x)
+    if polynomial.nth(1) == 0 or not all(c.is_number for c in polynomial.all_coeffs()):
+        return fact
+    whole = polynomial.primitive()[1] if polynomial.domain.is_QQ else polynomial
+    whole = whole.clear_denoms(convert=True)[1] if whole.domain.is_QQ else whole
+    whole = whole.primitive()[1] if whole.domain.is_ZZ else whole
+    known = scene.judge.write(
+        (Move("rearrange"),), (fact,), equality(polynomial_tree(whole, t), ZERO)
+    )
+    factors = sp.factor_list(whole)[1] if whole.domain.is_ZZ else []
+    if known is None or whole.nth(0) == 0 or [n for _, n in factors] != [1, 1]:
+        return known or fact
+    trees = (polynomial_tree(factor, t) for factor, _ in factors)
+    parted = equality(product(*trees), ZERO)
+    return scene.judge.write((Move("rearrange"),), (known,), parted) or known
+
+
 def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) -> Source:
     """The time at which a body is so far from a centre, or from that of another body.
 
@@ -355,7 +389,21 @@ def time_of_touching(scene: Scene, number: int, approaches: Sequence[Approach]) 
     other = tidy(2 * begin.value + both - when)
     roots = Relation(tuple((Link(t, "=", tree_of(value)),) for value in (when, other)))
     letters = symbol_names(when - other)
-    premises = scene.judge.enough(Move("roots"), (fact,), roots, background(scene, letters))
+    known = background(scene, letters)
+    rest = tidy(expanded(at.dot(at) - radius**2))
+    standard = fact
+    if 0 not in map(tidy, pace):
+        standard = _standard_form(scene, fact, (speed, 2 * at.dot(pace), rest), t)
+    elif len(sides) > 1:
+        # The body comes across one of the directions: a square is alone.
+        own = sides[0 if tidy(pace.x) != 0 else 1]
+        alone = next(tidy(a) for a, v in zip(at, pace, strict=True) if tidy(v) == 0)
+        value = tree_of(tidy(expanded(radius**2 - alone**2)))
+        standard = scene.judge.write((Move("rearrange"),), (fact,), equality(own, value)) or fact
+    for equation in (standard, fact) if flight == t else (fact,):
+        premises = scene.judge.enough(Move("roots"), (equation,), roots, known)
+        if premises is not None:
+            break
     if premises is None:
         raise NotPlannedError("the times of a contact")
     line = scene.desk.write(Move("roots"), premises, roots)
