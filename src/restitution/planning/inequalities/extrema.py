@@ -144,7 +144,7 @@ class _Extremum:
         self.move = Move("answer", "least" if self.least else "greatest")
         if not reached:
             self.move = Move("answer", "approached")
-        angle = _is_angle(self.asked) or is_of_two_angles(self.asked)
+        angle = is_quantity(self.asked, *ANGLES) or is_of_two_angles(self.asked)
         known = roles(self.scene.problem)
         degrees = angle or (isinstance(asked, Letter) and known[asked.name].kind == "angle")
         self.printed = printed if not angle else None
@@ -158,7 +158,7 @@ class _Extremum:
         if again is not None:
             self.end = self.scene.desk.last_link(again)
             return again
-        if _is_angle(self.asked) or is_of_two_angles(self.asked):
+        if is_quantity(self.asked, *ANGLES) or is_of_two_angles(self.asked):
             start, end, value = self.claims.worths.mark(), self.end, self.value
             for form in (self.arctangent, None) if self.arctangent else (None,):
                 try:
@@ -696,7 +696,3 @@ class _Extremum:
             return None
         desk.lines[line - 1] = replace(own, premises=refs, relation=first)
         return own
-
-
-def _is_angle(tree: Expression) -> bool:
-    return isinstance(tree, Quantity) and tree.kind in ANGLES
