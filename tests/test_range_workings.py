@@ -409,3 +409,18 @@ def test_pieces_of_a_range_whose_order_rests_on_letters_have_no_working() -> Non
     text += "given speed(A)/speed(B) = m u\nfind range of energy(A) + energy(B) in terms of m, u"
     working = " ".join(str(explain(restitution.solve(parse(text)))).split())
     assert "The steps from here are not written out." in working
+
+
+def test_what_grows_and_falls_is_not_said_to_fall() -> None:
+    """√(1 + 8 sin²α) cos α grows to 9√2/8 at sin²α = 7/16 first."""
+    first, most = (math.sqrt(1 + 8 * s) * math.sqrt(1 - s) for s in (0, 7 / 16))
+    assert most > first == 1
+    text = """
+sphere P: mass m, velocity u at alpha
+sphere Q: mass m, at rest
+P hits Q: along i, e = 1/3
+find minimum of speed(P)*speed(Q) over alpha
+"""
+    shown = " ".join(str(explain(restitution.solve(parse(text)), check=True)).split())
+    assert "decreases" not in shown
+    assert "> 0, as α is acute" in shown

@@ -593,3 +593,19 @@ find range of k
         "(1 + 3e)/2",
         "½ ≤ k ≤ 2",
     ]
+
+
+def test_both_ends_at_which_a_greatest_value_is_approached_are_named() -> None:
+    """The angle is 180° − (arctan 2t − arctan t), which goes to 180° for t → 0 and t → ∞."""
+    ((_, item),) = solve(
+        parse("""
+wall V: along i
+wall W: along j
+sphere P: velocity u at alpha to V
+P hits V: e = 1/2
+P hits W: e = 1/4
+find maximum of angle(velocity(P), velocity(P, 0)) over alpha
+""")
+    ).items()
+    assert not item.answers[0].reached
+    assert item.answers[0].display == "180° approached as α → 0° or α → 90°"

@@ -182,10 +182,10 @@ def _answer(
         if place.is_infinite
         else display_named(symbol, place, angle=role.kind == "angle")
     )
-    where: Layout = there if reached else replace(there, signs=("→", *there.signs[1:]))
-    if further:
-        others = (display_named(symbol, value, angle=role.kind == "angle") for value in further)
-        where = Phrase((where, *others), " or ")
+    places_ = [there, *(display_named(symbol, x, angle=role.kind == "angle") for x in further)]
+    if not reached:
+        places_ = [replace(other, signs=("→", *other.signs[1:])) for other in places_]
+    where: Layout = Phrase(tuple(places_), " or ") if further else places_[0]
     most = display(value, angle=angle, percentage=item.percentage)
     layout = Phrase((most, Words("when" if reached else "approached as"), where))
     return Answer(
@@ -374,10 +374,15 @@ def _without_an_end(region: Region, verdict: Verdict) -> Iterator[tuple[Formula,
 
 
 def _further(
-    region: Region, value: sp.Expr, candidates: list[Candidate], best: Candidate, data: Sample
+    region: Region,
+    value: sp.Expr,
+    candidates: list[Candidate],
+    extreme: tuple[Candidate, bool],
+    data: Sample,
 ) -> tuple[sp.Expr, ...]:
-    """The other numbers at which an extremum is reached: both ends, say."""
+    """The other numbers at which an extremum is reached, or approached: both ends, say."""
     places: list[sp.Expr] = []
+    best, reached = extreme
     for candidate in candidates:
         place = candidate.where[region.letter]
         if place == best.where[region.letter] or not place.is_number or place.is_infinite:
@@ -385,7 +390,13 @@ def _further(
         if candidate.value != best.value or place in places:
             continue
         number = limit_at(candidate.value, data)
-        if number is not None and reaches(region, value, candidate, number, data):
+        if number is None:
+            continue
+        if not reached:
+            close = is_near(region, candidate, data) and tends(region, value, candidate, data)
+        else:
+            close = reaches(region, value, candidate, number, data)
+        if close:
             places.append(place)
     return tuple(places)
 
@@ -530,7 +541,7 @@ def _best(outcome: Outcome, value: sp.Expr, name: str, sign: int) -> Best | None
     if any(winner[0] != first[0] for winner in winners[1:]):
         raise DependsOnDataError("where the extremum lies depends on the values of the data")
     best, reached, _, drawn = first
-    return first, _further(region, value, candidates, best, drawn) if reached else ()
+    return first, _further(region, value, candidates, (best, reached), drawn)
 
 
 def _roles(outcome: Outcome) -> dict[str, Role]:

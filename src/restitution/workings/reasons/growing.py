@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -16,6 +17,8 @@ from restitution.solving.algebra.signs import sign
 _DOWN = (">", ">=")
 # What every other letter is worth where one of them is looked at.
 _OTHERS = sp.Rational(2, 3)
+# At so many places a letter is looked at, and so small a change is none.
+_LOOKS, _SMALL = 12, 1e-9
 # Where a letter without cited ends is looked at: below the others, if not above them.
 _PAIRS = ((sp.Integer(1), sp.Integer(2)), (sp.Rational(1, 4), sp.Rational(1, 2)))
 
@@ -42,9 +45,25 @@ def growth(
         if len(names) > 1 and not _is_end(tree, name, own, bound, name in positive, far):
             continue
         sense = way_of(tree, name, own, bound)
+        if sense and _turns(tree, name, own):
+            return None  # the bound is that at an end all the same: by another letter, or a sign
         if sense:
             return name, sense
     return None
+
+
+def _turns(tree: Expression, name: str, ends: Sequence[Link]) -> bool:
+    """Whether a tree both grows and falls between two ends of a letter, all others at one point."""
+    try:
+        places = sorted(float(place) for place, _ in _places(ends, False, name))
+        low, high = places[0], places[-1]
+        inside = [low + n * (high - low) / _LOOKS for n in range(1, _LOOKS)]
+        values = [float(worth(tree, name, sp.Float(place))) for place in inside]
+    except (RestitutionError, TypeError, ValueError, IndexError):
+        return False
+    steps = [second - first for first, second in pairwise(values)]
+    least = _SMALL * max(map(abs, values))
+    return max(steps) > least and min(steps) < -least
 
 
 def _is_end(
