@@ -598,3 +598,11 @@ def test_fractions_in_fractions_are_written_in_no_time() -> None:
     for _ in range(40):
         deep = layouts.Fraction(deep, Letter("u"))
     assert to_text(deep) == "(" * 39 + "2/u" + ")/u" * 39
+
+
+def test_a_long_sum_with_roots_of_roots_is_a_decimal_alone() -> None:
+    root = sympy.sqrt
+    long = (5 * root(3) - 2 + root(40 * root(3) - 17)) / 3
+    short = (1 + root(5 - 2 * root(3))) / 4
+    assert to_text(display(long)) == "4.63"
+    assert to_text(display(short)) == "¼ + √(5 − 2√3)/4 = 0.560"

@@ -93,10 +93,21 @@ def _display_sides(
     return [from_sympy(value, degrees=angle), rounded]
 
 
+# A sum with roots of sums of roots that costs more stands as a decimal alone.
+_NESTED = 14
+
+
 def _is_long(value: Expr) -> bool:
     """Whether nobody would print the exact form of a value that has a decimal one."""
     most = 28 if value.has(*DIRECT) else 40
-    return bool(value.has(sympy.CRootOf)) or exact.cost(value) > most
+    if value.has(sympy.CRootOf) or exact.cost(value) > most:
+        return True
+    return exact.cost(value) > _NESTED and any(
+        exact.is_nested(term)
+        for node in sympy.preorder_traversal(value)
+        if isinstance(node, sympy.Add)
+        for term in node.args
+    )
 
 
 def _display_percentage(value: Expr) -> list[Layout]:
