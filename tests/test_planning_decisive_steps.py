@@ -534,3 +534,13 @@ def test_sine_and_cosine_by_a_tangent_in_letters_stand_over_one_root() -> None:
     )
     sine = own.index("sin θ = √3(1 + e)/√(3 + 6e + 12e² − 6e³ + e⁴)")
     assert own[sine + 1] == "cos θ = (3 − e)e/√(3 + 6e + 12e² − 6e³ + e⁴)"
+
+
+def test_a_tangent_with_roots_beside_a_sine_without_an_exact_value_goes_by_figures() -> None:
+    own = rows(
+        TWO.format(a="m", u="u at 50°", b="m", v="at rest", e="")
+        + "given deflection(A) = 25°\nfind e"
+    )
+    assert "v = (u sin 50°)/tan 75° = (2 − √3)u sin 50° ≈ 0.2053u" in own
+    assert "mu cos 50° ≈ m × 0.2053u + mw" in own
+    assert "w = (cos 50° − (2 − √3) sin 50°)u ≈ 0.4375u" in own

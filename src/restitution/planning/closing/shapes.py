@@ -37,6 +37,7 @@ from restitution.planning.closing.collecting import multiplied_out
 from restitution.planning.closing.common_factors import sums_above, without_common_factor
 from restitution.planning.closing.complements import without_complements
 from restitution.planning.closing.crossing import multiplied_across
+from restitution.planning.closing.exact_ratios import by_ratios_as_they_are
 from restitution.planning.closing.known_values import (
     SHORTER,
     is_angle,
@@ -299,6 +300,9 @@ def _linear(scene: Scene, number: int, symbol: sp.Symbol) -> Source | None:
         return None  # two equal squares have two roots, of which one may cancel
     if (solved := _by_tangents(scene, number, symbol)) is not None:
         return solved
+    line = by_ratios_as_they_are(scene, number, symbol)
+    if line is not None:
+        return known_as(scene, symbol, scene.scalar(scene.desk.last_link(line).right), line)
     number = with_squares_apart(scene, number, symbol)
     for form in (above, _uncertain(scene, above, symbol)):
         poly = sp.Poly(form, symbol)

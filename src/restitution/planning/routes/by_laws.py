@@ -156,6 +156,12 @@ class ByLaws(ByFacts):
             moves = (Move("rearrange"), Move("identity", "pythagoras"))
             line = self.scene.judge.write(moves, (number,), subject)
             if line is None:
+                # No formula joins 50° and 25°, though the value may be one in 25° alone.
+                plain = sp.factor_terms(_solved(own_residual, symbol))
+                apart = chain(Letter(symbol.name), (tree_of(plain), None))
+                line = self.scene.judge.write(moves, (number,), apart)
+                value = value if line is None else plain
+            if line is None:
                 line = self.scene.desk.write(Move("rearrange"), (number,), subject)
             self.scene.desk.know(Letter(symbol.name), value, (line,))
             return (own,)

@@ -123,6 +123,8 @@ def in_letters_with_figures(tree: Expression) -> Expression | None:
     None of another value, and of one that is short: ½u cos 20°.
     """
     most = _LONG_SUM if any(map(_is_long, walk(tree))) else _LONG_PRODUCT
+    if any(map(_is_sum_with_a_root, walk(tree))):
+        most = 1  # (2 − √3)u sin 50°
     if len(_ratios_of_numbers(tree)) < most or has_quantity(tree):
         return None
     try:
@@ -146,6 +148,12 @@ def in_letters_with_figures(tree: Expression) -> Expression | None:
         return None
     whole = product(Number(abs(size)), tree_of(rest))
     return Negate(whole) if size < 0 else whole
+
+
+def _is_sum_with_a_root(tree: Expression) -> bool:
+    """Whether an expression is a sum of rational numbers and roots of such."""
+    roots = any(is_function(node, "sqrt") for node in walk(tree))
+    return is_binary(tree, "+", "-") and roots and _is_sum_of_roots(tree)
 
 
 class Figures:
