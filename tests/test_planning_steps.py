@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from math import atan, cos, isclose, sin, tan
 
 import pytest
 from laws_of_steps import STEPS
@@ -770,3 +771,21 @@ find time(1)
 """
     working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
     assert "(4t − 10)² + 1² = 2² M1 (4t − 10)² = 3 t = (10 − √3)/4 s or (10 + √3)/4 s" in working
+
+
+def test_a_letter_that_a_tangent_tells_less_a_number_goes_before_a_sum_is_written_out() -> None:
+    """tan β = 2 tan α/(1 − e), and the speed of B is ½(1 + e)u cos α."""
+    alpha, e = 0.5, 0.3
+    beta = atan(2 * tan(alpha) / (1 - e))
+    assert isclose((1 + e) * cos(alpha) / 2, sin(beta - alpha) / sin(beta))
+    text = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i
+let beta = angle(velocity(A), i)
+show speed(B) = u sin(beta - alpha)/sin(beta)
+"""
+    working = " ".join(to_text(explain(solve(parse(text)), check=True), 200).split())
+    assert "e = 1 − (2 tan α)/tan β Substituting in (3): speed of B = " in working
+    assert "u(cos α sin β − sin α cos β)/sin β By the formulae for a sum of angles" in working
+    assert "does not follow" not in working

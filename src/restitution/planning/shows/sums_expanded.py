@@ -60,11 +60,12 @@ def _gone(scene: Scene, first: int, tie: int, link: Link) -> tuple[sp.Symbol, sp
     if len(names) != 1 or name not in letters(link.right):
         return None
     (symbol,) = names
-    whole = sp.Poly(expanded(sp.fraction(sp.together(right))[0]), symbol)
-    if whole.degree() != 1 or whole.nth(0) != 0:
+    above, below = sp.fraction(sp.together(right))
+    tangent = sp.tan(sp.Symbol(name, positive=True))
+    whole = sp.Poly(expanded(tangent * below - above), symbol)
+    if whole.degree() != 1:
         return None
-    below = sp.fraction(sp.together(right))[1]
-    return symbol, sp.tan(sp.Symbol(name, positive=True)) * below / whole.nth(1)
+    return symbol, expanded(-whole.nth(0) / whole.nth(1))
 
 
 def _by_the_tie(
