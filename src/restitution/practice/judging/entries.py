@@ -12,6 +12,7 @@ from restitution.expression.tree import (
     Name,
     Quantity,
     is_binary,
+    is_quantity,
     letters,
     walk,
 )
@@ -52,6 +53,16 @@ def is_numeric(tree: Expression) -> bool:
     """Whether a tree is of numbers alone; scalar products of vectors in numbers are too."""
     return not any(
         isinstance(node, Letter | Name) or (isinstance(node, Quantity) and node.kind != "dot")
+        for node in walk(tree)
+    )
+
+
+def is_of_a_journey(entry: Entry) -> bool:
+    """Whether a claim tells of a time or a place."""
+    names = (entry.meanings[name] for name in names_of(entry.claim) if name in entry.meanings)
+    return any(
+        is_quantity(node, "time", "position")
+        for tree in (entry.claim.left, entry.claim.right, *names)
         for node in walk(tree)
     )
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import chain, combinations, takewhile
+from itertools import chain, takewhile
 
 import numpy as np
 
@@ -588,27 +588,6 @@ class Following(OwnValues):
                     continue
                 if self._valid(put, replace(entry, decimals=(*decimals, *link.decimals))):
                     return JudgedLink("true", claim, "coarse", remark=COARSE)
-        return None
-
-    def _at_another_time(self, line: ScriptLine, link: Link) -> JudgedLink | None:
-        """A time by the letter that another time has further up: ``t = 0.5``, then ``t = 2.5``."""
-        meanings = self.meanings(line.number)
-        events = range(len(self._base.events), 0, -1)
-        times: list[Expression] = [Quantity("time", (), number) for number in events]
-        times += [Binary("-", one, other) for one, other in combinations(times, 2)]
-        for claim in link.readings:
-            match claim:
-                case Claim(Letter(name), "=", value, ()) if is_numeric(value):
-                    meant = meanings.get(name)
-                case _:
-                    continue
-            if meant not in times:
-                continue
-            for time in times:
-                other = replace(claim, left=time)
-                grade = self._best_accuracy(other, self.worlds, line, link)
-                if grade is not None:
-                    return JudgedLink("true", other, grade)
         return None
 
     def _by_rounded_lines(self, line: ScriptLine, link: Link) -> JudgedLink | None:

@@ -27,7 +27,9 @@ from restitution.expression.tree import (
     Number,
     Quantity,
     children,
+    has_quantity,
     is_binary,
+    is_quantity,
     letters,
     negated,
     unsigned,
@@ -51,7 +53,7 @@ from restitution.practice.judging.other_forms import kind_of
 from restitution.practice.judging.scaling import sizes_taken
 from restitution.practice.judging.slips import misreadings, read_as_datum
 from restitution.practice.judging.verdicts import Judge
-from restitution.practice.letters.interpretation import Interpretation
+from restitution.practice.letters.interpretation import Interpretation, Interpretations
 from restitution.practice.letters.letters import meanings_of
 from restitution.practice.letters.surroundings import all_fixed, letters_of
 from restitution.practice.reading.phrase_names import is_phrase
@@ -68,6 +70,7 @@ _EFFORT_OF_MISREADINGS = 40_000
 _SHORTER = 3
 """Of a script that takes more, this fraction is judged."""
 _MISREADINGS = 8
+_ALIKE = 0.05
 _PLACES = 3
 """A datum stands in so many places, at most, that are tried."""
 
@@ -151,6 +154,11 @@ def _defined_otherwise(
             continue  # sin a is what cos α is
         if any(len(own) == 1 and own <= fresh for own in map(names_of, plain.links)):
             yield line.line.number
+
+
+def _is_of_a_journey(tree: Expression) -> bool:
+    """Whether a quantity is a time or a place, or is made of one."""
+    return any(is_quantity(node, "time", "position") for node in walk(tree))
 
 
 class _Sitting(Doubts):
@@ -249,9 +257,10 @@ class _Sitting(Doubts):
         Taken if more lines then hold or follow, and none is false that was not before.
         """
         best = self.meanings.best
-        unknown = {name for name in judge_.unknown if not is_phrase(name)}
-        unknown |= set(self._doubtful_below(lines))
         false = sum(line.verdict == "false" for line in lines)
+        below = set(self._below(lines)) if false else set()
+        unknown = {name for name in judge_.unknown if not is_phrase(name)}
+        unknown |= {*self._doubtful_below(lines), *below}
         if not unknown or not false or best.fixed_letters or any(m.since for m in best.meanings):
             return judge_, lines
         known = {
@@ -261,9 +270,10 @@ class _Sitting(Doubts):
         }
         bench = self.bench
         for world in islice(judge_.students(), 1):
-            own = meanings_of(
+            every = meanings_of(
                 self.script, bench.problem, bench.solution, bench.solved.part.label, known, (world,)
-            ).best
+            )
+            own = self._with_asked(every, below)
             newly_known = tuple(meaning for meaning in own.meanings if meaning.letter in unknown)
             phrases = tuple(meaning for meaning in best.meanings if is_phrase(meaning.letter))
             merged = replace(
@@ -274,10 +284,48 @@ class _Sitting(Doubts):
             other, again = self._judged(self.script, merged)
             more = sum(line.verdict in ("true", "follows") for line in again)
             less = sum(line.verdict in ("true", "follows") for line in lines)
+            told = more == less and any(self._is_asked(m.quantity) for m in newly_known)
+            more += told and bool(below)
             if more > less and sum(line.verdict == "false" for line in again) <= false:
                 self.meanings = replace(self.meanings, best=merged)
                 return other, again
         return judge_, lines
+
+    def _with_asked(self, every: Interpretations, names: Collection[str]) -> Interpretation:
+        """The likeliest meanings; of those as likely that in which a letter is what is asked."""
+        alike = (x for x in (every.best, *every.rivals) if x.score >= every.best.score - _ALIKE)
+        return next(
+            (
+                each
+                for each in alike
+                if any(m.letter in names and self._is_asked(m.quantity) for m in each.meanings)
+            ),
+            every.best,
+        )
+
+    def _below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
+        """The letters that stand below a mistake alone, and mean nothing that is asked.
+
+        Times and places there are those of his own world, whatever true value a number may have.
+        """
+        if not any(map(_is_of_a_journey, (tree for tree, _ in self.bench.wanted.asked))):
+            return
+        first = next(line.line.number for line in lines if line.verdict == "false")
+        above = {
+            name for line in lines if line.line.number <= first for name in names_in(line.line)
+        }
+        for meaning in self.meanings.best.meanings:
+            timed = meaning.letter[:1] in "tT" and meaning.by == "declared"
+            open_ = meaning.by == "inferred" or (timed and not has_quantity(meaning.quantity))
+            if not open_ or is_phrase(meaning.letter) or meaning.letter in above:
+                continue
+            if not self._is_asked(meaning.quantity):
+                yield meaning.letter
+
+    def _is_asked(self, quantity: Expression) -> bool:
+        """Whether a quantity is a time or a place that the part asks for."""
+        asked = (tree for tree, _ in self.bench.wanted.asked)
+        return _is_of_a_journey(quantity) and quantity in asked
 
     def _doubtful_below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
         """The letters of which nobody said what they are, that stand in no line which holds.

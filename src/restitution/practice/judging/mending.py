@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from fractions import Fraction
 
 import numpy as np
 
 from restitution.errors import RestitutionError
+from restitution.expression.tree import Binary, Expression, Number, walk
 from restitution.practice.judging.claimed import holds_in
-from restitution.practice.judging.entries import Entry, is_numeric, same_relation
+from restitution.practice.judging.entries import (
+    Entry,
+    is_numeric,
+    is_of_a_journey,
+    same_relation,
+)
 from restitution.practice.judging.explained import JudgedSoFar
 from restitution.practice.judging.slips import Correction, corrections
-from restitution.practice.worlds.agreement import difference
+from restitution.practice.worlds.agreement import difference, numbers_of
 from restitution.practice.worlds.world import World
 
+_LOST = ("power", "square", "factor")
 _CLOSE, _TINY = 0.03, 1e-6
 
 
@@ -22,12 +30,33 @@ def mending(entry: Entry, judge: JudgedSoFar) -> Iterator[Correction]:
     if entry.claim.others:
         return
     worlds = (judge.base, *judge.students())
+    journey = is_of_a_journey(entry)
+    data = numbers_of(judge.base.problem) if journey else ()
     for correction in corrections(entry.claim):
         if correction.claim.left == correction.claim.right:
             continue  # w = w corrects nothing
+        if journey and (correction.change in _LOST or _is_datum(correction.part, data)):
+            continue  # the whole time for that since an impact: nothing is miswritten
+        if correction.change == "power" and _is_value_alone(correction.part, entry, judge):
+            continue  # where no square was, none is forgotten
         mended = Entry(entry.number, correction.claim, entry.meanings, entry.scope, entry.decimals)
         if any(_is_near(mended, world) and holds_in(mended, world) for world in worlds):
             yield correction
+
+
+def _is_value_alone(part: Expression, entry: Entry, judge: JudgedSoFar) -> bool:
+    """Whether a claim gives the part a number, and no line above has its square."""
+    claim = entry.claim
+    if part != claim.left or not isinstance(claim.right, Number):
+        return False
+    square = Binary("^", part, Number(Fraction(2)))
+    return not any(
+        square in walk(side) for x in judge.entries for side in (x.claim.left, x.claim.right)
+    )
+
+
+def _is_datum(part: Expression, data: Collection[Fraction]) -> bool:
+    return isinstance(part, Number) and part.value in data
 
 
 def _is_near(entry: Entry, world: World) -> bool:

@@ -43,7 +43,7 @@ from restitution.expression.tree import (
 from restitution.practice.judgement import Mistake, Use
 from restitution.practice.judging.claimed import holds_in
 from restitution.practice.judging.coefficients import with_its_coefficient
-from restitution.practice.judging.entries import Entry, is_numeric
+from restitution.practice.judging.entries import Entry, is_numeric, is_of_a_journey
 from restitution.practice.judging.explained import Explained, JudgedSoFar, Stated
 from restitution.practice.judging.mending import kind_of_slip, mending
 from restitution.practice.judging.other_forms import is_turn, kind_of
@@ -256,6 +256,7 @@ class Names:
             return ()
         altered = {use.altered for use in judge.uses_of_entry(entry)}
         by_states = [variant for variant in self.variants if variant.id in altered]
+        by_states = list(self._without_energy(by_states, judge.base))
         if self._is_of_impulse(entry):
             # 3 = 0.5(4 - 4e): the sign is lost in the change of momentum, not in a law.
             by_states = [state for state in by_states if "impulse" in _kinds(state)]
@@ -276,6 +277,7 @@ class Names:
             by_states
             and _is_bare(entry)
             and any(correction.change == "figure" for correction in mended)
+            and not self._is_kept(entry, by_states, mended, judge)
         ):
             # A number alone may be another by its figure, but not twice for one reason.
             return tuple(state for state in by_states if state.id in judge.suspected())
@@ -293,9 +295,36 @@ class Names:
         ]
         variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
         variants = list(self._of_masses(entry, variants))
+        if is_of_a_journey(entry):
+            # A time tells of one component alone: that it is not smaller says all.
+            omitted = [state for state in variants if state.mistake == "restitution-omitted"]
+            variants = omitted or variants
         if is_coefficient(entry):
             variants = [variant for variant in variants if _replaces(variant, "restitution")]
         return tuple(dict.fromkeys(variant for variant in variants if _stands(variant, blocking)))
+
+    def _is_kept(
+        self,
+        entry: Entry,
+        states: Sequence[VariantAt],
+        mended: Sequence[Correction],
+        judge: JudgedSoFar,
+    ) -> bool:
+        """Whether a number is that of the speed before a wall, and so no other by its figure."""
+        omitted = {state.mistake for state in states} == {"restitution-omitted"}
+        figures = (x for x in mended if x.change == "figure")
+        return omitted and all(self._is_familiar(x, entry, judge) for x in figures)
+
+    def _without_energy(self, states: Sequence[VariantAt], world: World) -> Iterator[VariantAt]:
+        """Altered laws, of which a speed kept where a wall is struck directly leaves e out."""
+        for state in states:
+            kept = state.mistake == "energy-conserved" and state.event.wall
+            if not (kept and is_direct(state.event.number, world)):
+                yield state
+                continue
+            for other in self.variants:
+                if other.event == state.event and other.mistake == "restitution-omitted":
+                    yield other
 
     def _is_of_impulse(self, entry: Entry) -> bool:
         """Whether a side of a claim is an impulse, or one that the question gives."""

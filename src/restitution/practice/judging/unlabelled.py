@@ -25,7 +25,7 @@ from restitution.expression.tree import (
 )
 from restitution.practice.judgement import JudgedLine
 from restitution.practice.judging.entries import is_numeric
-from restitution.practice.judging.following import Following
+from restitution.practice.judging.journeys import Journeys
 from restitution.practice.judging.judged_link import JudgedLink
 from restitution.practice.judging.plain_impulses import is_change_of_momentum
 from restitution.practice.reading.phrase_names import is_phrase
@@ -37,7 +37,7 @@ _SAME = 1e-6
 _TWO = Number(Fraction(2))
 
 
-class Unlabelled(Following):
+class Unlabelled(Journeys):
     """What the last numbers of a working are, where it ends without a name for them."""
 
     def _ends_in_numbers(

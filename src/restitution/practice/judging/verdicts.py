@@ -607,6 +607,7 @@ class Judge(Unlabelled):
             or self._by_rounded_lines(line, link)
             or self._at_another_time(line, link)
             or self._following(line, link)
+            or self._mistimed(line, link)
             or self._refused(line, link)
         )
 

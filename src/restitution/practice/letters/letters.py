@@ -87,6 +87,8 @@ _MOMENTUM = 1.8
 # and of the component itself, as the components of two spheres may be equal.
 _SHOWN, _NAMED = 0.6, 4.0
 _PLACES = 5
+# What it costs that a letter for times is one of the student's own where a time is asked.
+_OWN_TIME = 0.3
 _LAST = 10**6
 _PERPENDICULAR = frozenset(("perp", "perpendicular", "perpendicularly", "across"))
 _ALONG = frozenset(("along", "parallel", "par", "loc", "centres", "centers"))
@@ -271,7 +273,8 @@ class _Search(LettersOfLines):
                 start = around.of_the_start(value)
                 if not start and self._is_velocity(name):
                     return chosen
-                chosen.append(Candidate(tree, "definition", "scalar", start=start))
+                cost = _OWN_TIME if around.asks_time and name[:1] in "tT" else 0.0
+                chosen.append(Candidate(tree, "definition", "scalar", start=start, cost=cost))
         return chosen
 
     def _in_its_sense(self, candidate: Candidate) -> Candidate:

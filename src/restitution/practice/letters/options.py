@@ -82,7 +82,7 @@ def options(usage: Usage, candidates: Iterable[Candidate], problem: Problem) -> 
         place = kinds.index(candidate.kind) * 0.05 if len(kinds) > 2 and not strange else 0.0
         place += (_WANTED if candidate.asked else _STRANGE) if strange else 0.0
         if candidate.kind == "place" and candidate.asked:
-            place -= _ODD  # where two meet both are: the one that is asked for is meant
+            place = -candidate.cost  # where two meet both are: the one that is asked is meant
         extra += place + _by_scope(usage.scope, candidate) + _by_axis(usage.letter, candidate)
         yield replace(candidate, cost=max(0.0, min(1.0, candidate.cost + extra)))
 
@@ -246,6 +246,9 @@ def usual(
             return _first(candidates, "impulse", None, only) if only else None
         case "t" | "T" if below == "1" and any(_is_time(x) and x.asked for x in candidates):
             return next((x for x in candidates if _is_time(x)), None)
+        case "t" | "T" if not below and any(_is_time(x) and x.asked for x in candidates):
+            times = [x for x in candidates if x.kind == "time"]
+            return times[0] if len(times) == 1 else None
         case "m" | "M":
             return _mass(candidates, below, problem)
         case "v" | "u" | "V" | "U" if any(sphere.name == below for sphere in problem.spheres):

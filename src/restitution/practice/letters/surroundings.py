@@ -102,6 +102,11 @@ class Surroundings:
         )
 
     @cached_property
+    def asks_time(self) -> bool:
+        """Whether the part asks for a time."""
+        return any(is_quantity(node, "time") for tree in self.asked for node in walk(tree))
+
+    @cached_property
     def stopped(self) -> frozenset[tuple[str | None, int | None]]:
         """The bodies that the part is to show at rest, each with the number of the event before."""
         at_rest: set[tuple[str | None, int | None]] = set()

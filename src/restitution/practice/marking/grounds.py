@@ -92,6 +92,12 @@ class Grounds:
             return False
         return number in roots or any(root.line.number in roots for root in self._roots(line))
 
+    def _is_of_wrong_motion(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a time or a place is wrong by a law alone, and worked out as it should be."""
+        named = line.mistake is not None and line.mistake.kind == "misconception"
+        law = bool(line.uses) and line.uses[0].principle in LAWS
+        return point.principle == "place" and line.verdict == "false" and named and law
+
     def _is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a letter, in its first line, a value and no more."""
         if not is_plain(line) or self._has_lost_law(line):

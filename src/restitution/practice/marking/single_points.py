@@ -235,7 +235,8 @@ class SinglePoints(Grounds):
             (
                 line
                 for line in self.lines
-                if line.verdict in SOUND and self.values.matches(point, line) is not None
+                if line.verdict in SOUND or self._is_of_wrong_motion(point, line)
+                if self.values.matches(point, line) is not None
             ),
             None,
         )

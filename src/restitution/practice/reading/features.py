@@ -65,6 +65,7 @@ class Features:
     reduced: bool = False
     percent: bool = False
     blow: bool = False
+    back: bool = False
 
 
 def words_of(text: str) -> tuple[str, ...]:
@@ -113,6 +114,8 @@ def features_of(words: Sequence[str], problem: Problem) -> Features:
             features = replace(features, heads=features.heads | {"velocity"})
         elif low in ("blow", "kick", "kicked"):
             features = replace(features, blow=True)
+        elif low == "back":
+            features = replace(features, back=True)
         elif low == "reduced":
             features = replace(features, reduced=True)
         elif low == "between":

@@ -9,6 +9,8 @@ from restitution.practice.reading.vocabulary import HEADS
 from restitution.problem import Impact, Problem
 
 _MOVING = frozenset(("speed", "velocity"))
+_IN_ALL = frozenset(("total", "overall", "altogether"))
+_MOMENTS = frozenset(("at", "when", "where", "t", "after", "before"))
 _VAGUE = frozenset(("magnitude", "angle", "ratio", "gradient"))
 
 
@@ -19,9 +21,17 @@ def names_quantity(words: Sequence[str], problem: Problem) -> bool:
         return bool(features.names)
     if features.heads == {"gain"}:
         return False
+    if "position" in features.heads:
+        return _tells_a_place(words, problem)
     if features.heads == {"gradient"} and not (features.names or features.stage):
         return features.wall or features.direction is not None  # of what, it has to say
     return bool(features.heads or features.direction or features.axis is not None)
+
+
+def _tells_a_place(words: Sequence[str], problem: Problem) -> bool:
+    """Whether words name where a body is that the question places, at no moment of their own."""
+    moment = any(word.isdigit() or word.casefold() in _MOMENTS for word in words)
+    return not moment and any(sphere.position is not None for sphere in problem.spheres)
 
 
 UNNAMED_ANGLE = "an angle"
@@ -70,6 +80,11 @@ def is_vague(name: str) -> bool:
 def names_time(name: str) -> bool:
     """Whether a phrase names a time: since when, it need not say."""
     return any(HEADS.get(word) == "time" for word in name.casefold().split())
+
+
+def names_whole_time(name: str) -> bool:
+    """Whether a phrase names a time and tells since when it counts: *total time*."""
+    return names_time(name) and not _IN_ALL.isdisjoint(name.casefold().split())
 
 
 def names_axis(name: str) -> bool:

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
-from itertools import chain, combinations
+from itertools import chain
 from math import inf
 from typing import Literal
 
@@ -33,10 +33,9 @@ from restitution.expression.tree import (
     is_binary,
     is_quantity,
     negated,
-    walk,
 )
 from restitution.practice.reading.features import AXES, Features, features_of, words_of
-from restitution.practice.reading.moments import Moments
+from restitution.practice.reading.journeys import Journeys, names_in
 from restitution.practice.reading.phrase_names import (
     UNNAMED_ANGLE,
     UNNAMED_DIRECTION,
@@ -47,6 +46,7 @@ from restitution.practice.reading.phrase_names import (
     names_axis,
     names_quantity,
     names_time,
+    names_whole_time,
     speaks_of_the_end,
     tells_after,
 )
@@ -62,6 +62,7 @@ __all__ = [
     "names_axis",
     "names_quantity",
     "names_time",
+    "names_whole_time",
     "read_phrase",
     "speaks_of_the_end",
     "tells_after",
@@ -146,11 +147,6 @@ def _latest(quantity: Quantity) -> float:
     return -1 if quantity.stage == "before" else inf
 
 
-def _names_in(tree: Expression) -> frozenset[str]:
-    """The names of bodies in a tree."""
-    return frozenset(node.name for node in walk(tree) if isinstance(node, Name))
-
-
 def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
     trees: dict[Expression, None] = {}
     for candidate in candidates:
@@ -160,7 +156,7 @@ def _unique(candidates: Iterator[Expression]) -> tuple[Expression, ...]:
     return tuple(trees)
 
 
-class _Reader(Moments):
+class _Reader(Journeys):
     """The candidates of one phrase."""
 
     def candidates(self) -> Iterator[Expression]:
@@ -178,13 +174,15 @@ class _Reader(Moments):
             elif "angle" in heads:
                 yield from self.angle(event)
                 walls = set(self.features.names) & set(self.walls)
-                asked = (tree for tree in self.asked("angle") if walls <= _names_in(tree))
+                asked = (tree for tree in self.asked("angle") if walls <= names_in(tree))
                 yield from (tree for tree in asked if not self._is_of_another_wall(tree, event))
                 yield from self.asked("direction")
             elif heads & {"energy", "loss", "gain"}:
                 yield from self.energy(event)
             elif "impulse" in heads:
                 yield from self.impulse(event)
+            elif "position" in heads:
+                yield from self.places(event)
             elif "coefficient" in heads:
                 yield Quantity("restitution", (), event)
             elif "mass" in heads:
@@ -220,7 +218,8 @@ class _Reader(Moments):
                 if self.features.wall or set(self.features.names) & set(self.walls):
                     yield from self.component(event)  # AB direction: 0.8u
             elif "time" in heads:
-                yield Quantity("time", (), event)
+                if not (self.features.both or self.features.back):
+                    yield Quantity("time", (), event)
                 yield from self.times()
             elif "distance" in heads and len(self.features.names) == 2:
                 first, second = self.features.names
@@ -229,39 +228,6 @@ class _Reader(Moments):
                 yield from self.asked("distance")
             elif self.features.names:
                 yield from self.velocity(event)
-
-    def times(self) -> Iterator[Expression]:
-        """The times of all events, and those between two of them, the latest first."""
-        for later in range(len(self.events), 0, -1):
-            time = Quantity("time", (), later)
-            yield time
-            for earlier in range(later - 1, 0, -1):
-                yield Binary("-", time, Quantity("time", (), earlier))
-
-    def travelled(self) -> Iterator[Expression]:
-        """The distances that a sphere moves between two events, where its place is known.
-
-        Along i or j, if the phrase names it: ``j distance``.
-        """
-        axis = self.features.axis
-        placed = {sphere.name for sphere in self.problem.spheres if sphere.position is not None}
-        named = set(self.features.names) or (set(self.spheres) if axis is not None else set())
-        for body in placed & named:
-            if not self.features.wall and len(named) == 1:
-                at = [Quantity("position", (Name(body),), n) for n in range(len(self.events) + 1)]
-                for later, earlier in combinations(reversed(at), 2):
-                    moved = Binary("-", later, earlier)
-                    yield Apply("abs", moved if axis is None else Quantity("along", (moved, axis)))
-
-    def gaps(self) -> Iterator[Expression]:
-        """The distances of two spheres whose places are known, at every event, of *gap*."""
-        if not self.features.gap or self.walls:
-            return  # any other distance may be one to a wall
-        placed = [sphere.name for sphere in self.problem.spheres if sphere.position is not None]
-        named = set(self.features.names)
-        for one, other in combinations(placed, 2):
-            for stage in range(len(self.events), -1, -1) if named <= {one, other} else ():
-                yield Quantity("distance", (Name(one), Name(other)), stage)
 
     # -- quantities ---------------------------------------------------------------------------
 
@@ -313,7 +279,7 @@ class _Reader(Moments):
     def _is_of_another_wall(self, angle: Expression, event: int) -> bool:
         """Whether an angle is to another wall than that of which a heading speaks: ``at BC:``."""
         struck = self.met(event) & set(self.walls)
-        own = _names_in(angle) & set(self.walls)
+        own = names_in(angle) & set(self.walls)
         return self.features.event is not None and bool(struck and own) and not struck & own
 
     def of_the_axis(self, event: int) -> Iterator[Expression]:
@@ -652,4 +618,4 @@ class _Reader(Moments):
         """The ratios for which the question asks, of the bodies that are named first."""
         named = {name for name in self.features.names if name in self.spheres}
         asked = [tree for tree in self.values_asked() if is_binary(tree, "/")]
-        yield from sorted(asked, key=lambda tree: not named <= _names_in(tree))
+        yield from sorted(asked, key=lambda tree: not named <= names_in(tree))

@@ -90,12 +90,18 @@ _FIRST_AND_LAST = re.compile(
 )
 _BETWEEN_U_AND_V = re.compile(r"\b(angle\s+between)\s+u\s+and\s+v(?=\s*[=:])", re.IGNORECASE)
 _REBOUNDS = re.compile(
-    r"\b([A-Z])\s+(?:rebounds|bounces(?:\s+(?:back|off))?|comes\s+(?:back|off|away)|returns)"
+    r"(?:\b([A-Z])\s+|\b(?:it|(?:the\s+)?(?:ball|sphere|particle|puck|disc))\s+|(?<![\w\s])\s*|^)"
+    r"(?:(?:now|then|will|must|so)\s+)?"
+    r"(?:rebounds?|bounces?(?:\s+(?:back|off))?|(?:comes?|goes|travels?|moves?)\s+(?:back|off|away)"
+    r"|returns?)"
     r"(?:\s+(?:off|from)\s+(?:the\s+)?(?:wall|cushion|[A-Z]\w*))?\s+(?:with|at)\s+"
     r"(?:an?\s+|the\s+)?(?:speed\s+(?:of\s+)?)?(?=[\du(½⅓¼⅔¾√])(?![^,;=]*(?:°|deg|[αβθφ]))",
 )
 _SQUARE_ROOT = re.compile(r"\bsq(?:uare)?\.?\s?(?:root|rt)\s*(?:of\s+)?(?=[\d(a-z])", re.IGNORECASE)
-_IN_ALL = re.compile(r"(?<!\w)(total|altogether)(?=\s*[=:])", re.IGNORECASE)
+_IN_ALL = re.compile(
+    r"(?<!\w)(total|altogether)(?=\s*[=:]|\s+[\d½⅓⅔¼¾][\d./]*\s*(?:s(?:ecs?|econds?)?\b|$))",
+    re.IGNORECASE,
+)
 _NAME = r"[A-Za-z](?:_?\w)?"
 _IN_UNITS = re.compile(
     rf"(?:[;,(]\s*)?\b(?:where|with|taking)\s+{_NAME}(?:\s*(?:,|and\b|&)\s*{_NAME}){{0,3}}\s+"
@@ -198,8 +204,13 @@ def _other_axis(match: re.Match[str], _: Problem) -> str:
 
 def _speed_after(match: re.Match[str], problem: Problem) -> str:
     """The speed with which a sphere rebounds: of ``B rebounds with 2``."""
-    spheres = {sphere.name for sphere in problem.spheres}
-    return f"speed of {match[1]} after = " if match[1] in spheres else match[0]
+    spheres = {sphere.name: sphere for sphere in problem.spheres}
+    name = match[1] or (next(iter(spheres)) if len(spheres) == 1 else "")
+    if name not in spheres:
+        return match[0]
+    # Of one that comes at an angle the speed away from a wall may be meant.
+    whole = match[1] or len(list(_components(spheres[name].velocity))) == 1
+    return f"speed of {name} after = " if whole else match[0]
 
 
 def _in_all(match: re.Match[str], problem: Problem) -> str:

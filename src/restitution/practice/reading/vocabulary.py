@@ -30,6 +30,7 @@ HEADS: Mapping[str, str] = {
     "dist": "distance",
     "gap": "distance",
     "time": "time",
+    **dict.fromkeys(("position", "posn", "coordinates", "coords"), "position"),
 }
 
 DIRECTIONS: Mapping[str, str] = {

@@ -23,6 +23,7 @@ from restitution.expression.tree import (
     Quantity,
     children,
     is_binary,
+    is_quantity,
     unsigned,
     walk,
 )
@@ -46,6 +47,7 @@ from restitution.vector import Vector
 
 _ANGLES = frozenset({"angle", "direction"})
 Laws = tuple[tuple[str, tuple[str, ...]], ...]
+_OF_JOURNEYS = ("time", "position", "distance")
 _NO_VALUES = frozenset({"arithmetic", "component", "fact", "value"})
 _RESOLVED = frozenset({"arithmetic", "component"})
 _OPEN_NAMES = frozenset({"none", "solve", "fact", "arithmetic", "component"})
@@ -92,8 +94,8 @@ def _put_in(
     """The law of a line that has numbers in place of some components; none if it is plainer."""
     uses = trial.uses()
     first = uses[0].principle if uses else "none"
-    if not trial.true:
-        return ()
+    if not trial.true or any(is_quantity(x, *_OF_JOURNEYS) for x in trial.quantities):
+        return ()  # a time is no component, whatever its number
     if first in _RESOLVED:
         product = coefficient_put_in(claim, world, meanings, scope)
         if product is not None:

@@ -17,7 +17,7 @@ import numpy as np
 from restitution.errors import RestitutionError
 from restitution.explaining.mistakes.misconceptions import VariantAt
 from restitution.expression.tree import has_quantity
-from restitution.practice.judging.entries import Entry
+from restitution.practice.judging.entries import Entry, is_of_a_journey
 from restitution.practice.script import Claim
 from restitution.practice.worlds.agreement import as_vector, difference
 from restitution.practice.worlds.telling import Telling
@@ -77,7 +77,8 @@ def student_world(
     if laws_first:
         moving = [fact for fact in facts if fact.law]
         rest = [*(fact for fact in facts if not fact.law), *laws, *moving]
-    return _solved(base, [*equations, *rest], unknown)
+    timed = any(map(is_of_a_journey, own))
+    return _solved(base, [*equations, *rest], unknown, timed=timed)
 
 
 def world_of_lines(base: World, entries: Sequence[Entry], unknown: Collection[str]) -> World | None:
@@ -314,8 +315,13 @@ def scattered_world(world: World, unknown: Collection[str]) -> World:
 
 
 def _solved(
-    base: World, equations: Sequence[SampledEquation], unknown: Collection[str]
+    base: World,
+    equations: Sequence[SampledEquation],
+    unknown: Collection[str],
+    *,
+    timed: bool = False,
 ) -> World | None:
+    """The world in which equations hold; with ``timed`` its velocities tell its times too."""
     kinds = _unknowns(base, unknown)
     if not kinds.stages and not kinds.names:
         return base
@@ -323,7 +329,7 @@ def _solved(
     chosen: list[int] = []
     world = base
     for step in range(_STEPS):
-        values, slopes = _linearized(base, kinds, x, equations)
+        values, slopes = _linearized(base, kinds, x, equations, timed=timed)
         if values.shape[1] == 0:
             return world
         if step < _CHOOSING or not chosen:
@@ -337,14 +343,24 @@ def _solved(
         if not np.all(np.isfinite(move)):
             return None
         x = x - move
-        world = kinds.put(base, x)
+        world = _put(kinds, base, x, timed)
         if step >= _CHOOSING - 1 and np.max(np.abs(move)) < _NEAR * (1 + np.max(np.abs(x))):
             break
     return retimed(world, base) if np.all(np.isfinite(x)) else None
 
 
+def _put(kinds: _Unknowns, base: World, x: Array, timed: bool) -> World:
+    world = kinds.put(base, x)
+    return retimed(world, base) if timed else world
+
+
 def _linearized(
-    base: World, kinds: _Unknowns, x: Array, equations: Sequence[SampledEquation]
+    base: World,
+    kinds: _Unknowns,
+    x: Array,
+    equations: Sequence[SampledEquation],
+    *,
+    timed: bool,
 ) -> tuple[Array, Array]:
     """Residuals (samples, equations) and their slopes (samples, equations, unknowns).
 
@@ -353,7 +369,7 @@ def _linearized(
     samples, count = x.shape
     steps = _SMALL * (1 + np.abs(x))
     blocks = [x] + [x + steps * np.eye(count)[k] for k in range(count)]
-    world = kinds.put(base.repeated(count + 1), np.concatenate(blocks))
+    world = _put(kinds, base.repeated(count + 1), np.concatenate(blocks), timed)
     values: list[Array] = []
     slopes: list[Array] = []
     with np.errstate(all="ignore"):
