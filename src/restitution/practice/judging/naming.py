@@ -23,7 +23,7 @@ from restitution.explaining.mistakes.misconceptions import (
     VariantAt,
     variants_at,
 )
-from restitution.expression.quantities import ANGLES
+from restitution.expression.quantities import ANGLES, LOSSES
 from restitution.expression.tree import (
     Apply,
     Binary,
@@ -101,6 +101,7 @@ _BEFORE: Mapping[str, set[str]] = {
     "restitution-whole-speed": {"restitution-sign", "restitution-inverted"},
     "impulse-of-speeds": {"impulse-sign"},
     "deflection-difference": {"deflection-is-after"},
+    "across-changed": {"mass-omitted"},
     "square-not-taken": {"energy-one-sphere", "energy-of-difference"},
 }
 _BEFORE_AT_A_WALL: Mapping[str, set[str]] = {
@@ -262,9 +263,15 @@ class Names:
             by_states = [state for state in by_states if "impulse" in _kinds(state)]
         if is_coefficient(entry):
             by_states = [state for state in by_states if _replaces(state, "restitution")]
+        if is_worked_angle(entry):
+            # A sign within a scalar product, or a tangent, is none of a law.
+            by_states = [state for state in by_states if state.mistake not in _OF_SIGNS]
         if is_of_energy(entry):
             # The values of two mistakes may be one: a line of energy has a mistake of energy.
             by_states = [state for state in by_states if _kinds(state) & _OF_ENERGY - {"speed"}]
+        if is_loss(entry):
+            # Who works out what is lost does not take all for kept.
+            by_states = [state for state in by_states if state.mistake != "energy-conserved"]
         by_states = list(self._of_masses(entry, by_states))
         quoted = "e" in letters(entry.claim.right)
         known = any(map(has_coefficient, self.problem.events)) or quoted
@@ -295,6 +302,10 @@ class Names:
         ]
         variants = list(self._results(entry, judge)) or list(self._worlds(entry, judge))
         variants = list(self._of_masses(entry, variants))
+        if is_loss(entry):
+            variants = [state for state in variants if state.mistake != "energy-conserved"]
+        if is_worked_angle(entry):
+            variants = [state for state in variants if state.mistake not in _OF_SIGNS]
         if is_of_a_journey(entry):
             # A time tells of one component alone: that it is not smaller says all.
             omitted = [state for state in variants if state.mistake == "restitution-omitted"]
@@ -575,6 +586,20 @@ def is_sum_of_angles(entry: Entry) -> bool:
     angle = any(isinstance(node, Quantity) and node.kind in ANGLES for node in walk(meant))
     sums = is_binary(right, "+", "-")
     return angle and sums and not any(isinstance(node, Apply | Letter) for node in walk(right))
+
+
+def is_worked_angle(entry: Entry) -> bool:
+    """Whether a claim gives the cosine of an angle by a quotient of products of numbers."""
+    left, right = entry.claim.left, entry.claim.right
+    named = is_function(left, "cos") and isinstance(left.argument, Letter | Quantity)
+    return named and is_binary(right, "/") and is_binary(right.left, "+", "-") and is_numeric(right)
+
+
+def is_loss(entry: Entry) -> bool:
+    """Whether a claim gives what is lost of kinetic energy a value that is not zero."""
+    left = entry.claim.left
+    meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+    return kind_of(meant) in LOSSES and entry.claim.right != Number(Fraction(0))
 
 
 def _is_deflection(entry: Entry) -> bool:

@@ -61,7 +61,7 @@ from restitution.practice.letters.surroundings import (
 )
 from restitution.practice.letters.trial import Frame
 from restitution.practice.letters.wordings import words_of
-from restitution.practice.reading.phrase_names import is_phrase, is_relative
+from restitution.practice.reading.phrase_names import is_phrase, is_relative, is_vague
 from restitution.practice.script import ANYWHERE, Claim, Link, Scope, Script, ScriptLine
 from restitution.practice.worlds.arrays import is_bare
 from restitution.practice.worlds.sampling import true_worlds
@@ -233,6 +233,8 @@ class _Search(LettersOfLines):
         phrase = around.phrase(name, scope.event)
         if phrase:
             own = [around.staged(tree, scope) for tree in self._other_way(name, phrase)]
+            if is_vague(name):  # an angle is that which is asked, if it may be
+                own.sort(key=lambda tree: tree not in around.asked)
             last = len(around.events)
             stages = range(last + 1) if scope.event is None else (scope.event - 1, scope.event)
             other = () if is_relative(name) else elsewhen(name, own, stages)

@@ -6,14 +6,15 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
-from restitution.expression.tree import walk
+from restitution.expression.tree import is_binary, is_function, walk
 from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.lines import is_plain, subtracts_squares
+from restitution.practice.marking.lines import has_vector, is_plain, subtracts_squares
 from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
 
 LAWS = ("momentum", "restitution", "unchanged")
+_OF_WHOLE_SPEEDS = frozenset({"speed-for-component", "restitution-whole-speed"})
 OF_DEFLECTION = ("deflection-difference", "deflection-is-after")
 
 
@@ -97,6 +98,44 @@ class Grounds:
         named = line.mistake is not None and line.mistake.kind == "misconception"
         law = bool(line.uses) and line.uses[0].principle in LAWS
         return point.principle == "place" and line.verdict == "false" and named and law
+
+    def _is_matched(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives what a point is for, or the square of a speed by its components."""
+        if self.values.matches(point, line) is not None:
+            return True
+        return point.principle == "speed" and self.values.is_sum_of_squares(point, line)
+
+    def _has_no_components(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a speed follows from laws with whole speeds, and so from no component."""
+        roots = (root.mistake for root in self._roots(line))
+        names = {mistake.id for mistake in roots if mistake is not None}
+        worked = any(
+            is_binary(node, "^") or is_function(node, "sqrt")
+            for link in line.line.links
+            for node in walk(link.readings[0].right)
+        )
+        of_speeds = line.verdict == "follows" and not worked and bool(names & _OF_WHOLE_SPEEDS)
+        return point.principle == "speed" and of_speeds
+
+    def _is_no_component_of(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line has no velocity in it, or one component alone where a velocity is due."""
+        if point.principle == "velocity" and not has_vector(line):
+            return True
+        return point.principle in ("velocity", "component") and self.values.speaks_of_line_alone(
+            line
+        )
+
+    def _is_of_one_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line only gives the angle from which that of a point is to be put together."""
+        needed = (self.states[name] for name in point.depends if name in self.states)
+        return line.verdict == "true" and any(
+            mark.point.principle == "angle" and mark.line == line.line.number for mark in needed
+        )
+
+    def _is_after_alone(self, line: JudgedLine) -> bool:
+        """Whether the angle after is worked out, and given as the deflection."""
+        named = line.mistake is not None and line.mistake.id == "deflection-is-after"
+        return named and line.verdict == "false"
 
     def _is_quoted(self, line: JudgedLine) -> bool:
         """Whether a line gives a letter, in its first line, a value and no more."""

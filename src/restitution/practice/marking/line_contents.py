@@ -155,6 +155,29 @@ class LineContents(Sides):
             for chain in chains(line)
         )
 
+    def is_sum_of_squares(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line gives the square of a point's speed as a sum: ``v² = u²/4 + u²/36``."""
+        link = point.link
+        if link is None or not is_quantity(link.left, "speed"):
+            return False
+        meanings = self._meanings(line)
+        return any(
+            is_binary(chain[0].left, "^")
+            and self._names(chain[0].left.left, link.left, meanings, line)
+            and any(is_binary(claim.right, "+") for claim in chain)
+            for chain in chains(line)
+        )
+
+    def speaks_of_line_alone(self, line: JudgedLine) -> bool:
+        """Whether a line tells the direction of the line of centres, and of no motion."""
+        kinds = {
+            node.kind
+            for link in line.line.links
+            for side in (link.readings[0].left, link.readings[0].right)
+            for node in quantities_in(side)
+        }
+        return "line_of_centres" in kinds and kinds <= {"line_of_centres", "along", "across"}
+
     def is_place(self, point: MarkPoint) -> bool:
         """Whether a point is for the place of a body, or a coordinate of it."""
         left = point.link.left if point.link is not None else None

@@ -232,6 +232,7 @@ class _Examiner(SinglePoints):
                 worked = worked and point.principle == "energy" and not is_plain(line)
                 is_step = is_step or (state.point.letter == "M" and worked)
                 is_step = is_step and not self._is_at_old_angle(state.point, line)
+                is_step = is_step and not self._has_no_components(state.point, line)
                 if is_step and state.state == "lost" and state.line is None:
                     why = f"line {own.line} cannot be had without it"
                     self.states[name] = replace(

@@ -14,7 +14,6 @@ from restitution.practice.marking.lines import (
     SOUND,
     continues,
     fitting_uses,
-    has_vector,
     is_plain,
     is_sound,
 )
@@ -121,7 +120,11 @@ class SinglePoints(Grounds):
         if point.principle == "angle" and (lost is None or self._is_of_deflection(lost)):
             # The components may go out of the equations of two laws together, or the angle is
             # worked out to another line first.
-            sound = (line for line in self.lines if line.verdict in SOUND and line.grounded)
+            sound = (
+                line
+                for line in self.lines
+                if (line.verdict in SOUND and line.grounded) or self._is_after_alone(line)
+            )
             divided = next(
                 (
                     line
@@ -236,7 +239,7 @@ class SinglePoints(Grounds):
                 line
                 for line in self.lines
                 if line.verdict in SOUND or self._is_of_wrong_motion(point, line)
-                if self.values.matches(point, line) is not None
+                if self._is_matched(point, line) and not self._has_no_components(point, line)
             ),
             None,
         )
@@ -483,6 +486,7 @@ class SinglePoints(Grounds):
                 for line in self.lines
                 if line.verdict in SOUND and line.grounded and self._is_eliminated(line)
                 if line.line.number >= self._first_line(point)
+                if not self._is_of_one_angle(point, line)
             ),
             None,
         )
@@ -604,10 +608,8 @@ class SinglePoints(Grounds):
                 continue  # a value that follows states no fact
             if point.principle == "solve" and is_of_what_stays(line):
                 continue
-            if (point.principle, use.principle) == ("velocity", "component") and not has_vector(
-                line
-            ):
-                continue  # one component is no velocity
+            if use.principle == "component" and self._is_no_component_of(point, line):
+                continue
             if point.event is not None and use.event not in (None, point.event):
                 continue
             if use.altered is None and self.values.lacks_coefficient(point, line):

@@ -7,7 +7,7 @@ import re
 from restitution.problem import Problem
 
 _KE = r"(?:K\.?E\.?|Ek|(?:kinetic\s+)?energy)"
-_VALUE = r"(?:\d[\d./]*(?:\s?[a-z]{1,2}(?:\^2|²))?|[½⅓⅔¼¾])"
+_VALUE = r"(?:\d[\d./]*(?:\s?[a-z]{1,2}(?:\^2|²))?|[½⅓⅔¼¾]|\(\d+/\d+\))"
 _JOULES = r"(?:J|joules?)\b"
 _SO = r"(?:so|hence|therefore|thus|and|then)"
 _LISTED_AFTER = re.compile(rf"{_KE} after = ", re.IGNORECASE)
@@ -61,6 +61,31 @@ CHANGES_TO = re.compile(
     r"(along|parallel\s+to|perp(?:endicular)?\s+to)\s+(?:the\s+)?(wall|cushion|line\s+of\s+centres)\s+"
     r"(?:changes\s+to|becomes|drops\s+to|is\s+reduced\s+to|is\s+now|stays(?:\s+at)?|remains(?:\s+at)?)"
     r"\s+(?=[-\d√(])",
+    re.IGNORECASE,
+)
+_PART = r"half|an?\s+third|a\s+quarter|double|twice"
+_FACTORS = {"half": "1/2", "third": "1/3", "quarter": "1/4", "double": "2", "twice": "2"}
+SHARE_OF_BEFORE = re.compile(
+    rf"(\d[\d.]*)?\s*([,;]?)\s*(?:and\s+|so\s+)?\b({_PART})\s*(?:of\s+(?:it|this|that)\s*)?"
+    r"(?:is|=|gives)\s*(?=\d)",
+    re.IGNORECASE,
+)
+_VECTOR = r"(?:-?\s?[\d./√]*\s?i(?:\s*[-+]\s*[\d./√]*\s?j)?|-?\s?[\d./√]*\s?j)\b"
+GOES_AS = re.compile(
+    r"\b([A-Z])\s+(?:now\s+)?(?:goes|moves|travels|ends\s+up|comes)"
+    rf"(?:\s+(?:off|away))?\s+(?:with|at|as)?\s*(?={_VECTOR}\s*(?:$|[,;.]|and\b|m))"
+)
+_PAIR = rf"\([^(),=]*,[^(),=]*\)|{_VECTOR}"
+VECTOR_FOR = re.compile(
+    rf"(^|[,;]|\band\b|\bso\b)\s*({_PAIR})\s+for\s+([A-Z])(?=\s*(?:$|[,;.]|and\b))"
+)
+TOTAL_IN_JOULES = re.compile(
+    r"(?<![\w=])\s*(total)(?=\s*=\s*[^=,;]*\d\s*(?:J|joules?)\b)", re.IGNORECASE
+)
+IS_A_SHARE = re.compile(
+    rf"(?:^|(?<=[,;]))\s*(?:so\s+)?(?:the\s+)?(?:final\s+|new\s+)?{_KE}(?:\s+(?:after|left|now))?\s+is\s+"
+    rf"(?:only\s+)?({_VALUE})\s*(%)?\s*of\s+(?:it|this|that|before|the\s+original|what\s+it\s+was"
+    r"(?:\s+before)?)(?![\w])",
     re.IGNORECASE,
 )
 _LOSS = re.compile(r"\b(?:lost|loss|loses)\b", re.IGNORECASE)
@@ -134,3 +159,35 @@ def sets_off(match: re.Match[str], problem: Problem) -> str:
     spheres = {sphere.name for sphere in problem.spheres}
     of_speed = bool(speed or unit) or any(character.isalpha() for character in value)
     return f"speed of {body} after = {value}" if body in spheres and of_speed else match[0]
+
+
+def share_of_before(match: re.Match[str], _: Problem) -> str:
+    """The half of the number before it, of ``5.774, half is 2.887``; else what it is worth."""
+    number, part = match[1], match[3]
+    if number is None:
+        return f"{match[2]} so "
+    return f"{number}; {_FACTORS[part.split()[-1].lower()]} × {number} = "
+
+
+def goes_as(match: re.Match[str], problem: Problem) -> str:
+    """The velocity of a sphere, of ``A goes 3i + 3j``."""
+    spheres = {sphere.name for sphere in problem.spheres}
+    return f"velocity of {match[1]} = " if match[1] in spheres else match[0]
+
+
+def vector_for(match: re.Match[str], problem: Problem) -> str:
+    """The velocity of a sphere that is named behind it: ``(13/3, 3) for A``."""
+    spheres = {sphere.name for sphere in problem.spheres}
+    if match[3] not in spheres:
+        return match[0]
+    return f"{match[1]} velocity of {match[3]} = {match[2]}"
+
+
+def total_in_joules(match: re.Match[str], _: Problem) -> str:
+    """The energy that a total in joules is: one before or after, or what is lost."""
+    return "total KE"
+
+
+def is_a_share(match: re.Match[str], _: Problem) -> str:
+    """The share of an energy that is left, of ``KE after is ⅓ of it``."""
+    return f"KE after/KE before = {match[1]}{match[2] or ''}"

@@ -35,6 +35,9 @@ LOST = re.compile(
     r"^\s*(?:(?:so|hence|∴)\s+)?([^:,;]*\d[^:,;]*?|[½⅓⅔¼¾])\s*J?\s+(?:is\s+|are\s+)?lost\s*$",
     re.IGNORECASE,
 )
+SO_LOST = re.compile(
+    rf"\s*,?\s*{_SO}\s+([½⅓⅔¼¾]|\(?\d+/\d+\)?|0?\.\d+)\s+(?:(?:is|was)\s+)?lost\s*$", re.IGNORECASE
+)
 _WORD = re.compile(r"[A-Za-z]{3,}")
 _FUNCTION = re.compile(r"sin|cos|tan|sqrt")
 SPEEDS = re.compile(r"^\s*speeds?(?:\s+after)?\s*:\s*(?=[A-Z]\s*[√(\d]).*$")
@@ -74,6 +77,12 @@ def lost(match: re.Match[str], problem: Problem) -> str:
     if any(shares) != all(shares):
         return match[0]
     return f"{'fraction' if all(shares) else 'KE'} lost = {match[1]}"
+
+
+def so_lost(match: re.Match[str], problem: Problem) -> str:
+    """The share lost at the end of a line, where one is asked: ``KE ratio = 1/3 so 2/3 lost``."""
+    as_whole = lost(re.compile(r"^(.*)$").match(match[1]), problem)  # type: ignore[arg-type]
+    return f"; {as_whole}" if as_whole.startswith("fraction") else match[0]
 
 
 def speeds_of_bodies(match: re.Match[str], problem: Problem) -> str:

@@ -1,0 +1,112 @@
+"""Sentences about shares, totals and velocities, and the marks of what they and others give."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from marked import solution_of, verdicts
+
+import restitution
+
+# -3i + 2j after X, i + 2j after Y: kinetic energies 25, 13, 5.
+CORNER = """wall X: along i
+wall Y: along j
+sphere P: mass 2, velocity -3i - 4j
+P hits X: e = 1/2
+P hits Y: e = 1/3
+find """
+
+# 2v + w = 9 and w - v = 3: v = 2, w = 5.
+PAIR = """sphere A: mass 2, velocity 6i + j
+sphere B: mass 1, velocity -3i + 4j
+A hits B: along i, e = 1/3
+find """
+
+
+def marked(statement: str, *lines: str, **letters: str) -> dict[str, Any]:
+    found: dict[str, Any] = restitution.mark(
+        solution_of(statement), "\n".join(lines), letters=letters
+    ).json()
+    return found
+
+
+def names(found: dict[str, Any]) -> list[str | None]:
+    return [(line["mistake"] or {}).get("id") for line in found["lines"]]
+
+
+def test_the_half_of_a_number_is_no_half() -> None:
+    statement = "wall W: along i\nsphere P: velocity 3i - 4j\nP hits W: e = 1/2\nfind speed(P)"
+    assert verdicts(statement, "perp before = 4, half is 2", "speed = √(9 + 4) = 3.61") == [
+        "true",
+        "true",
+    ]
+
+
+def test_a_total_in_joules_is_an_energy() -> None:
+    statement = CORNER + "total_energy_lost"
+    lines = ["first wall 16 - 4 = 12, second 9 - 1 = 8", "total = 20 J"]
+    found = marked(statement, *lines)
+    assert [line["verdict"] for line in found["lines"]] == ["true", "true"]
+    assert found["marks"]["earned"] == found["marks"]["of"]
+    assert verdicts(statement, lines[0], "total = 21 J")[1] == "false"
+
+
+def test_what_is_left_and_what_is_lost_are_shares() -> None:
+    statement = CORNER + "total_energy_lost/energy(0)"
+    assert verdicts(statement, "KE after is ⅕ of it so 4/5 lost") == ["true"]
+    assert verdicts(statement, "KE after/KE before = 5/25 = 1/5 so 4/5 lost") == ["true"]
+    assert verdicts(statement, "KE after/KE before = 5/25 = 1/5 so 3/5 lost") == ["false"]
+
+
+def test_who_goes_has_a_velocity() -> None:
+    statement = PAIR + "velocity(A), velocity(B)"
+    assert verdicts(statement, "A goes 2i + j, B goes 5i + 4j") == ["true"]
+    assert verdicts(statement, "(2, 1) for A, (5, 4) for B") == ["true"]
+    assert verdicts(statement, "A goes 3i + j, B goes 5i + 4j") == ["false"]
+
+
+def test_a_sign_within_a_cosine_is_none_of_a_law() -> None:
+    statement = CORNER + "angle(velocity(P), velocity(P, 0))"
+    found = marked(statement, "cos x = (-3 + 8)/(5√5)", x="angle(velocity(P), velocity(P, 0))")
+    assert names(found) == ["sign"]
+
+
+def test_a_loss_that_is_worked_out_is_not_taken_for_none() -> None:
+    # With all kept at X the loss would be the 8 J at Y.
+    found = marked(CORNER + "total_energy_lost", "total KE lost = 25 - 17 = 8")
+    assert found["lines"][0]["verdict"] == "false"
+    assert names(found) != ["energy-conserved"]
+
+
+def test_the_angle_after_is_a_method_for_the_deflection() -> None:
+    found = marked(PAIR + "deflection(B)", "deflection of B = arctan(4/5) = 38.7°")
+    assert names(found) == ["deflection-is-after"]
+    kept = [point["for"] for point in found["marks"]["points"] if point["state"] == "earned"]
+    assert kept == ["angle from components"]
+
+
+def test_an_angle_is_the_one_that_is_asked() -> None:
+    statement = CORNER + "angle(velocity(P), velocity(P, 0))"
+    found = marked(statement, "angle = arccos((-3 - 8)/(5√5)) = arccos(-0.984) = 169.7")
+    assert found["lines"][0]["verdict"] == "true"
+    assert found["marks"]["points"][-1]["state"] == "earned"
+
+
+def test_speeds_taken_for_components_are_no_speeds_from_components() -> None:
+    statement = """sphere A: mass 2, velocity 3i + 4j
+sphere B: mass 1, at rest
+A hits B: along i, e = 1/2
+find speed(A), speed(B)"""
+    lines = ["2 × 5 = 2v + w", "w - v = 2.5", "v = 2.5, w = 5"]
+    assert marked(statement, *lines, v="speed(A)", w="speed(B)")["marks"]["earned"] == 0
+
+
+def test_the_line_of_centres_alone_is_no_component() -> None:
+    statement = """sphere A: mass 3, velocity 4i + 6j
+sphere B: mass 2, at rest
+A hits B
+given velocity(A) = 3i + 5j
+find velocity(B)"""
+    found = marked(statement, "line of centres is parallel to 3i + 3j, i.e. i + j")
+    kept = [point["kind"] for point in found["marks"]["points"] if point["state"] == "earned"]
+    assert kept == ["M1", "A1"]
