@@ -96,11 +96,11 @@ find e, energy_lost/energy(0) as a percentage
             WALL.format(mass=0.5, speed=8, angle=35)
             + "given energy_lost = 3\nfind e, deflection(P)",
             [
-                "e² = (16 sin² 35° − 3)/(16 sin² 35°)",
+                "e² ≈ 0.4301",
                 "e = √(16 sin² 35° − 3)/(4 sin 35°) ≈ 0.656, as e ≥ 0",
-                "component of 𝐯_P away from W = 2√(16 sin² 35° − 3) ≈ 3.009 m s⁻¹",
-                "tan β ≈ 3.009/(8 cos 35°)",
-                "≈ 35° + arctan(3.009/(8 cos 35°)) ≈ 59.7°",
+                "component of 𝐯_P away from W ≈ 3.009 m s⁻¹",
+                "tan β ≈ 3.009/(8 cos 35°) ≈ 0.4592",
+                "≈ 35° + arctan 0.4592 ≈ 59.7°",
             ],
         ),
         (
@@ -108,14 +108,14 @@ find e, energy_lost/energy(0) as a percentage
             + "given angle(velocity(P), W) = 40°, energy_lost = 2\nfind e, u",
             [
                 "e = (tan 40°)/tan 55° ≈ 0.588",
-                "u² = (20 cos² 40°)/(sin² 55° cos² 40° − sin² 40° cos² 55°)",
+                "u² ≈ 45.52",
                 "≈ 6.75, as u is positive",
             ],
         ),
         (
             WALL.format(mass=0.5, speed=8, angle=35) + "given energy_lost = 9\nfind e",
             [
-                "e² = (16 sin² 35° − 9)/(16 sin² 35°) ≈ −0.710",
+                "e² ≈ −0.710",
                 "This cannot be, as a square is not negative.",
             ],
         ),
@@ -124,7 +124,7 @@ find e, energy_lost/energy(0) as a percentage
                 "wall W: along i\nsphere P: mass 0.25, velocity 7 at theta to W\nP hits W\n"
                 "given speed(P) = 5, angle(velocity(P), W) = 25°\nfind theta, e"
             ),
-            ["sin θ = √(49 − 25 cos² 25°)/7", "e = (5 sin 25°)/√(49 − 25 cos² 25°) ≈ 0.396"],
+            ["sin θ = √(49 − 25 cos² 25°)/7", "5 sin 25° ≈ 7e × 0.7622 e ≈ 0.396"],
         ),
         (
             (
@@ -139,9 +139,9 @@ find e, energy_lost/energy(0) as a percentage
             .replace("angle(velocity(A), line_of_centres) = 80°", "energy_lost = 5% energy(0)")
             .replace("energy_lost/energy(0) as a percentage", "deflection(A)"),
             [
-                "v = (10 cos 35° − √(10(40 cos² 35° − 3)))u/30 ≈ −0.2416u",
+                "v ≈ −0.2416u",
                 "tan β ≈ (u sin 35°)/(0.2416u)",
-                "≈ 145° − arctan((u sin 35°)/(0.2416u)) ≈ 77.8°",
+                "≈ 145° − arctan 2.374 ≈ 77.8°",
             ],
         ),
         (
@@ -154,11 +154,36 @@ find e, energy_lost/energy(0) as a percentage
             ],
         ),
         (
+            (
+                "sphere A: mass 0.4, velocity 5i\nsphere B: mass 0.6, velocity 3 at 100°\n"
+                "A hits B: along 25°, e = 0.75\nfind velocity(A), speed(B), direction(B)"
+            ),
+            [
+                "= 3 cos 75° ≈ 0.7765 m s⁻¹",
+                "0.4 × 5 cos 25° + 0.6 × 0.7765 ≈ 0.4v + 0.6w",
+                "11.39 ≈ 2v + 3w",
+                "≈ 5𝐢 − 3.943(cos 25° 𝐢 + sin 25° 𝐣) ≈ (1.43𝐢 − 1.67𝐣) m s⁻¹",
+                "speed of B ≈ √(3.405² + 2.898²) ≈ 4.47 m s⁻¹",
+                "tan β ≈ 4.065/1.861 ≈ 2.184",
+            ],
+        ),
+        (
+            SPHERES.replace("angle(velocity(A), line_of_centres) = 80°", "deflection(A) = 25°"),
+            ["v ≈ 0.2053u", "mu cos 50° ≈ m × 0.2053u + mw w ≈ 0.4375u", "e ≈ 0.361"],
+        ),
+        (
+            CORNER.replace("velocity 9", "mass 0.5, velocity 9") + "find total_energy_lost",
+            [
+                "kinetic energy after the second impact ≈ ½ × 0.5(2.418² + 4.947²) ≈ 7.58",
+                "total kinetic energy lost ≈ 20.25 − 7.58",
+            ],
+        ),
+        (
             SPHERES,
             [
                 "1 − e = (2 tan 50°)/tan 80°",
-                "w = (cos 50° tan 80° − sin 50°)u/tan 80° ≈ 0.5077u",
-                "½m((u cos 50°)² − ((u sin 50°)/tan 80°)²) − ½m(0.5077u)² ≈ 0.06858mu²",
+                "w ≈ 0.5077u",
+                "½m((u cos 50°)² − (0.1351u)²) − ½m(0.5077u)² ≈ 0.06858mu²",
                 "≈ 0.06858mu²/(½mu²) ≈ 13.7%",
             ],
         ),
@@ -218,7 +243,7 @@ def checked(statement: str) -> str:
             [
                 "𝐯₂ ≈ (24.81𝐢 + 16.86𝐣) m s⁻¹",
                 "speed of P after the impulse ≈ √(24.81² + 16.86²)",
-                "δ ≈ arccos 0.98228 ≈ 10.8°",
+                "δ ≈ arccos 0.9823 ≈ 10.8°",
             ],
         ),
         (

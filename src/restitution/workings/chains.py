@@ -37,9 +37,7 @@ from restitution.workings.naming.figures import (
     FIGURES_BETWEEN,
     Figures,
     has_plain_angles,
-    has_sums_of_nested_roots,
-    in_letters_with_figures,
-    is_of_nested_roots,
+    is_by_calculator,
     of_plain_angles,
 )
 from restitution.workings.naming.measured import (
@@ -74,6 +72,8 @@ _LONGEST_ANSWER = 40
 # No number from here on stands under a root; where data are decimals, none of four figures.
 _NEVER_READ = 10000
 _TANGENTS = frozenset({"tan", "tan-direction"})
+# Lines that only work something out: with a calculator their sums of numbers are figures at once.
+_WORKED_OUT = frozenset({"rearrange", "solve", "combine", "put", "roots"})
 # What is divided by the length of a direction: a reader sees its root below the line.
 _BY_A_LENGTH = frozenset({"scalar-angle", "component"})
 WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
@@ -105,7 +105,13 @@ class Chains:
         self._naming = naming
         self._measures = measures
         self._ends = ends
-        self._figures = Figures()
+        trees = (
+            tree
+            for line in derivation.lines
+            if isinstance(line.relation, Relation)
+            for tree in line.relation.trees
+        )
+        self._figures = Figures(is_by_calculator(trees))
         # The left sides of lines with figures in place of roots of sums of roots.
         self._in_figures_above: set[Expression] = set()
         # The left side of the row above, and the item to which it belongs.
@@ -176,15 +182,15 @@ class Chains:
     def _draft(self, line: Line, links: tuple[Link, ...]) -> _Draft:
         """The sides as they are set by themselves, with figures for values that are on paper."""
         trees = self._trees(links)
-        nested = any(map(has_sums_of_nested_roots, trees))
+        nested = any(map(self._figures.has_sums_of_roots, trees))
         in_figures = self._in_figures(line, links, trees)
         sides = [self._naming.layout(tree) for tree in trees]
         idle = {
             n: sides[n]
             for n, tree in enumerate(trees)
             if n not in in_figures
-            and n > min(in_figures, default=n)
-            and (has_plain_angles(tree) or has_sums_of_nested_roots(tree))
+            and n > min(in_figures - {0}, default=n)
+            and (has_plain_angles(tree) or self._figures.has_sums_of_roots(tree))
         }
         worked = [
             sides[n] for n in in_figures if of_plain_angles(trees[n]) or (nested and n < len(links))
@@ -255,7 +261,8 @@ class Chains:
         """The end of a chain as an answer, without what nobody writes on the way to figures."""
         line, links, trees, idle = draft.line, draft.links, draft.trees, draft.idle
         sides, signs = draft.sides, draft.signs
-        self._ended(line, links, sides, signs)
+        put = trees[-1] if len(links) in draft.in_figures else None
+        self._ended(line, links, sides, signs, put)
         self._placed(line, links, sides, signs)
         # Behind figures a value is not written once more exactly.
         for n in range(len(sides) - 1, 0, -1):
@@ -264,8 +271,8 @@ class Chains:
         if idle:
             without_doubles(sides, signs)
         for n in idle:
-            self._figures.stands_for(trees[n], trees[min(draft.in_figures)])
-        if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and sides[-2] not in draft.worked:
+            self._figures.stands_for(trees[n], trees[min(draft.in_figures - {0})])
+        if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and not self._is_open(draft):
             del sides[-2], signs[-2]  # an answer has three figures at once
         shortest = 1000 if self._measures.decimals else _NEVER_READ
         if signs[-1] == "≈" and len(sides) > 3 and has_long_root(trees[-1], shortest):
@@ -274,6 +281,13 @@ class Chains:
         if more is not None:
             sides.insert(1, more)
             signs.insert(0, "≈")
+
+    def _is_open(self, draft: _Draft) -> bool:
+        """Whether the side before the last is still to be worked out, so that it is printed."""
+        before = draft.sides[-2]
+        if self._figures.with_calculator:
+            return not (_is_multiple(before) or is_vector(draft.links[0].left))
+        return before in draft.worked
 
     def _one_figure_more(self, line: Line) -> lay.Layout | None:
         """A value by its figures before it is rounded; None where it was not yet rounded above."""
@@ -291,37 +305,52 @@ class Chains:
     ) -> frozenset[int]:
         """Puts figures for values that are on paper; the numbers of the sides that have them."""
         exact = list(trees)
-        last = trees[-1]
+        last, calculated = trees[-1], self._figures.with_calculator
         # Some come to an exact number.
         plain = len(links) > 1 and not (
             has_quantity(last)
             or letters(last)
             or of_plain_angles(last)
-            or has_sums_of_nested_roots(last)
+            or self._figures.has_sums_of_roots(last)
         )
-        plain = plain or self._stays_exact(line, last)
-        if not plain and has_sums_of_nested_roots(trees[0]) and links[0].sign == "=":
-            trees[0] = self._figures.put(trees[0])
+        plain = plain or (not calculated and self._stays_exact(line, last))
+        worked = calculated and line.move.id in _WORKED_OUT
+        if line.move.id == "put" and self._figures.has_known(trees[1]):
+            worked = False  # what is put in is shown first
+        if (
+            not plain
+            and (calculated or self._figures.has_sums_of_roots(trees[0]))
+            and links[0].sign == "="
+        ):
+            trees[0] = self._figures.put(trees[0], worked)
         for n, link in enumerate(() if plain else links, 1):
             if link.sign not in ("=", "≈"):
                 continue
             outcome = n == len(links) > 1 and not isinstance(trees[n], Apply)
-            trees[n] = self._figures.put(trees[n], outcome)
+            if calculated and line.move.record == "scalar-angle":
+                outcome = False  # a cosine needs more figures than its angle
+            elif calculated:
+                outcome = outcome or worked or n > 1
             if is_vector(links[0].left) and self._ends.of(line) is None:
                 trees[n] = self._figures.vector(trees[n])
+            trees[n] = self._figures.put(trees[n], outcome, behind=n > 1)
         if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])
         if isinstance(links[0].left, Apply) and trees[-1] != exact[-1]:
             self._figures.stands_for(exact[-1], trees[-1])  # of the angle itself, next
         put = frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
-        if put and any(map(has_sums_of_nested_roots, exact)):
+        first = min(put - {0}, default=0)
+        if first and is_value(exact[0]) and _is_made_of_figures(trees[first]):
+            # Where its square is taken, say, it stands as it does here.
+            self._figures.stands_for(exact[-1], trees[first])
+        if put and any(map(self._figures.has_sums_of_roots, exact)):
             self._in_figures_above.add(exact[0])
         return put
 
     def _stays_exact(self, line: Line, last: Expression) -> bool:
         """Whether a value with roots of sums of roots stays exact: a root, a short answer."""
-        if not has_sums_of_nested_roots(last):
+        if not self._figures.has_sums_of_roots(last):
             return False
         if line.move.id in _EXACTLY:
             return True
@@ -432,8 +461,12 @@ class Chains:
         links: tuple[Link, ...],
         sides: list[lay.Layout],
         signs: list[str],
+        put: Expression | None = None,
     ) -> None:
-        """Puts what belongs to a value at the end of a row: its name, its unit, a decimal."""
+        """Puts what belongs to a value at the end of a row: its name, its unit, a decimal.
+
+        ``put`` is the last side with figures, where it has some.
+        """
         left, right = links[0].left, links[-1].right
         end = self._ends.of(line)
         worth = not has_quantity(right) and (is_value(left) or end is not None)
@@ -461,24 +494,29 @@ class Chains:
                 if side != sides[-1] and not (sign == "=" and has_decimals(sides[-1])):
                     sides.append(side)
                     signs.append(sign)
-        in_letters = in_letters_with_figures(right) if end is None and not unit else None
+        in_letters = self._figures.in_letters(right) if end is None and not unit else None
         if in_letters is not None and links[-1].sign == "=" and is_value(left):
             printed = self._as_printed(right, sides[-1]) or right
-            sides.append(self._naming.layout(in_letters_with_figures(printed) or in_letters))
-            signs.append("≈")
             self._figures.note(right)
+            multiple = self._naming.layout(self._figures.in_letters(printed) or in_letters)
+            if multiple != sides[-1]:
+                sides.append(multiple)
+                signs.append("≈")
         elif (
             end is None
-            and (unit or is_of_nested_roots(right))
+            and (unit or self._figures.is_of_roots(right))
             and links[-1].sign == "="
             and (of_plain_angles(right) or self._is_carried(line, links[-1]))
         ):
             tree = self._as_printed(right, sides[-1])
+            if put is not None and _is_made_of_figures(put):
+                tree = right if sides[-1] == self._naming.layout(put) else negative(right)
             figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
             if figures is not None:
-                sides.append(figures)
-                signs.append("≈")
                 self._figures.note(right)
+                if figures != sides[-1]:
+                    sides.append(figures)
+                    signs.append("≈")
         nothing = sides[-1] in (lay.Number("0"), lay.ZERO_VECTOR)
         answered = end is not None and not has_quantity(right)
         if unit and not nothing and (answered or is_plain(sides[-1])):
@@ -486,7 +524,7 @@ class Chains:
 
     def _is_carried(self, line: Line, link: Link) -> bool:
         """Whether a value with roots of sums of roots is used from here, and told no plainer."""
-        return is_of_nested_roots(link.right) and not any(
+        return self._figures.is_of_roots(link.right) and not any(
             own.number > line.number
             and isinstance(own.relation, Relation)
             and own.relation.options[0][0].left == link.left
@@ -514,6 +552,22 @@ class Chains:
 def is_value(tree: Expression) -> bool:
     """Whether a side names one quantity, whose dimension is known."""
     return isinstance(tree, Letter | Quantity) or is_time(tree) or is_displacement(tree)
+
+
+def _is_multiple(side: lay.Layout) -> bool:
+    """Whether a side is a number, or one before letters and their powers."""
+    if isinstance(side, lay.Sum) and len(side.terms) == 1:
+        side = side.terms[0][1]  # a negative one
+    factors = side.factors if isinstance(side, lay.Product) else (side,)
+    return isinstance(factors[0], lay.Number) and not any(
+        isinstance(factor, lay.Sum | lay.Fraction | lay.Brackets | lay.Number)
+        for factor in factors[1:]
+    )
+
+
+def _is_made_of_figures(tree: Expression) -> bool:
+    """Whether a side has numbers alone."""
+    return not (has_quantity(tree) or letters(tree) or has_plain_angles(tree))
 
 
 def sign_of(link: Link) -> str:

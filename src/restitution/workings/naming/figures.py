@@ -7,8 +7,9 @@ figures everywhere but where the root of an equation is told. What the lines say
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
-from functools import partial
+from functools import lru_cache, partial
 
 import sympy as sp
 
@@ -18,6 +19,7 @@ from restitution.explaining.lines.trees import exchanged, rebuilt
 from restitution.expression.tree import (
     Apply,
     Binary,
+    Degrees,
     Expression,
     Letter,
     Negate,
@@ -39,9 +41,13 @@ FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
 _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 _RATIOS = frozenset({"sin", "cos", "tan"})
+# Degrees: multiples of it have ratios of roots.
+_EXACT_ANGLE = 15
 # Values beyond these would need a power of ten.
 _LONG_PRODUCT = 3  # of so many ratios
 _LONG_SUM = 2
+# Two values of a working that agree in so many figures are one.
+_FIGURES_THAT_TELL, _FIGURES_TOLD = 30, 20
 _LEAST, _GREATEST = Fraction(1, 1000), 10000
 
 
@@ -55,25 +61,31 @@ def has_plain_angles(tree: Expression) -> bool:
     return bool(_ratios_of_numbers(tree))
 
 
-def has_sums_of_nested_roots(tree: Expression) -> bool:
-    """Whether a value in it is a sum with roots of sums of roots, or the root of such a sum."""
-    return any(map(is_of_nested_roots, walk(tree)))
+def is_by_calculator(trees: Iterable[Expression]) -> bool:
+    """Whether a working has ratios of angles such as 37°, and is so one with a calculator."""
+    ratios = (ratio for tree in trees for ratio in _ratios_of_numbers(tree))
+    return any(
+        isinstance(ratio.argument, Degrees) and ratio.argument.value % _EXACT_ANGLE
+        for ratio in ratios
+    )
 
 
-def is_of_nested_roots(tree: Expression) -> bool:
+def _is_of_nested_roots(tree: Expression, every: bool) -> bool:
     """Whether a value as it comes out is a sum with roots of sums of roots, or the root of one.
 
-    A sum of products of such values is still to be worked out.
+    A sum of products of such values is still to be worked out. ``every`` sum of different roots
+    counts, where there is a calculator.
     """
     match tree:
         case Binary("*", Number(), Binary("/")):
             return False
         case Binary("/", above, Number()) | Binary("*", Number(), above) | Negate(above):
-            return is_of_nested_roots(above)
+            return _is_of_nested_roots(above, every)
         case Binary("+" | "-"):
-            return _is_sum_of_roots(tree) and any(map(_is_nested_root, walk(tree)))
+            is_root = _is_root if every else _is_nested_root
+            return _is_sum_of_roots(tree) and any(map(is_root, walk(tree)))
         case Apply("sqrt", inside):
-            return is_of_nested_roots(inside)
+            return _is_of_nested_roots(inside, every)
     return False
 
 
@@ -103,6 +115,10 @@ def _is_open(tree: Expression) -> bool:
     return is_binary(tree, "^") or isinstance(tree, Letter | Quantity)
 
 
+def _is_root(tree: Expression) -> bool:
+    return is_function(tree, "sqrt")
+
+
 def _is_nested_root(tree: Expression) -> bool:
     return is_function(tree, "sqrt") and any(
         is_function(node, "sqrt") for node in walk(tree.argument)
@@ -117,15 +133,28 @@ def _ratios_of_numbers(tree: Expression) -> list[Apply]:
     ]
 
 
-def in_letters_with_figures(tree: Expression) -> Expression | None:
+def in_letters_with_figures(tree: Expression, least: int | None = None) -> Expression | None:
     """A multiple of letters by a number that only a calculator knows, as 0.1351u.
 
-    None of another value, and of one that is short: ½u cos 20°.
+    None of another value, and of one that is short, with fewer than the ``least`` number of
+    ratios: ½u cos 20°.
     """
-    most = _LONG_SUM if any(map(_is_long, walk(tree))) else _LONG_PRODUCT
-    if any(map(_is_sum_with_a_root, walk(tree))):
-        most = 1  # (2 − √3)u sin 50°
-    if len(_ratios_of_numbers(tree)) < most or has_quantity(tree):
+    if least is None:
+        least = _LONG_SUM if any(map(_is_long_value, walk(tree))) else _LONG_PRODUCT
+    if len(_ratios_of_numbers(tree)) < least:
+        return None
+    parts = _number_and_letters(tree)
+    size = None if parts is None else _fraction(parts[0], FIGURES_BETWEEN)
+    if parts is None or size is None:
+        return None
+    whole = product(Number(abs(size)), tree_of(parts[1]))
+    return Negate(whole) if size < 0 else whole
+
+
+@lru_cache(maxsize=4096)
+def _number_and_letters(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
+    """The number and the product of letters of a multiple of letters; None of another value."""
+    if has_quantity(tree) or not letters(tree):
         return None
     try:
         value = sp.factor(worth(tree))
@@ -134,53 +163,67 @@ def in_letters_with_figures(tree: Expression) -> Expression | None:
     if not isinstance(value, sp.Expr):
         return None  # a vector
     number, rest = value.as_independent(*value.free_symbols, as_Add=False)
-    if (
-        not letters(tree)
-        or not number.is_real
-        or not all(
-            factor.is_Symbol or (factor.is_Pow and factor.base.is_Symbol and factor.exp.is_Integer)
-            for factor in sp.Mul.make_args(rest)
-        )
+    if not number.is_real or not all(
+        factor.is_Symbol or (factor.is_Pow and factor.base.is_Symbol and factor.exp.is_Integer)
+        for factor in sp.Mul.make_args(rest)
     ):
         return None
-    size = _fraction(number, FIGURES_BETWEEN)
-    if size is None:
-        return None
-    whole = product(Number(abs(size)), tree_of(rest))
-    return Negate(whole) if size < 0 else whole
-
-
-def _is_sum_with_a_root(tree: Expression) -> bool:
-    """Whether an expression is a sum of rational numbers and roots of such."""
-    roots = any(is_function(node, "sqrt") for node in walk(tree))
-    return is_binary(tree, "+", "-") and roots and _is_sum_of_roots(tree)
+    return number, rest
 
 
 class Figures:
     """The sums of ratios of plain angles that are on paper, with their figures."""
 
-    def __init__(self) -> None:
+    def __init__(self, with_calculator: bool = False) -> None:
+        self.with_calculator = with_calculator
         self._known: dict[Expression, Expression] = {}
+        # The same by the size of a value: of ratios of plain angles there are many forms.
+        self._by_size: dict[str, Expression] = {}
+
+    def is_of_roots(self, tree: Expression) -> bool:
+        """Whether a value as it comes out is a sum of roots that is carried in figures.
+
+        It is one with roots of sums of roots, or the root of one; with a calculator every sum of
+        different roots. A sum of products of such values is still to be worked out.
+        """
+        return _is_of_nested_roots(tree, self.with_calculator)
+
+    def has_sums_of_roots(self, tree: Expression) -> bool:
+        """Whether a value in it is a sum of roots that is carried in figures."""
+        return any(map(self.is_of_roots, walk(tree)))
+
+    def in_letters(self, tree: Expression) -> Expression | None:
+        """A multiple of letters by a number that only a calculator knows, as 0.1351u; else None."""
+        if not self.with_calculator:
+            return in_letters_with_figures(tree)
+        return in_letters_with_figures(tree, 1 if self.has_sums_of_roots(tree) else _LONG_SUM)
 
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = unsigned(tree)
-        number = _in_figures(own) if _is_long(own) else in_letters_with_figures(own)
+        carried = self._is_long(own) or (self.with_calculator and _is_long_sum(own))
+        number = _in_figures(own) if carried else self.in_letters(own)
         if number is not None:
             self._known[own] = number
+            size = _size(own)
+            if size is not None:
+                self._by_size[size[1]] = number if size[0] else swept(Negate(number))
 
     def stands_for(self, tree: Expression, put: Expression) -> None:
         """Notes that a value stands on paper as an expression of figures, and not exactly."""
         if isinstance(tree, Negate):
             tree, put = tree.operand, swept(Negate(put))
         self._known.setdefault(tree, put)
+        size = _size(tree)
+        if size is not None:
+            self._by_size.setdefault(size[1], put if size[0] else swept(Negate(put)))
 
     def instead_of(self, tree: Expression) -> Expression:
         """The figures of a value that is on paper with them; any other as it is."""
         if isinstance(tree, Negate):
             put = self.instead_of(tree.operand)
             return tree if put == tree.operand else swept(Negate(put))
-        own = _in_figures(tree) if is_of_nested_roots(tree) else None
+        own = _in_figures(tree) if self.is_of_roots(tree) else None
         return self._known.get(tree, own or tree)
 
     def cosine(self, tree: Expression) -> Expression:
@@ -198,19 +241,22 @@ class Figures:
         self._known[own] = number
         return tree if own is tree and number == own else exchanged(tree, {own: number})
 
-    def put(self, tree: Expression, outcome: bool = False) -> Expression:
+    def put(self, tree: Expression, outcome: bool = False, behind: bool = False) -> Expression:
         """A side of a line with figures for the values in it that are on paper.
 
-        An ``outcome`` with roots of sums of roots is one number.
+        An ``outcome`` with roots of sums of roots is one number. So is with a calculator one with
+        sums, and any number ``behind`` another side.
         """
         own = unsigned(tree)
         if own in self._known:
             return tree
         for figures in _FIGURES_BEFORE_A_ROUNDING:
-            nested = _nested_in_figures(tree, figures, outcome and has_sums_of_nested_roots(tree))
-            put = rebuilt(exchanged(tree, nested | self._known), self._arctangent)
-            if put == tree:
-                return tree
+            nested = self._roots_in_figures(tree, figures, outcome, behind)
+            known = exchanged(self._by_value(tree), nested | self._known)
+            put = rebuilt(known, self._arctangent)
+            if put == tree or (self.with_calculator and isinstance(unsigned(put), Number)):
+                return put
+            put = rebuilt(put, _square_of_root)
             if not (nested and _is_quotient_of_numbers(put)):
                 put = swept(rebuilt(swept(put), _sign_outside))
             # Figures that lead to others in the end would make the line false.
@@ -220,6 +266,48 @@ class Figures:
                 return tree
         return tree
 
+    def _roots_in_figures(
+        self, tree: Expression, figures: int, outcome: bool, behind: bool
+    ) -> dict[Expression, Expression]:
+        """The sums of roots in a tree that are carried, each with its figures."""
+        is_carried = self.is_of_roots
+        if outcome and self.with_calculator:
+            whole = behind or any(map(self._is_long, walk(tree)))
+            if whole and letters(tree):
+                multiple = self.in_letters(tree)
+                if multiple is not None:
+                    return {tree: multiple}
+            if whole and _is_long_sum(tree) and not _has_units(tree):
+                number = _in_figures(tree, figures)
+                return {} if number is None else {tree: number}
+            is_carried = self._is_long  # every sum of numbers is worked out
+        parts = [node for node in walk(tree) if is_carried(node)]
+        parts += [
+            node.argument
+            for node in walk(tree)
+            if is_function(node, "arctan") and self.has_sums_of_roots(node)
+        ]
+        if outcome and self.has_sums_of_roots(tree) and not has_quantity(tree):
+            parts.append(tree)
+        values = {part: _in_figures(part, figures) for part in parts if not letters(part)}
+        return {node: number for node, number in values.items() if number is not None}
+
+    def has_known(self, tree: Expression) -> bool:
+        """Whether a value in a tree is on paper with figures."""
+        return any(node in self._known for node in walk(tree)) or self._by_value(tree) != tree
+
+    def _by_value(self, tree: Expression) -> Expression:
+        """A tree with figures for the values in it that are on paper in another form."""
+        parts = {node: self._of_size(node) for node in walk(tree) if _has_several_ratios(node)}
+        return exchanged(tree, {node: put for node, put in parts.items() if put is not None})
+
+    def _of_size(self, tree: Expression) -> Expression | None:
+        size = _size(tree) if self._by_size else None
+        put = None if size is None else self._by_size.get(size[1])
+        if size is None or put is None:
+            return None
+        return put if size[0] else swept(Negate(put))
+
     def _arctangent(self, tree: Expression) -> Expression:
         """An arctangent of the other sign of what is on paper: in 180° − β, with β known."""
         match tree:
@@ -228,6 +316,10 @@ class Figures:
                     if of_plain_angles(known) and _in_figures(known) == _in_figures(Negate(inside)):
                         return Apply("arctan", swept(Negate(put)))
         return tree
+
+    def _is_long(self, tree: Expression) -> bool:
+        """Whether a value is a sum with ratios of plain angles in it, or a sum of roots."""
+        return self.is_of_roots(tree) or _is_long(tree)
 
     def vector(self, tree: Expression) -> Expression:
         """A vector of which each long component has its figures alone; they are known from then."""
@@ -245,18 +337,12 @@ def _is_quotient_of_numbers(tree: Expression) -> bool:
     return False
 
 
-def _nested_in_figures(tree: Expression, figures: int, whole: bool) -> dict[Expression, Expression]:
-    """The sums with roots of sums of roots in a tree, each with its figures."""
-    parts = [node for node in walk(tree) if is_of_nested_roots(node)]
-    parts += [
-        node.argument
-        for node in walk(tree)
-        if is_function(node, "arctan") and has_sums_of_nested_roots(node)
-    ]
-    if whole and not has_quantity(tree):
-        parts.append(tree)
-    values = {part: _in_figures(part, figures) for part in parts if not letters(part)}
-    return {node: number for node, number in values.items() if number is not None}
+def _square_of_root(tree: Expression) -> Expression:
+    """What stands under a root of figures, where its square is taken."""
+    match tree:
+        case Binary("^", Apply("sqrt", Binary("+") as inside), Number(2)):
+            return inside
+    return tree
 
 
 def _sign_outside(tree: Expression) -> Expression:
@@ -268,12 +354,7 @@ def _sign_outside(tree: Expression) -> Expression:
 
 
 def _is_long(tree: Expression) -> bool:
-    """Whether a value is a sum with ratios of plain angles in it, or has the root of one.
-
-    So is one with roots of sums of roots.
-    """
-    if is_of_nested_roots(tree):
-        return True
+    """Whether a value is a sum with ratios of plain angles in it, or has the root of one."""
     match tree:
         case Binary("+" | "-"):
             return of_plain_angles(tree)
@@ -284,6 +365,49 @@ def _is_long(tree: Expression) -> bool:
     return not letters(tree) and any(
         is_function(node, "sqrt") and of_plain_angles(node.argument) for node in walk(tree)
     )
+
+
+def _has_units(tree: Expression) -> bool:
+    return any(isinstance(node, Unit) for node in walk(tree))
+
+
+def _is_long_value(tree: Expression) -> bool:
+    return _is_of_nested_roots(tree, every=False) or _is_long(tree)
+
+
+def _is_long_sum(tree: Expression) -> bool:
+    """Whether a number has several ratios of plain angles, so that another form may be on paper."""
+    return _has_several_ratios(tree) and not letters(tree)
+
+
+def _has_several_ratios(tree: Expression) -> bool:
+    return len(_ratios_of_numbers(tree)) >= _LONG_SUM and not has_quantity(tree)
+
+
+@lru_cache(maxsize=4096)
+def _size(tree: Expression) -> tuple[bool, str] | None:
+    """Whether a value of plain angles is positive, and its size to many figures with its letters.
+
+    It tells which value of a working is meant, and decides nothing.
+    """
+    if not has_plain_angles(tree) or has_quantity(tree):
+        return None
+    if letters(tree):
+        number, rest = _number_and_letters(tree) or (None, sp.S.One)
+    else:
+        number, rest = _number(tree), sp.S.One
+    size = None if number is None else number.evalf(_FIGURES_THAT_TELL)
+    if not isinstance(size, sp.Float):
+        return None
+    return size > 0, f"{sp.Float(abs(size), _FIGURES_TOLD)} {rest}"
+
+
+def _number(tree: Expression) -> sp.Expr | None:
+    try:
+        value = worth(tree)
+    except (RestitutionError, sp.SympifyError):
+        return None
+    return value if isinstance(value, sp.Expr) else None  # else a vector
 
 
 def _same_angle(cosine: Expression, figures: Expression | None) -> bool:

@@ -375,7 +375,14 @@ def as_answer(
     else:
         return ()
     sides = shown.operands if isinstance(shown, lay.Relation) else (shown,)
-    if len(sides) == 1 and _is_rounded_alone(value, shown, tree):
+    if len(sides) == 1 and (
+        _is_rounded_alone(value, shown, tree)
+        or (
+            isinstance(value, Vector)
+            and not place
+            and shown != lay.vector(*map(lay.from_sympy, value))
+        )
+    ):
         sides = (shown, shown)  # the exact form is too long for an answer
     added = tuple((_without_zeros(side), "=") if exact else (side, "≈") for side in sides[1:])
     return ((sides[0], "="), *added) if place else added
