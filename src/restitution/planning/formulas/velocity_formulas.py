@@ -197,9 +197,19 @@ def squares(
 
 
 def _is_plain(scene: Scene, speed: Source, components: Iterable[Source]) -> bool:
-    """Whether a speed is known, or its square has no root of what is open."""
+    """Whether a speed is known, or its square has no root of what is open.
+
+    A root of a sum of ratios of angles such as 37° is longer than the components themselves.
+    """
     if not any(scene.unknown(component.value) for component in components):
-        return True
+        roots = sp.sympify(speed.value, strict=True).atoms(sp.Pow)
+        ratios = (
+            ratio
+            for root in roots
+            if root.base.is_Add
+            for ratio in root.base.atoms(sp.sin, sp.cos, sp.tan)
+        )
+        return all(ratio.free_symbols for ratio in ratios)
     if any(str(ref).startswith("given ") for ref in scene.desk.under(*speed.refs)):
         return False  # the fact that gives the speed is still to tell the components
     squared = sp.sympify(tidy(speed.value**2), strict=True)
