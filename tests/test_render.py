@@ -31,6 +31,7 @@ from sympy import (
 from restitution.exact import tidy
 from restitution.expression import read_expression
 from restitution.expression import tree as t
+from restitution.expression.reading import read_number
 from restitution.language import parse
 from restitution.render import layout as layouts
 from restitution.render.latex import to_latex
@@ -287,11 +288,9 @@ WRITTEN = [
     (t.Binary("/", t.Letter("u"), number(2)), "u/2"),
     (t.Binary("*", t.Binary("/", t.Apply("sqrt", number(7)), number(4)), t.Letter("u")), "(√7/4)u"),
     (t.Binary("*", number(2), number(3)), "2 × 3"),
-    (t.Binary("/", t.Binary("*", number("0.9"), number(1)), number(2)), "0.9 × ½"),
-    (
-        t.Binary("/", t.Binary("*", t.Apply("sqrt", number(3)), number(2)), number(5)),
-        "√3 × ⅖",
-    ),
+    (t.Binary("/", t.Binary("*", number(4), number(5)), number(3)), "(4 × 5)/3"),
+    (read_number("0.9*1/2"), "0.9 × ½"),  # as it is typed
+    (read_number("sqrt(3)*2/5"), "√3 × ⅖"),
     (number("0.6"), "0.6"),
     (number("0.0471"), "0.0471"),
     (t.Binary("^", t.Apply("sin", t.Letter("alpha")), number(2)), "sin²α"),

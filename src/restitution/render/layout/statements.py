@@ -105,8 +105,10 @@ def _from_apply(name: str, argument: Layout) -> Layout:
 
 def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
     match node:
-        case trees.Binary("/", trees.Binary("*", factor, trees.Number() as top), trees.Number()):
-            # 0.9 * 1/2 is read from the left, and meant as 0.9 × ½.
+        case trees.Binary(
+            "/", trees.Binary("*", factor, trees.Number() as top), trees.Number()
+        ) if node.place is not None:
+            # 0.9 * 1/2 as it is typed is read from the left, and meant as 0.9 × ½.
             node = trees.Binary("*", factor, trees.Binary("/", top, node.right))
     left, right = from_tree(node.left, events), from_tree(node.right, events)
     match node.op:

@@ -271,7 +271,7 @@ class Figures:
     ) -> dict[Expression, Expression]:
         """The sums of roots in a tree that are carried, each with its figures."""
         is_carried = self.is_of_roots
-        if outcome and self.with_calculator:
+        if outcome and self.with_calculator and not _is_angle(tree):
             whole = behind or any(map(self._is_long, walk(tree)))
             if whole and letters(tree):
                 multiple = self.in_letters(tree)
@@ -365,6 +365,18 @@ def _is_long(tree: Expression) -> bool:
     return not letters(tree) and any(
         is_function(node, "sqrt") and of_plain_angles(node.argument) for node in walk(tree)
     )
+
+
+def _is_angle(tree: Expression) -> bool:
+    """Whether a number is the measure of an angle, which has degrees."""
+    match tree:
+        case Binary("+" | "-", left, right):
+            return _is_angle(left) or _is_angle(right)
+        case Binary("*", Number(), part) | Binary("/", part, Number()) | Negate(part):
+            return _is_angle(part)
+        case Apply(function, _):
+            return function.startswith("arc")
+    return isinstance(tree, Degrees)
 
 
 def _has_units(tree: Expression) -> bool:
