@@ -198,7 +198,7 @@ def test_angles_are_kept_and_long_values_have_figures(statement: str, says: list
         ),
         (
             SPHERES.replace("angle(velocity(A), line_of_centres) = 80°", "deflection(A) = 25°"),
-            ["v ≈ 0.2053u", "mu cos 50° ≈ m × 0.2053u + mw", "w ≈ 0.4375u", "e ≈ 0.361"],
+            ["tan 75° ≈ 0.2053u", "mu cos 50° ≈ m × 0.2053u + mw", "w ≈ 0.4375u", "e ≈ 0.361"],
         ),
     ],
 )
