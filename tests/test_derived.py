@@ -348,7 +348,7 @@ def test_a_working_says_what_a_reader_looks_for(name: str, lines: list[str]) -> 
         ("0.5/sqrt(2)", "0.5/√2"),
         ("sqrt(3)/2 * 1/3 u", "(√3/2) × ⅓u"),
         ("7/16 * 1/2 m u^2", "(7/16) × ½mu²"),
-        ("2 * 3/5", "(2 × 3)/5"),
+        ("2 * 3/5", "2 × ⅗"),
         ("8/3 i + 0j", "(8/3)𝐢"),
         ("5i - 0j", "5𝐢"),
         ("u cos(alpha) v", "(u cos α)v"),

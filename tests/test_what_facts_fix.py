@@ -293,10 +293,10 @@ def test_a_letter_for_an_angle_is_below_90_degrees() -> None:
 
 
 def test_a_product_that_is_zero_by_the_other_letter() -> None:
-    """With p = 0 they do not meet, so that q is zero: then A is brought to rest."""
+    """With p = 0 they do not meet, so that q is zero: then A follows B."""
     text = (
         "sphere A: mass m, velocity p i + q j\nsphere B: mass m, at rest\n"
-        "A hits B: along i, e = 1\ngiven velocity(A) parallel to velocity(B)\nfind q/p"
+        "A hits B: along i, e = 1/2\ngiven velocity(A) parallel to velocity(B)\nfind q/p"
     )
     solution = solve(parse(text))
     assert solution["q/p"].exact == 0

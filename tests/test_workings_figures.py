@@ -131,7 +131,7 @@ find e, energy_lost/energy(0) as a percentage
                 "wall W: along i\nsphere P: velocity 7 at theta to W\nP hits W: e = 0.6\n"
                 "given deflection(P) = 80°\nfind theta"
             ),
-            ["θ = arctan((√(15 sin² 80° + 16 cos² 80°) − 4 cos 80°)/(3 sin 80°)) ≈ 47.1°"],
+            ["tan θ ≈ 1.077 or tan θ ≈ −1.547", "θ ≈ arctan 1.077 ≈ 47.1°"],
         ),
         (
             SPHERES.replace("m, velocity u at 50°", "m, velocity u at 35°")

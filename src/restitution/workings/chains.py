@@ -122,6 +122,22 @@ class Chains:
         """The figures of a value that is on paper with them; any other as it is."""
         return self._figures.instead_of(tree)
 
+    def by_calculator(self, link: Link) -> Expression:
+        """The right side of an equation in figures, with a calculator; they stand for it then."""
+        if not self._figures.with_calculator or link.sign != "=" or has_quantity(link.right):
+            return link.right
+        put = self._figures.instead_of(link.right)
+        if put == link.right:
+            put = self._figures.put(link.right, outcome=True, behind=True)
+        if put != link.right and not isinstance(link.right, Apply):
+            self._figures.note(link.right)
+        return put
+
+    def in_figures(self, link: Link) -> Link:
+        """An equation whose right side has figures, with a calculator."""
+        put = self.by_calculator(link)
+        return link if put == link.right else replace(link, sign="≈", right=put)
+
     def _chain(self, line: Line, links: tuple[Link, ...], last: bool = True) -> Row:
         """A chain as a row: with the name of what was asked, units, and a decimal at its end."""
         whole = self._by_letters(line, links) or self._in_words(line, links)
@@ -334,6 +350,8 @@ class Chains:
             if is_vector(links[0].left) and self._ends.of(line) is None:
                 trees[n] = self._figures.vector(trees[n])
             trees[n] = self._figures.put(trees[n], outcome, behind=n > 1)
+            if calculated and n > 1 and isinstance(unsigned(trees[n - 1]), Number):
+                trees[n] = trees[n - 1]  # it is the same number
         if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])
@@ -509,7 +527,7 @@ class Chains:
             and (of_plain_angles(right) or self._is_carried(line, links[-1]))
         ):
             tree = self._as_printed(right, sides[-1])
-            if put is not None and _is_made_of_figures(put):
+            if put is not None and not (has_quantity(put) or letters(put)):
                 tree = right if sides[-1] == self._naming.layout(put) else negative(right)
             figures = None if tree is None else to_figures(tree, FIGURES_BETWEEN)
             if figures is not None:

@@ -455,8 +455,8 @@ class _Writer:
             behind = None if case is None else self.derivation.line(case.line)
             if case is not None and behind is not None:
                 assert isinstance(behind.relation, Relation)
-                options = (behind.relation.options[case.option],)
-                values = (self.naming.relation(Relation(options)),)
+                links = tuple(map(self.rows.in_figures, behind.relation.options[case.option]))
+                values = (self.naming.relation(Relation((links,))),)
                 yield Step("heading", sentences=(say("heading.case", values=values),))
         yield from self._heading(line)
 

@@ -19,6 +19,7 @@ from restitution.expression.tree import (
     Expression,
     Letter,
     Negate,
+    Number,
     Quantity,
     Unit,
     letters,
@@ -281,11 +282,18 @@ class Rows(Chains):
 
     def _bare(self, links: tuple[Link, ...], asked: bool) -> lay.Relation:
         trees = [links[0].left, *(link.right for link in links)]
-        sides = [self._naming.layout(tree) for tree in trees]
-        signs = [sign_of(link) for link in links]
-        for side, sign in as_answer(trees[-1]) if asked and signs[-1] == "=" else ():
-            sides.append(side)
-            signs.append(sign)
+        figures = [self.by_calculator(link) for link in links]
+        sides = list(map(self._naming.layout, (trees[0], *figures)))
+        signs = [
+            sign_of(link) if figure == link.right else "≈"
+            for link, figure in zip(links, figures, strict=True)
+        ]
+        for side, sign in as_answer(trees[-1]) if asked and links[-1].sign == "=" else ():
+            if isinstance(figures[-1], Number):
+                sides[-1:], signs[-1:] = [side], [sign]  # three figures at once
+            else:
+                sides.append(side)
+                signs.append(sign)
         if is_value(trees[0]) and is_plain(sides[-1]) and signs[-1] in ("=", "≈"):
             sides[-1] = with_unit(sides[-1], self._measures.unit(trees[0]))
         return lay.Relation(tuple(sides), tuple(signs))

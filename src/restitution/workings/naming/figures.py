@@ -41,6 +41,8 @@ FIGURES_BETWEEN = 4
 _FIGURES_OF_COSINES = range(FIGURES_BETWEEN, 9)
 _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 _RATIOS = frozenset({"sin", "cos", "tan"})
+# Numbers from here on are none that somebody writes before a ratio.
+_LONG = 1000
 # Degrees: multiples of it have ratios of roots.
 _EXACT_ANGLE = 15
 # Values beyond these would need a power of ten.
@@ -201,7 +203,7 @@ class Figures:
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = unsigned(tree)
-        carried = self._is_long(own) or (self.with_calculator and _is_long_sum(own))
+        carried = self._is_long(own) or (self.with_calculator and self._is_product_of_sums(own))
         number = _in_figures(own) if carried else self.in_letters(own)
         if number is not None:
             self._known[own] = number
@@ -277,7 +279,8 @@ class Figures:
                 multiple = self.in_letters(tree)
                 if multiple is not None:
                     return {tree: multiple}
-            if whole and _is_long_sum(tree) and not _has_units(tree):
+            known = self._is_product_of_sums(tree) or (behind and _has_long_numbers(tree))
+            if whole and known and not _has_units(tree):
                 number = _in_figures(tree, figures)
                 return {} if number is None else {tree: number}
             is_carried = self._is_long  # every sum of numbers is worked out
@@ -298,7 +301,7 @@ class Figures:
 
     def _by_value(self, tree: Expression) -> Expression:
         """A tree with figures for the values in it that are on paper in another form."""
-        parts = {node: self._of_size(node) for node in walk(tree) if _has_several_ratios(node)}
+        parts = {node: self._of_size(node) for node in walk(tree) if self._is_of_several(node)}
         return exchanged(tree, {node: put for node, put in parts.items() if put is not None})
 
     def _of_size(self, tree: Expression) -> Expression | None:
@@ -320,6 +323,17 @@ class Figures:
     def _is_long(self, tree: Expression) -> bool:
         """Whether a value is a sum with ratios of plain angles in it, or a sum of roots."""
         return self.is_of_roots(tree) or _is_long(tree)
+
+    def _is_product_of_sums(self, tree: Expression) -> bool:
+        """Whether a number has several ratios, or one beside a sum of roots."""
+        return self._is_of_several(tree) and not letters(tree)
+
+    def _is_of_several(self, tree: Expression) -> bool:
+        """Whether a value has several ratios of plain angles, or one beside a sum of roots."""
+        if _has_several_ratios(tree):
+            return True
+        one = bool(_ratios_of_numbers(tree)) and not has_quantity(tree)
+        return one and self.with_calculator and self.has_sums_of_roots(tree)
 
     def vector(self, tree: Expression) -> Expression:
         """A vector of which each long component has its figures alone; they are known from then."""
@@ -387,9 +401,12 @@ def _is_long_value(tree: Expression) -> bool:
     return _is_of_nested_roots(tree, every=False) or _is_long(tree)
 
 
-def _is_long_sum(tree: Expression) -> bool:
-    """Whether a number has several ratios of plain angles, so that another form may be on paper."""
-    return _has_several_ratios(tree) and not letters(tree)
+def _has_long_numbers(tree: Expression) -> bool:
+    """Whether a number of ratios has a factor that nobody would write."""
+    return of_plain_angles(tree) and any(
+        isinstance(node, Number) and max(node.value.numerator, node.value.denominator) >= _LONG
+        for node in walk(tree)
+    )
 
 
 def _has_several_ratios(tree: Expression) -> bool:

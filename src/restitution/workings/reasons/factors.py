@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -36,7 +35,8 @@ def factor_cancelled(derivation: Derivation, line: Line) -> Expression | None:
     Beside a sum nothing is said of letters of which nothing is cited: they are positive.
     """
     both = _before_and_after(derivation, line)
-    cited = frozenset(re.findall(r"\w+", " ".join(e for e in line.premises if isinstance(e, str))))
+    facts = (ref for ref in line.premises if isinstance(ref, str))
+    cited = frozenset(word.strip(":") for fact in facts for word in fact.split())
     return None if both is None else _cancelled(*both, cited)
 
 
