@@ -110,3 +110,17 @@ find velocity(B)"""
     found = marked(statement, "line of centres is parallel to 3i + 3j, i.e. i + j")
     kept = [point["kind"] for point in found["marks"]["points"] if point["state"] == "earned"]
     assert kept == ["M1", "A1"]
+
+
+def test_an_angle_is_no_step_towards_one_put_together_wrongly() -> None:
+    statement = """sphere A: mass m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/3
+show tan(deflection(A)) = 2tan(alpha)/(1 + 3tan(alpha)^2)"""
+    lines = ["v + w = u cos α", "w - v = ⅓u cos α", "2v = ⅔u cos α, v = ⅓u cos α"]
+    lines += ["tan θ = u sin α/(⅓u cos α) = 3tan α"]
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    letters["θ"] = "angle(velocity(A), i)"
+    right = "tan(θ - α) = (3t - t)/(1 + 3t²) where t = tan α"
+    found = marked(statement, *lines, right, "= 2tan α/(1 + 3tan² α)", **letters)
+    assert found["marks"]["earned"] == found["marks"]["of"]

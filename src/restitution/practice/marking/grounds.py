@@ -126,7 +126,10 @@ class Grounds:
         )
 
     def _is_of_one_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
-        """Whether a line only gives the angle from which that of a point is to be put together."""
+        """Whether a line only gives the angle from which another is put together wrongly."""
+        wrong = (other.mistake.id for other in self.lines if other.mistake is not None)
+        if not any(name in OF_DEFLECTION for name in wrong):
+            return False
         needed = (self.states[name] for name in point.depends if name in self.states)
         return line.verdict == "true" and any(
             mark.point.principle == "angle" and mark.line == line.line.number for mark in needed
