@@ -246,7 +246,7 @@ def usual(
             return _first(candidates, "impulse", None, only) if only else None
         case "t" | "T" if below == "1" and any(_is_time(x) and x.asked for x in candidates):
             return next((x for x in candidates if _is_time(x)), None)
-        case "t" | "T" if not below and any(_is_time(x) and x.asked for x in candidates):
+        case "t" if not below and any(_is_time(x) and x.asked for x in candidates):
             times = [x for x in candidates if x.kind == "time"]
             return times[0] if len(times) == 1 else None
         case "m" | "M":
