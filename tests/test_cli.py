@@ -167,7 +167,7 @@ CONDITIONAL = (
         ("text", "e = √(25 − a²)/4, for −5 ≤ a ≤ −3 or 3 ≤ a ≤ 5"),
         ("markdown", r"$\frac{\sqrt{25 - a^{2}}}{4}$, for $-5 \leq a \leq -3$ or $3 \leq a"),
         ("latex", r"$\frac{\sqrt{25 - a^{2}}}{4}$, for $-5 \leq a \leq -3$ or $3 \leq a"),
-        ("html", "</math>, for <math>"),
+        ("html", "</math>,</span> for <math>"),
     ],
 )
 def test_an_answer_with_its_condition(form, said):
