@@ -124,7 +124,7 @@ find e, energy_lost/energy(0) as a percentage
                 "wall W: along i\nsphere P: mass 0.25, velocity 7 at theta to W\nP hits W\n"
                 "given speed(P) = 5, angle(velocity(P), W) = 25°\nfind theta, e"
             ),
-            ["sin θ = √(49 − 25 cos² 25°)/7", "5 sin 25° ≈ 7e × 0.7622 e ≈ 0.396"],
+            ["sin θ ≈ 0.7622", "5 sin 25° ≈ 7e × 0.7622 e ≈ 0.396"],
         ),
         (
             (

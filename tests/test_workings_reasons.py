@@ -629,7 +629,7 @@ show angle(velocity(P), W) <= alpha
         (
             "sphere A: mass k m, velocity u i\n"
             "sphere B: mass m, velocity u at beta from -i\nA hits B: along i\n"
-            "given sin(beta) = 3/5, velocity(A) perpendicular to i, speed(B) = u\nfind k, e"
+            "given sin(beta) = 3/5, A at rest, speed(B) = u\nfind k, e"
         ),
         ["as w = −4u/5 would give e = −4/9 by (3), but e ≥ 0"],
     ),

@@ -32,6 +32,8 @@ which is no more on a busy machine. What is too large is not asked at all."""
 MOST_GENERATORS = 14
 MOST_DEGREE = 40
 MOST_MONOMIALS = 1500
+# Roots beside numbers of which only bounds are known: of more no question was ever decided.
+MOST_ROOTS_OF_BOUNDS = 4
 # With "for all" and "there is" it becomes hard much sooner.
 MOST_QUANTIFIED = 10
 MOST_EFFORT = 50
@@ -192,8 +194,10 @@ def _used(world: Polynomials, tree: _Tree) -> list[str]:
 
 def _worth_asking(world: Polynomials, used: Sequence[str], tree: _Tree) -> bool:
     polynomials = _polynomials(tree)
+    roots = sum(name.startswith("root") for name in used)
     return (
         len(used) <= MOST_GENERATORS
+        and not (world.loose and roots > MOST_ROOTS_OF_BOUNDS)
         and sum(len(polynomial) for polynomial in polynomials) <= MOST_MONOMIALS
         and all(
             sum(polynomial.degrees()) <= MOST_DEGREE for polynomial in polynomials if polynomial

@@ -330,7 +330,8 @@ class Chains:
             or self._figures.has_sums_of_roots(last)
         )
         plain = plain or (not calculated and self._stays_exact(line, last))
-        worked = calculated and line.move.id in _WORKED_OUT
+        ratio = isinstance(links[0].left, Apply) and line.move.id != "define"
+        worked = calculated and (ratio or line.move.id in _WORKED_OUT)
         if line.move.id == "put" and self._figures.has_known(trees[1]):
             worked = False  # what is put in is shown first
         if (
@@ -349,7 +350,11 @@ class Chains:
                 outcome = outcome or worked or n > 1
             if is_vector(links[0].left) and self._ends.of(line) is None:
                 trees[n] = self._figures.vector(trees[n])
-            trees[n] = self._figures.put(trees[n], outcome, behind=n > 1)
+            # What is on paper with figures, and stands here by itself, has them again.
+            side = self._figures.instead_of(trees[n]) if worked else trees[n]
+            if side == trees[n]:
+                side = self._figures.put(side, outcome, behind=n > 1)
+            trees[n] = side
             if calculated and n > 1 and isinstance(unsigned(trees[n - 1]), Number):
                 trees[n] = trees[n - 1]  # it is the same number
         if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
