@@ -128,7 +128,7 @@ def test_contributing_names_files_that_are_there():
 # Words that say how a value came about, or that it is one of several, but not what it is.
 NO_NAMES = {"each", "told", "found", "said", "laid", "made", "way"}
 FORBIDDEN = re.compile(rf"\b_?(?:{'|'.join(NO_NAMES)})\b")
-SPOKEN = re.compile(r"#.*|\"\"\".*?\"\"\"", re.DOTALL)
+SPOKEN = re.compile(r"\"\"\".*?\"\"\"", re.DOTALL)
 
 
 def names_given(tree: ast.AST) -> Iterator[tuple[str, int]]:

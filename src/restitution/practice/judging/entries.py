@@ -57,14 +57,15 @@ def is_numeric(tree: Expression) -> bool:
     )
 
 
+def has_time_or_place(tree: Expression) -> bool:
+    """Whether a quantity is a time or a place, or is made of one."""
+    return any(is_quantity(node, "time", "position") for node in walk(tree))
+
+
 def is_of_a_journey(entry: Entry) -> bool:
     """Whether a claim tells of a time or a place."""
     names = (entry.meanings[name] for name in names_of(entry.claim) if name in entry.meanings)
-    return any(
-        is_quantity(node, "time", "position")
-        for tree in (entry.claim.left, entry.claim.right, *names)
-        for node in walk(tree)
-    )
+    return any(map(has_time_or_place, (entry.claim.left, entry.claim.right, *names)))
 
 
 def is_monomial(tree: Expression) -> bool:

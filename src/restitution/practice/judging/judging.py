@@ -29,7 +29,6 @@ from restitution.expression.tree import (
     children,
     has_quantity,
     is_binary,
-    is_quantity,
     letters,
     negated,
     unsigned,
@@ -44,6 +43,7 @@ from restitution.practice.judging.doubts import (
     names_in,
     names_of,
 )
+from restitution.practice.judging.entries import has_time_or_place
 from restitution.practice.judging.misreading import (
     left_for_lost,
     misread_problems,
@@ -154,11 +154,6 @@ def _defined_otherwise(
             continue  # sin a is what cos α is
         if any(len(own) == 1 and own <= fresh for own in map(names_of, plain.links)):
             yield line.line.number
-
-
-def _is_of_a_journey(tree: Expression) -> bool:
-    """Whether a quantity is a time or a place, or is made of one."""
-    return any(is_quantity(node, "time", "position") for node in walk(tree))
 
 
 class _Sitting(Doubts):
@@ -284,8 +279,8 @@ class _Sitting(Doubts):
             other, again = self._judged(self.script, merged)
             more = sum(line.verdict in ("true", "follows") for line in again)
             less = sum(line.verdict in ("true", "follows") for line in lines)
-            told = more == less and any(self._is_asked(m.quantity) for m in newly_known)
-            more += told and bool(below)
+            tells = any(self._is_asked(meaning.quantity) for meaning in newly_known)
+            more += more == less and tells and bool(below)  # what is asked decides between equals
             if more > less and sum(line.verdict == "false" for line in again) <= false:
                 self.meanings = replace(self.meanings, best=merged)
                 return other, again
@@ -296,9 +291,9 @@ class _Sitting(Doubts):
         alike = (x for x in (every.best, *every.rivals) if x.score >= every.best.score - _ALIKE)
         return next(
             (
-                each
-                for each in alike
-                if any(m.letter in names and self._is_asked(m.quantity) for m in each.meanings)
+                reading
+                for reading in alike
+                if any(m.letter in names and self._is_asked(m.quantity) for m in reading.meanings)
             ),
             every.best,
         )
@@ -308,7 +303,7 @@ class _Sitting(Doubts):
 
         Times and places there are those of his own world, whatever true value a number may have.
         """
-        if not any(map(_is_of_a_journey, (tree for tree, _ in self.bench.wanted.asked))):
+        if not any(map(has_time_or_place, (tree for tree, _ in self.bench.wanted.asked))):
             return
         first = next(line.line.number for line in lines if line.verdict == "false")
         above = {
@@ -325,7 +320,7 @@ class _Sitting(Doubts):
     def _is_asked(self, quantity: Expression) -> bool:
         """Whether a quantity is a time or a place that the part asks for."""
         asked = (tree for tree, _ in self.bench.wanted.asked)
-        return _is_of_a_journey(quantity) and quantity in asked
+        return has_time_or_place(quantity) and quantity in asked
 
     def _doubtful_below(self, lines: Sequence[JudgedLine]) -> Iterator[str]:
         """The letters of which nobody said what they are, that stand in no line which holds.

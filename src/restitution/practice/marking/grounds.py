@@ -27,6 +27,11 @@ class Grounds:
         self.values = values
         self.states: dict[str, PointMark] = {}
 
+    def _has_true_line(self, point: MarkPoint) -> bool:
+        """Whether a true line is the one for which a point is given."""
+        true = (line for line in self.lines if line.verdict == "true")
+        return any(self.values.matches(point, line) == "true" for line in true)
+
     def _is_below(self, line: JudgedLine) -> bool:
         """Whether a mistake stands above a line."""
         above = (other for other in self.lines if other.line.number < line.line.number)
@@ -220,10 +225,7 @@ class Grounds:
 
     def _of_difference(self, point: MarkPoint) -> PointMark | None:
         """A speed by a difference of squares, which is no theorem of Pythagoras."""
-        if point.principle != "speed":
-            return None
-        true = (line for line in self.lines if line.verdict == "true")
-        if any(self.values.matches(point, line) == "true" for line in true):
+        if point.principle != "speed" or self._has_true_line(point):
             return None
         wrong = next(
             (x for x in self.lines if subtracts_squares(x) and self.values.is_of_a_speed(x)), None

@@ -197,10 +197,7 @@ class SinglePoints(Grounds):
 
     def _of_other_energy(self, point: MarkPoint) -> PointMark | None:
         """An energy without all its terms, beside one that is right: the method needs both."""
-        if point.principle != "energy":
-            return None
-        true = (line for line in self.lines if line.verdict == "true")
-        if any(self.values.matches(point, line) == "true" for line in true):
+        if point.principle != "energy" or self._has_true_line(point):
             return None
         for line, use in self._uses(point):
             if line.verdict == "false" and line.mistake is not None:
