@@ -30,13 +30,12 @@ from restitution.planning.writing.desk import NotPlannedError, Source, chain, to
 from restitution.planning.writing.either_side import frame_on_one_side, write_sides
 from restitution.planning.writing.forms import product, total, tree_of, vector
 from restitution.planning.writing.frames import Frame, frame_of
+from restitution.planning.writing.place_trees import AXES
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import GivenEquation, Scene
 from restitution.planning.writing.unit_vectors import plain_direction, whole_direction
 from restitution.planning.writing.vectors import velocity_given
 from restitution.vector import Vector
-
-_AXES: tuple[Literal["i", "j"], ...] = ("i", "j")
 
 
 def frame_at(scene: Scene, number: int) -> Frame:
@@ -90,7 +89,7 @@ def _along_a_velocity(scene: Scene, number: int) -> int | None:
     assert fact is not None
     if not stage or not all(component.is_number for component in own.n) or 0 in own.n:
         return None
-    parts = [along_axis(scene, body, stage, axis) for axis in _AXES]
+    parts = [along_axis(scene, body, stage, axis) for axis in AXES]
     if any(scene.unknown(part.value) for part in parts):
         return None
     value = Vector(*(part.value for part in parts))

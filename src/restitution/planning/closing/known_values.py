@@ -179,7 +179,3 @@ def unknown_of(scene: Scene, number: int, symbol: sp.Symbol) -> sp.Symbol:
         return symbol
     (other,) = own
     return other
-
-
-# A side is worked out before it is squared where that leaves at most two thirds of it.
-SHORTER = 1.5

@@ -39,7 +39,6 @@ from restitution.planning.closing.complements import without_complements
 from restitution.planning.closing.crossing import multiplied_across
 from restitution.planning.closing.exact_ratios import by_ratios_as_they_are
 from restitution.planning.closing.known_values import (
-    SHORTER,
     is_angle,
     is_ratio,
     unknown_of,
@@ -91,6 +90,10 @@ from restitution.vector import Vector
 from restitution.work import remembered
 
 Shape = Callable[[Scene, int, sp.Symbol], Source | None]
+
+
+# A side is worked out before it is squared where that leaves at most two thirds of it.
+_SHORTER = 1.5
 
 
 def close(scene: Scene, number: int, symbol: sp.Symbol) -> Source:
@@ -236,7 +239,7 @@ def _quotient_worked_out(scene: Scene, number: int) -> int:
     if letters(link.left) or not is_binary(link.right, "/"):
         return number
     shorter = tree_of(tidy(scene_value(scene, link.right)))
-    if len(walk(shorter)) * SHORTER > len(walk(link.right)):
+    if len(walk(shorter)) * _SHORTER > len(walk(link.right)):
         return number
     line = scene.judge.write((Move("rearrange"),), (number,), equality(link.left, shorter))
     return number if line is None else line

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Literal
 
 import sympy as sp
 
@@ -38,13 +37,12 @@ from restitution.planning.writing.forms import (
     vector,
 )
 from restitution.planning.writing.frames import Frame
+from restitution.planning.writing.place_trees import AXES, Axis
 from restitution.planning.writing.unit_vectors import plain_direction
 from restitution.problem import (
     Aligned,
 )
 from restitution.vector import Vector
-
-_AXES: tuple[Literal["i", "j"], ...] = ("i", "j")
 
 
 def write_aligned(claims: Claims, relation: Aligned, now: int) -> tuple[int, Relation]:
@@ -178,7 +176,7 @@ def _by_a_component(
     along = plain_direction(scene.model.story.direction(line, scene.events))
     if 0 not in along:
         return None
-    axis: Literal["i", "j"] = "i" if (along.y == 0) == (move.record == "perpendicular") else "j"
+    axis: Axis = "i" if (along.y == 0) == (move.record == "perpendicular") else "j"
     mark = claims.worths.mark()
     own = along_axis(scene, *moving, axis)
     walls = [f"wall {wall.name}" for wall in scene.problem.walls]
@@ -213,7 +211,7 @@ def _by_a_product_with_a_line(
     body, stage = body_and_stage(scene, velocity)
     mark = claims.worths.mark()
     if frame.is_slanted:
-        across, up = (along_axis(scene, body, stage, axis) for axis in _AXES)
+        across, up = (along_axis(scene, body, stage, axis) for axis in AXES)
         parts, more = (across.value, up.value), (*across.refs, *up.refs)
     else:
         (x, x_refs), (y, y_refs) = map(scene.put, scene.velocity(body, stage))

@@ -6,6 +6,7 @@ import sympy as sp
 
 from restitution.exact import tidy
 from restitution.exact.symbols import symbol_names
+from restitution.exact.trigonometry import in_sines
 from restitution.explaining.lines.derivation import Link, Move, Ref, numbers_in
 from restitution.explaining.lines.trees import rebuilt
 from restitution.expression.tree import Apply, Binary, Expression, Letter, letters
@@ -85,7 +86,7 @@ def _by_the_tie(
     if letter is None:
         return None
     whole = scene.scalar(scene.desk.last_link(first).right)
-    put = sp.factor(sp.together(_in_sines(whole.subs(symbol, value))))
+    put = sp.factor(sp.together(in_sines(whole.subs(symbol, value))))
     above, below = sp.fraction(put)
     plain = _grouped(above) / below
     written = tree_of(plain, as_it_is=True)
@@ -99,13 +100,6 @@ def _by_the_tie(
         line = judge.write((Move("rearrange"),), (between, *known), chain(link.left, (open_, None)))
         between = between if line is None else line
     return judge.write((_SUMS,), (between, *known), chain(link.left, (link.right, None)))
-
-
-def _in_sines(value: sp.Expr) -> sp.Expr:
-    """An expression with its tangents as quotients."""
-    return sp.sympify(
-        value.replace(sp.tan, lambda angle: sp.sin(angle) / sp.cos(angle)), strict=True
-    )
 
 
 def _grouped(above: sp.Expr) -> sp.Expr:
