@@ -32,7 +32,8 @@ which is no more on a busy machine. What is too large is not asked at all."""
 MOST_GENERATORS = 14
 MOST_DEGREE = 40
 MOST_MONOMIALS = 1500
-# Roots beside numbers of which only bounds are known: of more no question was ever decided.
+# Roots beside numbers of which only bounds are known: with five or more, none of the questions
+# that were met was decided within the guard; with two, some are.
 MOST_ROOTS_OF_BOUNDS = 4
 # With "for all" and "there is" it becomes hard much sooner.
 MOST_QUANTIFIED = 10
