@@ -22,6 +22,7 @@ from restitution.expression.tree import (
     Polar,
     Quantity,
     Unit,
+    has_unit_vector,
     is_quantity,
     negated,
     walk,
@@ -141,7 +142,7 @@ def _components(tree: Expression) -> tuple[Expression | None, Expression | None]
         case Negate(operand):
             inner = _components(operand)
             return None if inner is None else (_negative(inner[0]), _negative(inner[1]))
-        case Binary("*", left, Unit(axis)) if not any(isinstance(n, Unit) for n in walk(left)):
+        case Binary("*", left, Unit(axis)) if not has_unit_vector(left):
             return (left, None) if axis == "i" else (None, left)
         case Binary("+" | "-", left, right):
             first, second = _components(left), _components(right)

@@ -413,6 +413,11 @@ def is_vector(tree: Expression) -> bool:
     return any(isinstance(node, Unit | Pair) for node in walk(tree))
 
 
+def has_unit_vector(tree: Expression) -> bool:
+    """Whether **i** or **j** stands in an expression."""
+    return any(isinstance(node, Unit) for node in walk(tree))
+
+
 def is_rest(velocity: object) -> bool:
     """Whether a velocity is that of a body at rest."""
     return isinstance(velocity, Pair) and is_zero(velocity.x) and is_zero(velocity.y)

@@ -17,14 +17,13 @@ from restitution.expression.tree import (
     Number,
     Pair,
     Quantity,
-    Unit,
     has_quantity,
     has_root,
+    has_unit_vector,
     is_quantity,
     is_zero,
     letters,
     unsigned,
-    walk,
 )
 from restitution.planning.writing.forms import coordinates, negative
 from restitution.problem import Value
@@ -126,9 +125,7 @@ class Chains:
         """The right side of an equation in figures, with a calculator; they stand for it then."""
         if not self._figures.with_calculator or link.sign != "=" or has_quantity(link.right):
             return link.right
-        put = self._figures.instead_of(link.right)
-        if put == link.right:
-            put = self._figures.put(link.right, outcome=True, behind=True)
+        put = self._figures.again(link.right, outcome=True, behind=True)
         if put != link.right and not isinstance(link.right, Apply):
             self._figures.note(link.right)
         return put
@@ -341,22 +338,8 @@ class Chains:
         ):
             trees[0] = self._figures.put(trees[0], worked)
         for n, link in enumerate(() if plain else links, 1):
-            if link.sign not in ("=", "≈"):
-                continue
-            outcome = n == len(links) > 1 and not isinstance(trees[n], Apply)
-            if calculated and line.move.record == "scalar-angle":
-                outcome = False  # a cosine needs more figures than its angle
-            elif calculated:
-                outcome = outcome or worked or n > 1
-            if is_vector(links[0].left) and self._ends.of(line) is None:
-                trees[n] = self._figures.vector(trees[n])
-            # What is on paper with figures, and stands here by itself, has them again.
-            side = self._figures.instead_of(trees[n]) if worked else trees[n]
-            if side == trees[n]:
-                side = self._figures.put(side, outcome, behind=n > 1)
-            trees[n] = side
-            if calculated and n > 1 and isinstance(unsigned(trees[n - 1]), Number):
-                trees[n] = trees[n - 1]  # it is the same number
+            if link.sign in ("=", "≈"):
+                trees[n] = self._side_in_figures(line, trees, n, worked)
         if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])
@@ -370,6 +353,23 @@ class Chains:
         if put and any(map(self._figures.has_sums_of_roots, exact)):
             self._in_figures_above.add(exact[0])
         return put
+
+    def _side_in_figures(
+        self, line: Line, trees: Sequence[Expression], n: int, worked: bool
+    ) -> Expression:
+        """A side of a chain with figures; ``worked`` where the line only works something out."""
+        tree, calculated = trees[n], self._figures.with_calculator
+        if calculated and n > 1 and isinstance(unsigned(trees[n - 1]), Number):
+            return trees[n - 1]  # it is the same number
+        outcome = n == len(trees) - 1 > 1 and not isinstance(tree, Apply)
+        if calculated and line.move.record == "scalar-angle":
+            outcome = False  # a cosine needs more figures than its angle
+        elif calculated:
+            outcome = outcome or worked or n > 1
+        if is_vector(trees[0]) and self._ends.of(line) is None:
+            tree = self._figures.vector(tree)
+        put = self._figures.again if worked else self._figures.put
+        return put(tree, outcome, behind=n > 1)
 
     def _stays_exact(self, line: Line, last: Expression) -> bool:
         """Whether a value with roots of sums of roots stays exact: a root, a short answer."""
@@ -453,8 +453,7 @@ class Chains:
             isinstance(line.relation, Relation)
             and self._ends.of(line) is None
             and any(
-                is_quantity(link.left, "position")
-                and any(isinstance(node, Unit) for node in walk(link.right))
+                is_quantity(link.left, "position") and has_unit_vector(link.right)
                 for link in line.relation.options[0]
             )
             for line in self._derivation.lines

@@ -16,6 +16,7 @@ from restitution.expression.tree import (
     Negate,
     Polar,
     Unit,
+    has_unit_vector,
     walk,
 )
 from restitution.planning.writing.forms import tree_of
@@ -39,7 +40,7 @@ def angle_to_a_line(scene: Scene, body: str, line: Expression) -> Expression | N
             return None
         angle, origin = right.angle, right.origin
         given = scene.model.story.direction(origin or Unit("i"), 0)
-    elif right is not None and any(isinstance(node, Unit) for node in walk(right)):
+    elif right is not None and has_unit_vector(right):
         given = scene.initial(body).value
         if given.x != 0 and given.y != 0:
             return None

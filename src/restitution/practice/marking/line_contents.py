@@ -15,6 +15,7 @@ from restitution.expression.tree import (
     Pair,
     Quantity,
     Unit,
+    has_unit_vector,
     is_binary,
     is_quantity,
     letters,
@@ -47,8 +48,7 @@ def _is_sum_of_vectors(tree: Expression) -> bool:
 
 def _is_sum(tree: Expression) -> bool:
     """Whether vectors are added up."""
-    added = is_binary(tree, "+", "-")
-    return added and any(isinstance(node, Unit) for node in walk(tree))
+    return is_binary(tree, "+", "-") and has_unit_vector(tree)
 
 
 def place_in(tree: Expression) -> Quantity | None:

@@ -24,7 +24,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
-    Unit,
+    has_unit_vector,
     is_binary,
     is_function,
     is_quantity,
@@ -499,7 +499,7 @@ class Values(LineContents):
             turned = any(isinstance(node, Negate) for node in walk(right))
             return _CONCLUSIONS["opposite to" if turned else "parallel to"]
         if point.link.sign == "=" and isinstance(right, Binary):
-            unit = any(isinstance(node, Unit) for node in walk(point.link.right))
+            unit = has_unit_vector(point.link.right)
             vector = is_quantity(point.link.left, "impulse")
             return _CONCLUSIONS["parallel to"] if unit and vector else None
         return _CONCLUSIONS.get(point.link.sign)

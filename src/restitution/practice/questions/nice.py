@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from restitution import law
-from restitution.expression.tree import Binary, Number, Unit, is_binary, walk
+from restitution.expression.tree import Binary, Number, has_unit_vector, is_binary, walk
 from restitution.expression.writing import write_expression
 from restitution.practice.questions.dice import Dice
 from restitution.problem import Problem, trees
@@ -289,7 +289,7 @@ def too_large(problem: Problem) -> bool:
     return any(
         isinstance(node, Number) and node.value > MOST_COMPONENT
         for sphere in problem.spheres
-        if sphere.velocity is not None and any(isinstance(n, Unit) for n in walk(sphere.velocity))
+        if sphere.velocity is not None and has_unit_vector(sphere.velocity)
         for node in walk(sphere.velocity)
     )
 

@@ -114,14 +114,14 @@ def _from_binary(node: trees.Binary, events: EventNames) -> Layout:
     match node.op:
         case "+":
             # Two vectors, such as an old position and a change of it.
-            if _has_terms(left) and _is_vector(node.left) and _has_vectors(node.right):
+            if _has_terms(left) and _is_vector(node.left) and trees.has_unit_vector(node.right):
                 left = Brackets(left)
-            if _has_terms(right) and _is_vector(node.right) and _has_vectors(node.left):
+            if _has_terms(right) and _is_vector(node.right) and trees.has_unit_vector(node.left):
                 right = Brackets(right)
             return total([left, bracketed(right) if _is_negation(right) else right])
         case "-":
             several = _has_terms(right) or _is_vector(node.left)
-            if _has_terms(left) and several and _has_vectors(node.right):
+            if _has_terms(left) and several and trees.has_unit_vector(node.right):
                 left = Brackets(left)  # a change of velocity: one vector minus another
             parts = left.terms if isinstance(left, Sum) else (("+", left),)
             return Sum((*parts, ("-", bracketed(right))))
@@ -157,10 +157,6 @@ def _is_vector(node: trees.Expression) -> bool:
         for side in (node.left, node.right)
     )
     return left == {trees.Unit("i")} and right == {trees.Unit("j")}
-
-
-def _has_vectors(node: trees.Expression) -> bool:
-    return any(isinstance(tree, trees.Unit) for tree in trees.walk(node))
 
 
 def _is_negation(layout: Layout) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from restitution.explaining.lines.derivation import Derivation, Line, Relation
 from restitution.explaining.lines.saying import Sentence, say
-from restitution.expression.tree import Binary, Expression, Negate, Unit, walk
+from restitution.expression.tree import Binary, Expression, Negate, has_unit_vector
 from restitution.workings.naming.quantities import Naming
 
 
@@ -68,9 +68,7 @@ def _unit(term: Expression) -> Expression | None:
     match term:
         case Negate(operand):
             return _unit(operand)
-        case Binary("*", _, Binary("+" | "-") as vector) if any(
-            isinstance(node, Unit) for node in walk(vector)
-        ):
+        case Binary("*", _, Binary("+" | "-") as vector) if has_unit_vector(vector):
             return vector
     return None
 

@@ -1,8 +1,9 @@
-"""Values of whole degrees and decimals to four figures, once they are on paper.
+"""Values to four figures, once they are on paper: of whole degrees, and of roots of sums.
 
 Exactly ``v = (61/76) cos 35° − (319/190) sin 25°`` is long, and stands once, with ``≈ −0.05208``
 behind it; where it comes again, its figures are printed. Sums with roots of sums of roots have
-figures everywhere but where the root of an equation is told. What the lines say stays exact.
+figures everywhere but where the root of an equation is told. Beside angles such as 37° there is a
+calculator: what is only worked out is a number at once. What the lines say stays exact.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import lru_cache, partial
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -27,6 +29,8 @@ from restitution.expression.tree import (
     Quantity,
     Unit,
     has_quantity,
+    has_root,
+    has_unit_vector,
     is_binary,
     is_function,
     letters,
@@ -34,7 +38,7 @@ from restitution.expression.tree import (
     walk,
 )
 from restitution.planning.writing.forms import product, swept, tree_of
-from restitution.workings.naming.measured import rounded, worth
+from restitution.workings.naming.measured import is_measure_of_angle, rounded, worth
 
 # Of a value on the way, so that three are right in the end.
 FIGURES_BETWEEN = 4
@@ -84,8 +88,8 @@ def _is_of_nested_roots(tree: Expression, every: bool) -> bool:
         case Binary("/", above, Number()) | Binary("*", Number(), above) | Negate(above):
             return _is_of_nested_roots(above, every)
         case Binary("+" | "-"):
-            is_root = _is_root if every else _is_nested_root
-            return _is_sum_of_roots(tree) and any(map(is_root, walk(tree)))
+            rooted = has_root(tree) if every else any(map(_is_nested_root, walk(tree)))
+            return rooted and _is_sum_of_roots(tree)
         case Apply("sqrt", inside):
             return _is_of_nested_roots(inside, every)
     return False
@@ -117,14 +121,8 @@ def _is_open(tree: Expression) -> bool:
     return is_binary(tree, "^") or isinstance(tree, Letter | Quantity)
 
 
-def _is_root(tree: Expression) -> bool:
-    return is_function(tree, "sqrt")
-
-
 def _is_nested_root(tree: Expression) -> bool:
-    return is_function(tree, "sqrt") and any(
-        is_function(node, "sqrt") for node in walk(tree.argument)
-    )
+    return is_function(tree, "sqrt") and has_root(tree.argument)
 
 
 def _ratios_of_numbers(tree: Expression) -> list[Apply]:
@@ -135,35 +133,13 @@ def _ratios_of_numbers(tree: Expression) -> list[Apply]:
     ]
 
 
-def in_letters_with_figures(tree: Expression, least: int | None = None) -> Expression | None:
-    """A multiple of letters by a number that only a calculator knows, as 0.1351u.
-
-    None of another value, and of one that is short, with fewer than the ``least`` number of
-    ratios: ½u cos 20°.
-    """
-    if least is None:
-        least = _LONG_SUM if any(map(_is_long_value, walk(tree))) else _LONG_PRODUCT
-    if len(_ratios_of_numbers(tree)) < least:
-        return None
-    parts = _number_and_letters(tree)
-    size = None if parts is None else _fraction(parts[0], FIGURES_BETWEEN)
-    if parts is None or size is None:
-        return None
-    whole = product(Number(abs(size)), tree_of(parts[1]))
-    return Negate(whole) if size < 0 else whole
-
-
 @lru_cache(maxsize=4096)
 def _number_and_letters(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
     """The number and the product of letters of a multiple of letters; None of another value."""
-    if has_quantity(tree) or not letters(tree):
+    value = None if has_quantity(tree) or not letters(tree) else _scalar(tree)
+    if value is None:
         return None
-    try:
-        value = sp.factor(worth(tree))
-    except (RestitutionError, sp.SympifyError):
-        return None
-    if not isinstance(value, sp.Expr):
-        return None  # a vector
+    value = sp.factor(value)
     number, rest = value.as_independent(*value.free_symbols, as_Add=False)
     if not number.is_real or not all(
         factor.is_Symbol or (factor.is_Pow and factor.base.is_Symbol and factor.exp.is_Integer)
@@ -195,30 +171,37 @@ class Figures:
         return any(map(self.is_of_roots, walk(tree)))
 
     def in_letters(self, tree: Expression) -> Expression | None:
-        """A multiple of letters by a number that only a calculator knows, as 0.1351u; else None."""
-        if not self.with_calculator:
-            return in_letters_with_figures(tree)
-        return in_letters_with_figures(tree, 1 if self.has_sums_of_roots(tree) else _LONG_SUM)
+        """A multiple of letters by a number that only a calculator knows, as 0.1351u.
+
+        None of another value, and of one that is short: ½u cos 20°.
+        """
+        if self.with_calculator:
+            least = 1 if self.has_sums_of_roots(tree) else _LONG_SUM
+        else:
+            least = _LONG_SUM if any(map(self._is_long, walk(tree))) else _LONG_PRODUCT
+        parts = _number_and_letters(tree) if len(_ratios_of_numbers(tree)) >= least else None
+        size = None if parts is None else _fraction(parts[0], FIGURES_BETWEEN)
+        if parts is None or size is None:
+            return None
+        whole = product(Number(abs(size)), tree_of(parts[1]))
+        return Negate(whole) if size < 0 else whole
 
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = unsigned(tree)
-        carried = self._is_long(own) or (self.with_calculator and self._is_product_of_sums(own))
+        carried = self._is_long(own) or (self.with_calculator and self._is_number_of_several(own))
         number = _in_figures(own) if carried else self.in_letters(own)
         if number is not None:
             self._known[own] = number
-            size = _size(own)
-            if size is not None:
-                self._by_size[size[1]] = number if size[0] else swept(Negate(number))
+            self._by_size.update(_by_its_size(own, number))
 
     def stands_for(self, tree: Expression, put: Expression) -> None:
         """Notes that a value stands on paper as an expression of figures, and not exactly."""
         if isinstance(tree, Negate):
             tree, put = tree.operand, swept(Negate(put))
         self._known.setdefault(tree, put)
-        size = _size(tree)
-        if size is not None:
-            self._by_size.setdefault(size[1], put if size[0] else swept(Negate(put)))
+        for size, own in _by_its_size(tree, put).items():
+            self._by_size.setdefault(size, own)
 
     def instead_of(self, tree: Expression) -> Expression:
         """The figures of a value that is on paper with them; any other as it is."""
@@ -227,6 +210,11 @@ class Figures:
             return tree if put == tree.operand else swept(Negate(put))
         own = _in_figures(tree) if self.is_of_roots(tree) else None
         return self._known.get(tree, own or tree)
+
+    def again(self, tree: Expression, outcome: bool = False, behind: bool = False) -> Expression:
+        """A side with its figures, where it is on paper itself; else as `put` has it."""
+        known = self.instead_of(tree)
+        return self.put(tree, outcome, behind) if known == tree else known
 
     def cosine(self, tree: Expression) -> Expression:
         """The figures of a cosine that is not written exactly; they stand for it from then.
@@ -273,14 +261,14 @@ class Figures:
     ) -> dict[Expression, Expression]:
         """The sums of roots in a tree that are carried, each with its figures."""
         is_carried = self.is_of_roots
-        if outcome and self.with_calculator and not _is_angle(tree):
+        if outcome and self.with_calculator and not is_measure_of_angle(tree):
             whole = behind or any(map(self._is_long, walk(tree)))
             if whole and letters(tree):
                 multiple = self.in_letters(tree)
                 if multiple is not None:
                     return {tree: multiple}
-            known = self._is_product_of_sums(tree) or (behind and _has_long_numbers(tree))
-            if whole and known and not _has_units(tree):
+            worked = self._is_number_of_several(tree) or (behind and _has_long_numbers(tree))
+            if whole and worked and not has_unit_vector(tree):
                 number = _in_figures(tree, figures)
                 return {} if number is None else {tree: number}
             is_carried = self._is_long  # every sum of numbers is worked out
@@ -306,10 +294,8 @@ class Figures:
 
     def _of_size(self, tree: Expression) -> Expression | None:
         size = _size(tree) if self._by_size else None
-        put = None if size is None else self._by_size.get(size[1])
-        if size is None or put is None:
-            return None
-        return put if size[0] else swept(Negate(put))
+        put = None if size is None else self._by_size.get(size.figures)
+        return None if size is None or put is None else _with_sign(put, size.is_positive)
 
     def _arctangent(self, tree: Expression) -> Expression:
         """An arctangent of the other sign of what is on paper: in 180° − β, with β known."""
@@ -324,9 +310,9 @@ class Figures:
         """Whether a value is a sum with ratios of plain angles in it, or a sum of roots."""
         return self.is_of_roots(tree) or _is_long(tree)
 
-    def _is_product_of_sums(self, tree: Expression) -> bool:
+    def _is_number_of_several(self, tree: Expression) -> bool:
         """Whether a number has several ratios, or one beside a sum of roots."""
-        return self._is_of_several(tree) and not letters(tree)
+        return not letters(tree) and self._is_of_several(tree)
 
     def _is_of_several(self, tree: Expression) -> bool:
         """Whether a value has several ratios of plain angles, or one beside a sum of roots."""
@@ -381,26 +367,6 @@ def _is_long(tree: Expression) -> bool:
     )
 
 
-def _is_angle(tree: Expression) -> bool:
-    """Whether a number is the measure of an angle, which has degrees."""
-    match tree:
-        case Binary("+" | "-", left, right):
-            return _is_angle(left) or _is_angle(right)
-        case Binary("*", Number(), part) | Binary("/", part, Number()) | Negate(part):
-            return _is_angle(part)
-        case Apply(function, _):
-            return function.startswith("arc")
-    return isinstance(tree, Degrees)
-
-
-def _has_units(tree: Expression) -> bool:
-    return any(isinstance(node, Unit) for node in walk(tree))
-
-
-def _is_long_value(tree: Expression) -> bool:
-    return _is_of_nested_roots(tree, every=False) or _is_long(tree)
-
-
 def _has_long_numbers(tree: Expression) -> bool:
     """Whether a number of ratios has a factor that nobody would write."""
     return of_plain_angles(tree) and any(
@@ -413,9 +379,16 @@ def _has_several_ratios(tree: Expression) -> bool:
     return len(_ratios_of_numbers(tree)) >= _LONG_SUM and not has_quantity(tree)
 
 
+class _Size(NamedTuple):
+    """A value without its sign: many figures, with its letters."""
+
+    is_positive: bool
+    figures: str
+
+
 @lru_cache(maxsize=4096)
-def _size(tree: Expression) -> tuple[bool, str] | None:
-    """Whether a value of plain angles is positive, and its size to many figures with its letters.
+def _size(tree: Expression) -> _Size | None:
+    """The size of a value of plain angles; None of another.
 
     It tells which value of a working is meant, and decides nothing.
     """
@@ -424,19 +397,31 @@ def _size(tree: Expression) -> tuple[bool, str] | None:
     if letters(tree):
         number, rest = _number_and_letters(tree) or (None, sp.S.One)
     else:
-        number, rest = _number(tree), sp.S.One
+        number, rest = _scalar(tree), sp.S.One
     size = None if number is None else number.evalf(_FIGURES_THAT_TELL)
     if not isinstance(size, sp.Float):
         return None
-    return size > 0, f"{sp.Float(abs(size), _FIGURES_TOLD)} {rest}"
+    return _Size(bool(size > 0), f"{sp.Float(abs(size), _FIGURES_TOLD)} {rest}")
 
 
-def _number(tree: Expression) -> sp.Expr | None:
+def _by_its_size(tree: Expression, put: Expression) -> dict[str, Expression]:
+    """What stands on paper for a value of that size, where it has one."""
+    size = _size(tree)
+    return {} if size is None else {size.figures: _with_sign(put, size.is_positive)}
+
+
+def _with_sign(tree: Expression, is_positive: bool) -> Expression:
+    """A side as it is, or with the other sign."""
+    return tree if is_positive else swept(Negate(tree))
+
+
+def _scalar(tree: Expression) -> sp.Expr | None:
+    """The value of a tree; None of a vector, and of what has none."""
     try:
         value = worth(tree)
     except (RestitutionError, sp.SympifyError):
         return None
-    return value if isinstance(value, sp.Expr) else None  # else a vector
+    return value if isinstance(value, sp.Expr) else None
 
 
 def _same_angle(cosine: Expression, figures: Expression | None) -> bool:

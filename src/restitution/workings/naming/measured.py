@@ -307,7 +307,7 @@ def rounded(tree: Expression) -> lay.Layout | None:
         return None
     if _terminates(value):
         return None
-    return _rounded(value, _is_angle(tree))
+    return _rounded(value, is_measure_of_angle(tree))
 
 
 def to_figures(tree: Expression, figures: int) -> lay.Layout | None:
@@ -370,7 +370,7 @@ def as_answer(
         shown = lay.display_point(x, y) if place else lay.display_vector(x, y, decimals=decimals)
         exact = all(_is_decimal(component, _FIGURES) for component in (x, y))
     elif isinstance(value, sp.Expr):
-        shown = lay.display(value, angle=_is_angle(tree), decimals=decimals)
+        shown = lay.display(value, angle=is_measure_of_angle(tree), decimals=decimals)
         exact, place = _is_decimal(value), False
     else:
         return ()
@@ -446,7 +446,7 @@ def _is_rounded_alone(value: Any, shown: lay.Layout, tree: Expression) -> bool:
     number, rest = value.as_independent(*value.free_symbols, as_Add=False)
     if rest.atoms(sp.Add, sp.Function) or not number.atoms(sp.Function, sp.Pow):
         return False
-    return shown != lay.from_sympy(value, degrees=_is_angle(tree))
+    return shown != lay.from_sympy(value, degrees=is_measure_of_angle(tree))
 
 
 def _rounded_vector(x: Any, y: Any) -> lay.Layout | None:
@@ -467,16 +467,17 @@ def _terminates(value: sp.Expr) -> bool:
     return isinstance(value, sp.Rational) and 1000 % value.q == 0
 
 
-def _is_angle(tree: Expression) -> bool:
+def is_measure_of_angle(tree: Expression) -> bool:
+    """Whether a value is an angle: degrees, an inverse function, or made of one."""
     match tree:
         case Degrees():
             return True
         case Apply(function, _):
             return function.startswith("arc")
         case Negate(operand):
-            return _is_angle(operand)
+            return is_measure_of_angle(operand)
         case Binary("+" | "-" | "*" | "/", left, right):
-            return _is_angle(left) or _is_angle(right)
+            return is_measure_of_angle(left) or is_measure_of_angle(right)
     return False
 
 
