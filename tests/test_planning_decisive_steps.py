@@ -522,8 +522,8 @@ def test_a_tangent_in_figures_keeps_the_decimal_of_the_data() -> None:
         TWO.format(a="2", u="2.5 at 37°", b="3", v="velocity 1.7 at 20°", e=", e = 1/3")
         + "find deflection(B)"
     )
-    assert "tan β ≈ (1.7 sin 20°)/1.81" in own
-    assert "δ = 20° − β ≈ 20° − arctan((1.7 sin 20°)/1.81)" in own
+    assert "tan β ≈ (1.7 sin 20°)/1.810 ≈ 0.3212" in own
+    assert "δ = 20° − β ≈ 20° − arctan 0.3212" in own
 
 
 def test_sine_and_cosine_by_a_tangent_in_letters_stand_over_one_root() -> None:
@@ -541,6 +541,6 @@ def test_a_tangent_with_roots_beside_a_sine_without_an_exact_value_goes_by_figur
         TWO.format(a="m", u="u at 50°", b="m", v="at rest", e="")
         + "given deflection(A) = 25°\nfind e"
     )
-    assert "v = (u sin 50°)/tan 75° = (2 − √3)u sin 50° ≈ 0.2053u" in own
+    assert "v = (u sin 50°)/tan 75° ≈ 0.2053u" in own
     assert "mu cos 50° ≈ m × 0.2053u + mw" in own
-    assert "w = (cos 50° − (2 − √3) sin 50°)u ≈ 0.4375u" in own
+    assert "w ≈ 0.4375u" in own

@@ -203,7 +203,7 @@ SAYS = [
     (NOT_BY_ALPHA, "speed of A = √("),
     (SQUARES_WITH_A_ROOT, "cos²θ = 1/(1 + ((√17 − 3)/2)²) = 2/(15 − 3√17)"),
     (BY_CALCULATOR, "speed of B ≈ √((2.005u)² + (u sin 50°)²) ≈ 2.15u"),
-    (BY_CALCULATOR, "θ ≈ −arctan((u sin 50°)/(2.005u))"),
+    (BY_CALCULATOR, "tan θ ≈ −(u sin 50°)/(2.005u) ≈ −0.3820 M1 θ ≈ −arctan 0.3820, as w > 0"),
     (OFF_FROM_REST, "angle between 𝐯_Q and 𝐢 = φ It is given that"),
     (ACROSS_AT_A_WALL, "change of momentum of Q: impulse on Q = 3m("),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),

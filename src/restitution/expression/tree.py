@@ -87,6 +87,14 @@ class Number(Node):
 
 @keeps_hash
 @dataclass(frozen=True, slots=True)
+class Rounded(Number):
+    """A number that is carried to so many significant figures, zeros at its end among them."""
+
+    figures: int
+
+
+@keeps_hash
+@dataclass(frozen=True, slots=True)
 class Degrees(Node):
     """A number of degrees: ``60°``."""
 
@@ -313,9 +321,9 @@ PARTS: dict[type, tuple[str, ...]] = {
     kind: tuple(
         field_of_kind.name for field_of_kind in fields(kind) if field_of_kind.name != "place"
     )
-    for kind in (*get_args(Expression), Measured)
+    for kind in (*get_args(Expression), Measured, Rounded)
 }
-LEAVES: frozenset[type] = frozenset({Number, Degrees, Pi, Letter, Unit, Name})
+LEAVES: frozenset[type] = frozenset({Number, Rounded, Degrees, Pi, Letter, Unit, Name})
 
 
 def walk(node: Expression) -> tuple[Expression, ...]:

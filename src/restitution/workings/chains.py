@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from restitution.explaining.lines.derivation import Derivation, Line, Link, Relation
+from restitution.explaining.lines.derivation import (
+    Derivation,
+    Line,
+    Link,
+    Relation,
+    numbers_in,
+)
 from restitution.explaining.lines.saying import operand, say
 from restitution.expression.tree import (
     Apply,
@@ -72,7 +78,9 @@ _LONGEST_ANSWER = 40
 _NEVER_READ = 10000
 _TANGENTS = frozenset({"tan", "tan-direction"})
 # Lines that only work something out: with a calculator their sums of numbers are figures at once.
-_WORKED_OUT = frozenset({"rearrange", "solve", "combine", "put", "roots"})
+_WORKED_OUT = frozenset({"rearrange", "solve", "combine", "put", "roots", "reject"})
+# Lines that go on from the one above: where that has figures, their values have some.
+_GOES_ON_IN_FIGURES = _WORKED_OUT | {"identity", "cancel"}
 # What is divided by the length of a direction: a reader sees its root below the line.
 _BY_A_LENGTH = frozenset({"scalar-angle", "component"})
 WORDS = {"parallel to": "claim.parallel", "perpendicular to": "claim.perpendicular"}
@@ -111,6 +119,8 @@ class Chains:
             for tree in line.relation.trees
         )
         self._figures = Figures(is_by_calculator(trees))
+        # The numbers of lines with figures in place of values.
+        self._with_figures: set[int] = set()
         # The left sides of lines with figures in place of roots of sums of roots.
         self._in_figures_above: set[Expression] = set()
         # The left side of the row above, and the item to which it belongs.
@@ -285,11 +295,17 @@ class Chains:
             without_doubles(sides, signs)
         for n in idle:
             self._figures.stands_for(trees[n], trees[min(draft.in_figures - {0})])
-        if signs[-2:] == ["≈", "≈"] and is_plain(sides[-2]) and not self._is_open(draft):
+        rounded = is_plain(sides[-2]) or _is_multiple(sides[-2])
+        if signs[-2:] == ["≈", "≈"] and rounded and not self._is_open(draft):
             del sides[-2], signs[-2]  # an answer has three figures at once
         shortest = 1000 if self._measures.decimals else _NEVER_READ
         if signs[-1] == "≈" and len(sides) > 3 and has_long_root(trees[-1], shortest):
             del sides[-2], signs[-2]
+        if draft.in_figures and line.move.record in _TANGENTS:
+            tangent = self._tangent(line, links[-1].right, trees[-1])
+            if tangent != trees[-1]:
+                sides.append(self._naming.layout(tangent))
+                signs.append("≈")
         more = self._one_figure_more(line)
         if more is not None:
             sides.insert(1, more)
@@ -343,9 +359,16 @@ class Chains:
         if line.move.record == "scalar-angle" and len(links) > 1 and has_long_root(trees[-1]):
             # Nobody multiplies two roots to have one of such a number.
             trees[-1] = self._figures.cosine(trees[-1])
-        if isinstance(links[0].left, Apply) and trees[-1] != exact[-1]:
-            self._figures.stands_for(exact[-1], trees[-1])  # of the angle itself, next
+        if not plain and self._goes_on_in_figures(line):
+            trees[-1] = self._figures.outcome(trees[-1])
+            if trees[-1] != exact[-1]:
+                self._figures.stands_for(exact[-1], trees[-1])
         put = frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
+        if put:
+            self._with_figures.add(line.number)
+        tangent = self._tangent(line, exact[-1], trees[-1]) if put else trees[-1]
+        if isinstance(links[0].left, Apply) and tangent != exact[-1]:
+            self._figures.stands_for(exact[-1], tangent)  # of the angle itself, next
         first = min(put - {0}, default=0)
         if first and is_value(exact[0]) and _is_made_of_figures(trees[first]):
             # Where its square is taken, say, it stands as it does here.
@@ -353,6 +376,18 @@ class Chains:
         if put and any(map(self._figures.has_sums_of_roots, exact)):
             self._in_figures_above.add(exact[0])
         return put
+
+    def _goes_on_in_figures(self, line: Line) -> bool:
+        """Whether a line only works out what figures stand for above, with a calculator."""
+        cited = self._with_figures.intersection(numbers_in(line.premises))
+        return self._figures.with_calculator and line.move.id in _GOES_ON_IN_FIGURES and bool(cited)
+
+    def _tangent(self, line: Line, exact: Expression, put: Expression) -> Expression:
+        """What stands at the end of the line of a tangent: its figures, with a calculator."""
+        number = isinstance(unsigned(put), Number)
+        if line.move.record not in _TANGENTS or not self._figures.with_calculator or number:
+            return put
+        return self._figures.tangent(exact) or put
 
     def _side_in_figures(
         self, line: Line, trees: Sequence[Expression], n: int, worked: bool

@@ -60,6 +60,7 @@ from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.sources import Sources
 from restitution.workings.noted import Notes
 from restitution.workings.reasons.premises import Reasons
+from restitution.workings.reasons.pythagoras import is_arithmetic
 from restitution.workings.rendering.explanation import Explanation
 from restitution.workings.rendering.joining import joined
 from restitution.workings.rendering.steps import REQUIRED, PartExplanation, Row, Step
@@ -156,7 +157,9 @@ class _Writer:
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)
         self.touching = Touching(derivation, self.naming)
-        self.carried = Carried(derivation, self.naming, self.measures, self.sources, self.ends)
+        self.carried = Carried(
+            derivation, self.naming, self.measures, self.sources, self.ends, self.rows.in_figures
+        )
         self.staying = Staying(
             derivation, self.naming, self.measures, self.sources, self.ends, self.rows.instead_of
         )
@@ -522,6 +525,9 @@ class _Writer:
             sentences, title, named = (), self.title, True
         fresh = bool(sentences) or (title is not None and not named)
         rows = list(self.rows.of(line, waiting, fresh))
+        arithmetic = is_arithmetic(self.naming, line, rows)
+        if arithmetic:
+            sentences = tuple(sentence for sentence in sentences if sentence.id != "derived.by")
         resolved = self.leads.resolved(line) if self.leads.resolves(line) else None
         if title is not None or sentences or resolved is not None:
             self.title = title or resolved
@@ -533,6 +539,7 @@ class _Writer:
             title = None if title is None else _of_a_percentage(title)
         sentences, source = self.carried.beside(title, () if again else sentences, _subject(line))
         decimals = self.rows.decimals(line)
+        reasons = () if arithmetic else self.reasons.of(line)
         numbers = self.sources.numbers
         behind = next((numbers[e.number] for e in (line, *waiting) if e.number in numbers), None)
         points = tuple(
@@ -541,7 +548,7 @@ class _Writer:
         rows[-1] = replace(
             rows[-1],
             points=points,
-            reasons=(*rows[-1].reasons, *self.leads.behind(line), *self.reasons.of(line)),
+            reasons=(*rows[-1].reasons, *self.leads.behind(line), *reasons),
             asides=(*rows[-1].asides, *self.rows.asides(line, line.number in self.conditions)),
             number="" if behind is None else str(behind),
             label=self.ends.label(line, self.said_again),

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Number,
     Pi,
     Quantity,
+    Rounded,
     Unit,
     has_quantity,
     is_binary,
@@ -177,6 +178,8 @@ class Forms:
                 return self._pairs[op, left, right]
             case Binary("+" | "-", left, Binary("*", Number(nothing), Unit())) if nothing == 0:
                 return left
+            case Binary("/", Rounded(), Number()) | Binary("/", Number(), Rounded()):
+                return node  # a quotient of what is carried has other figures
             case Binary("/", Number(a), Number(b)) if self._is_decimal(a, b):
                 return Number(a / b)
             case Apply("arctan" | "arcsin" | "arccos" as inverse, Number(value)) if (

@@ -10,7 +10,7 @@ from functools import lru_cache
 from restitution.expression import tree as trees
 from restitution.expression.quantities import KINDS
 from restitution.records import dataclass
-from restitution.render.layout.algebra import plain_number
+from restitution.render.layout.algebra import decimal_number, plain_number
 from restitution.render.layout.builders import (
     bracketed,
     function,
@@ -57,6 +57,8 @@ _NUMBERED = EventNames()
 def from_tree(node: trees.Expression, events: EventNames = _NUMBERED) -> Layout:
     """The layout of an expression as it was written in a statement."""
     match node:
+        case trees.Rounded(value, figures):
+            return decimal_number(value, figures)
         case trees.Number(value):
             return _typed_number(value)
         case trees.Degrees(value):

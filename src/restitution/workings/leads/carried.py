@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from restitution.explaining.lines.derivation import Derivation, Line, Link, Meaning, Relation
@@ -66,12 +66,14 @@ class Carried:
         measures: Measures,
         sources: Sources,
         ends: Ends,
+        figures: Callable[[Link], Link],
     ) -> None:
         self._derivation = derivation
         self._naming = naming
         self._measures = measures
         self._sources = sources
         self._ends = ends
+        self._figures = figures
         self._named: set[tuple[str | None, int]] = set()
         self._waiting: dict[int, Line] = {}
         self._subject: Expression | None = None
@@ -186,14 +188,16 @@ class Carried:
             if any(resolved.count(velocity) > 1 for velocity in _resolved(line)):
                 continue
             assert isinstance(line.relation, Relation)
-            left, right = line.relation.only[0].left, line.relation.only[-1].right
-            value = self._naming.layout(right)
+            left = line.relation.only[0].left
+            link = self._figures(Link(left, "=", line.relation.only[-1].right))
+            value = self._naming.layout(link.right)
             own = left == self._subject
-            if not (own or (isinstance(left, Letter) and not letters(right) and is_plain(value))):
+            number = isinstance(left, Letter) and not letters(link.right)
+            if not (own or (number and is_plain(value))):
                 yield self._name(line)
                 continue
             value = with_unit(value, self._measures.unit(left)) if is_plain(value) else value
-            yield lay.Relation((self._naming.layout(left), value), ("=",))
+            yield lay.Relation((self._naming.layout(left), value), (link.sign,))
 
     def _name(self, line: Line) -> Sentence | lay.Layout:
         """What a line says the value of: a letter, or words with an article."""

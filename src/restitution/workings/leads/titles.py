@@ -33,6 +33,7 @@ from restitution.expression.tree import (
     is_quantity,
     is_zero,
     letters,
+    unsigned,
     walk,
 )
 from restitution.workings.leads.component_leads import ComponentLeads
@@ -205,7 +206,9 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
                 return None
             case "speed", Quantity() if self._is_read_off(line, first.right):
                 return None  # it is given
-            case "speed", Quantity() | Letter() if ratio := ratio_below(first.right):
+            case "speed", Quantity() | Letter() if (
+                ratio := ratio_below(first.right)
+            ) and not self._is_of_a_line(line, first.right):
                 return say(_BY_RATIO[ratio], body=bodies[0])
             case "size", _ if not any(map(under_a_root, walk(first.right))):
                 return None  # of one component it is read off
@@ -292,6 +295,12 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             name = "derived-speed.title-of"
         slots = {"body": bodies[:1], "wall": () if event is None else event.bodies[1:2]}
         return say(name, **{slot: slots[slot][0] for slot in slots_of(name)})
+
+    def _is_of_a_line(self, line: Line, value: Expression) -> bool:
+        """Whether a line takes a value, or its size, as it stands on a line that it cites."""
+        cited = (own.relation for own in map(self._cited, line.premises) if own is not None)
+        ends = (own.options[0][-1].right for own in cited if isinstance(own, Relation))
+        return any(unsigned(end) == unsigned(value) for end in ends)
 
     def _by_components(self, line: Line) -> bool:
         """Whether a line rests on a component along the line of its impact."""

@@ -27,6 +27,7 @@ from restitution.expression.tree import (
     Negate,
     Number,
     Quantity,
+    Rounded,
     Unit,
     has_quantity,
     has_root,
@@ -149,6 +150,15 @@ def _number_and_letters(tree: Expression) -> tuple[sp.Expr, sp.Expr] | None:
     return number, rest
 
 
+def _multiple(number: sp.Expr, letters_: sp.Expr) -> Expression | None:
+    """A multiple of letters with its number in figures: 0.1351u."""
+    size = _fraction(number, FIGURES_BETWEEN)
+    if size is None:
+        return None
+    whole = product(Rounded(abs(size), FIGURES_BETWEEN), tree_of(letters_))
+    return Negate(whole) if size < 0 else whole
+
+
 class Figures:
     """The sums of ratios of plain angles that are on paper, with their figures."""
 
@@ -157,6 +167,8 @@ class Figures:
         self._known: dict[Expression, Expression] = {}
         # The same by the size of a value: of ratios of plain angles there are many forms.
         self._by_size: dict[str, Expression] = {}
+        # Those of which nothing but the figures is on paper.
+        self._alone: set[Expression] = set()
 
     def is_of_roots(self, tree: Expression) -> bool:
         """Whether a value as it comes out is a sum of roots that is carried in figures.
@@ -176,15 +188,11 @@ class Figures:
         None of another value, and of one that is short: ½u cos 20°.
         """
         if self.with_calculator:
-            least = 1 if self.has_sums_of_roots(tree) else _LONG_SUM
+            least = 1 if any(map(self._is_long, walk(tree))) else _LONG_SUM
         else:
             least = _LONG_SUM if any(map(self._is_long, walk(tree))) else _LONG_PRODUCT
         parts = _number_and_letters(tree) if len(_ratios_of_numbers(tree)) >= least else None
-        size = None if parts is None else _fraction(parts[0], FIGURES_BETWEEN)
-        if parts is None or size is None:
-            return None
-        whole = product(Number(abs(size)), tree_of(parts[1]))
-        return Negate(whole) if size < 0 else whole
+        return None if parts is None else _multiple(*parts)
 
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
@@ -199,7 +207,8 @@ class Figures:
         """Notes that a value stands on paper as an expression of figures, and not exactly."""
         if isinstance(tree, Negate):
             tree, put = tree.operand, swept(Negate(put))
-        self._known.setdefault(tree, put)
+        if self._known.setdefault(tree, put) is put:
+            self._alone.add(tree)
         for size, own in _by_its_size(tree, put).items():
             self._by_size.setdefault(size, own)
 
@@ -231,6 +240,26 @@ class Figures:
         self._known[own] = number
         return tree if own is tree and number == own else exchanged(tree, {own: number})
 
+    def tangent(self, tree: Expression) -> Expression | None:
+        """The figures of a tangent, as many of them as the angle to three figures needs.
+
+        None where letters are left in it.
+        """
+        value = None if has_quantity(tree) else _scalar(tree)
+        if value is None or value.free_symbols:
+            return None
+        numbers = (_in_figures(tree, n) for n in _FIGURES_OF_COSINES)
+        return next(filter(partial(_same_angle, tree, inverse="arctan"), numbers), None)
+
+    def outcome(self, tree: Expression) -> Expression:
+        """A number, or a multiple of letters by one, in figures; any other value as it is."""
+        if of_plain_angles(tree):
+            return _in_figures(tree) or tree
+        parts = _number_and_letters(tree)
+        if parts is None or parts[0].is_Rational:
+            return tree
+        return _multiple(*parts) or tree
+
     def put(self, tree: Expression, outcome: bool = False, behind: bool = False) -> Expression:
         """A side of a line with figures for the values in it that are on paper.
 
@@ -238,7 +267,7 @@ class Figures:
         sums, and any number ``behind`` another side.
         """
         own = unsigned(tree)
-        if own in self._known:
+        if own in self._known and not (self.with_calculator and own in self._alone):
             return tree
         for figures in _FIGURES_BEFORE_A_ROUNDING:
             nested = self._roots_in_figures(tree, figures, outcome, behind)
@@ -424,8 +453,9 @@ def _scalar(tree: Expression) -> sp.Expr | None:
     return value if isinstance(value, sp.Expr) else None
 
 
-def _same_angle(cosine: Expression, figures: Expression | None) -> bool:
-    return figures is not None and not _differ(Apply("arccos", cosine), Apply("arccos", figures))
+def _same_angle(ratio: Expression, figures: Expression | None, inverse: str = "arccos") -> bool:
+    """Whether the figures of a ratio lead to its angle."""
+    return figures is not None and not _differ(Apply(inverse, ratio), Apply(inverse, figures))
 
 
 def _differ(exact: Expression, put: Expression) -> bool:
@@ -442,7 +472,8 @@ def _in_figures(tree: Expression, figures: int = FIGURES_BETWEEN) -> Expression 
         return None
     if number is None:
         return None
-    return Negate(Number(-number)) if number < 0 else Number(number)
+    size = Rounded(abs(number), figures)
+    return Negate(size) if number < 0 else size
 
 
 def _fraction(value: sp.Expr, figures: int) -> Fraction | None:

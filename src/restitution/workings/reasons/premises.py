@@ -50,7 +50,7 @@ from restitution.workings.reasons.plain_signs import (
     bounds_said,
 )
 from restitution.workings.reasons.positive import PositiveReasons
-from restitution.workings.reasons.pythagoras import pythagoras
+from restitution.workings.reasons.pythagoras import OF_VALUES, is_by_pythagoras, pythagoras
 from restitution.workings.reasons.quotients import top_of_a_bound, top_of_a_sign
 from restitution.workings.reasons.rejected_roots import made_of_a_root
 from restitution.workings.reasons.right_angles import RightAngles
@@ -61,8 +61,6 @@ from restitution.workings.reasons.together import with_acute_angles_together
 
 _REASONED = frozenset({"reject", "sign", "compare", "cancel", "divide", "monotone", "inverse"})
 _BEHIND = {"derived.fact-equal": 1, "derived.it-is": 2}
-_OF_SQUARES = frozenset({"speed", "size", "energy", "energy-ratio", "total", "tan-deflection"})
-_OF_VALUES = frozenset({"put", "rearrange", "square-add"})
 Words = tuple[Sentence | lay.Layout, ...]
 
 
@@ -153,7 +151,7 @@ class Reasons(PositiveReasons):
 
     def _alone(self, line: Line) -> tuple[Sentence, ...] | None:
         """A reason beside which no other is given: an identity, a right angle, or an order."""
-        if self._by_pythagoras(line):
+        if is_by_pythagoras(line):
             identity = pythagoras(self._derivation, line)
             if identity is not None:
                 return (say("derived.as", reasons=(self._layout(identity),)),)
@@ -303,19 +301,11 @@ class Reasons(PositiveReasons):
         return tuple(signs) or known
 
     @staticmethod
-    def _by_pythagoras(line: Line) -> bool:
-        """Whether a sum of squares is worked out by sin² + cos² = 1."""
-        assert isinstance(line.relation, Relation)
-        steps = {link.by for links in line.relation.options for link in links}
-        values = line.move.record in (None, "pythagoras") and line.move.id in _OF_VALUES
-        return (values or line.move.record in _OF_SQUARES) and "identity" in steps
-
-    @staticmethod
     def _by_the_double_angle(line: Line) -> bool:
         """Whether values that are put in are worked out by the formulae for the double angle."""
         assert isinstance(line.relation, Relation)
         steps = {link.by for links in line.relation.options for link in links}
-        own = line.move.record == "double-angle" and line.move.id in _OF_VALUES
+        own = line.move.record == "double-angle" and line.move.id in OF_VALUES
         return own and "identity" in steps
 
     def _ground(self, relation: Relation) -> Sentence | lay.Layout:

@@ -8,8 +8,36 @@ from itertools import chain
 
 from restitution.explaining.lines.derivation import Derivation, Line, Relation, equality
 from restitution.explaining.lines.trees import angles_with_both_ratios, trees_of
-from restitution.expression.tree import Apply, Binary, Expression, Number, walk
+from restitution.expression.tree import Apply, Binary, Expression, Number, letters, walk
 from restitution.planning.writing.forms import square
+from restitution.workings.naming.quantities import Naming
+from restitution.workings.rendering.steps import Row
+
+OF_VALUES = frozenset({"put", "rearrange", "square-add"})
+_OF_SQUARES = frozenset({"speed", "size", "energy", "energy-ratio", "total", "tan-deflection"})
+
+
+def is_by_pythagoras(line: Line) -> bool:
+    """Whether a sum of squares is worked out by sin² + cos² = 1."""
+    assert isinstance(line.relation, Relation)
+    steps = {link.by for links in line.relation.options for link in links}
+    values = line.move.record in (None, "pythagoras") and line.move.id in OF_VALUES
+    return (values or line.move.record in _OF_SQUARES) and "identity" in steps
+
+
+def is_arithmetic(naming: Naming, line: Line, rows: Iterable[Row]) -> bool:
+    """Whether a line takes the identity for degrees alone, and no row has what comes of it.
+
+    With figures in its place nobody needs the identity.
+    """
+    relation = line.relation
+    if not isinstance(relation, Relation) or len(relation.options) > 1:
+        return False
+    by_itself = line.move.id == "identity" and line.move.record == "pythagoras"
+    if not (by_itself or is_by_pythagoras(line)) or any(map(letters, _ratios(relation.trees))):
+        return False
+    outcome = naming.layout(relation.options[0][-1].right)
+    return all(outcome not in row.operands for row in rows)
 
 
 def pythagoras(derivation: Derivation, line: Line) -> Relation | None:
