@@ -35,6 +35,7 @@ from restitution.expression.tree import (
     is_binary,
     is_function,
     is_quantity,
+    walk,
 )
 
 
@@ -52,19 +53,45 @@ def is_law(step: Step, line: Link) -> bool:
 
 
 def _templates(step: Step, line: Link) -> Iterator[Link]:
-    """What the record of a move says."""
+    """What the record of a move says.
+
+    A ratio of two energies has dozens of forms: those of energies of which the line, or what is
+    cited, speaks.
+    """
+    templates = map(step.setting.settled, _forms(step, line))
+    if step.move.record != "energy-ratio":
+        return templates
+    spoken = _quantities(step, line)
+    return (link for link in templates if spoken.issuperset(_quantities_in(link.left)))
+
+
+def _forms(step: Step, line: Link) -> Iterator[Link]:
+    """What the record of a move says, in each of its forms."""
     record = RECORDS.get(step.move.record or "")
     event = step.setting.event(step.move.event)
     if record is None or not record.serves(event) or not _take_part(step, record, event):
         return
     for relation in record.relations(event, step.move.bodies):
         for link in relation.only:
-            yield step.setting.settled(_upside_down(link, line) or link)
-    for link in WORKED_OUT.get(record.id, nothing)(step, event):
-        yield step.setting.settled(link)
+            yield _upside_down(link, line) or link
+    yield from WORKED_OUT.get(record.id, nothing)(step, event)
     if record.id in ("straight-line", "distance"):
-        for link in places(step, event, line):
-            yield step.setting.settled(link)
+        yield from places(step, event, line)
+
+
+def _quantities(step: Step, line: Link) -> frozenset[Expression]:
+    """The quantities of which a line, or what is cited, speaks."""
+    links = [step.setting.settled(link) for link in (line, *step.links)]
+    return frozenset(
+        quantity
+        for link in links
+        for side in (link.left, link.right)
+        for quantity in _quantities_in(side)
+    )
+
+
+def _quantities_in(tree: Expression) -> Iterator[Expression]:
+    return (node for node in walk(tree) if isinstance(node, Quantity))
 
 
 def _upside_down(link: Link, line: Link) -> Link | None:
@@ -87,7 +114,7 @@ def _take_part(step: Step, record: Record, event: Event | None) -> bool:
 
 def records_of(step: Step) -> Iterator[Link]:
     """What the record of a move says of its event and bodies, form by form."""
-    for link in _templates(step, Link(ZERO, "=", ZERO)):
+    for link in map(step.setting.settled, _forms(step, Link(ZERO, "=", ZERO))):
         yield link
         # Of a ratio, one of the two, as the components point.
         if isinstance(link.left, Apply) and _one_signed(step, link) is not None:

@@ -35,7 +35,7 @@ def neat(x: sp.Expr) -> sp.Expr:
     if sp.count_ops(x) > _LARGE:
         return sp.together(x)
     try:
-        result = sp.cancel(sp.together(x)) if _has_sums_inside(x) else reduced(x)
+        result = sp.cancel(sp.together(x)) if _is_no_quotient(x) else reduced(x)
     except (sp.PolynomialError, TooLargeError):
         return sp.together(x)
     if result.has(sp.sin) and sp.count_ops(result) > _LONG:
@@ -65,11 +65,14 @@ def _numbers_of_terms(x: sp.Expr) -> dict[sp.Expr, sp.Expr]:
     return numbers
 
 
-def _has_sums_inside(x: sp.Expr) -> bool:
-    """Whether more than a number stands under a root or between bars: SymPy orders that too."""
+def _is_no_quotient(x: sp.Expr) -> bool:
+    """Whether bars, a sense, an angle or a root in a root of numbers keeps SymPy's form of it."""
     if x.has(sp.sign, sp.atan, sp.atan2, sp.Abs):
         return True
-    return any(not node.exp.is_Integer and not node.base.is_Rational for node in x.atoms(sp.Pow))
+    return any(
+        not node.exp.is_Integer and not node.base.is_Rational and not node.base.free_symbols
+        for node in x.atoms(sp.Pow)
+    )
 
 
 def _reduced(x: sp.Expr) -> sp.Expr:
