@@ -100,3 +100,23 @@ def test_what_excludes_all_roots_rejects_none_of_them() -> None:
 def test_of_two_unknowns_the_coefficient_is_impossible() -> None:
     working = " ".join(to_text(explain(solve(parse(ABOVE_ONE))), 100).split())
     assert "e cannot be found, as e = √77/7 is impossible" in working
+
+
+def test_what_a_root_would_make_with_a_calculator_is_in_figures() -> None:
+    text = """sphere A: mass 3, velocity 8i
+sphere B: mass 2, velocity 5 at 35° from -i
+A hits B: along i
+given speed(B) = 7
+find speed(A)
+"""
+    working = " ".join(to_text(explain(solve(parse(text))), 100).split())
+    assert "sin² 35°) would give v ≈ 9.527 and e ≈ −1.316 by (2) and (3), but e ≥ 0" in working
+
+
+def test_what_was_not_solved_in_time_earns_nothing() -> None:
+    text = "wall W: along i\nsphere P: velocity 4i - 3j\nP hits W: e = 1/2\nfind speed(P)\n"
+    solution = solve(parse(text), time_limit=1e-9)
+    assert to_text(explain(solution), 200).strip() == (
+        "There is no working of the speed of P immediately after the impact: no answer within the"
+        " time limit of 1e-09 s."
+    )

@@ -144,6 +144,8 @@ class Notes:
         if first.kind == "unwritten":
             name = "note.unwritten-from" if first.premises else "note.unwritten"
             return say(name, item=self._in_words(first), answer=first.reason)
+        if first.kind == "unsolved":
+            return say("note.unsolved", items=items, reason=first.reason)
         if first.kind == "impossible" and first.premises:
             return self._impossible(first, items)
         shown = isinstance(self._ends.item(first.item), Show)

@@ -209,6 +209,7 @@ NoteKind = Literal[
     "refuted",
     "undecided",
     "unwritten",
+    "unsolved",
     "standing",
     "agreeing",
 ]
@@ -226,7 +227,7 @@ class Note:
     ``standing`` says the answer again, as its ``claim``: an earlier part came to it already.
     One that is ``unbounded`` has no extremum, which the lines of its premises show; one that is
     ``agreeing`` stands beside the answer: a given fact that no answer needs says what
-    its lines come to.
+    its lines come to. One that is ``unsolved`` was not worked out, which says nothing of impacts.
     """
 
     item: str

@@ -12,7 +12,9 @@ from restitution.errors import (
     ImpossibleError,
     MissingError,
     RestitutionError,
+    TimeLimitError,
     UnboundedError,
+    UnsupportedError,
 )
 from restitution.explaining.lines.derivation import NoteKind, Ref, numbers_in
 from restitution.expression.tree import Letter
@@ -30,6 +32,8 @@ _KINDS: tuple[tuple[type[RestitutionError], NoteKind], ...] = (
     (ContradictionError, "contradiction"),
     (UnboundedError, "unbounded"),
     (ImpossibleError, "impossible"),
+    (TimeLimitError, "unsolved"),
+    (UnsupportedError, "unsolved"),
 )
 
 

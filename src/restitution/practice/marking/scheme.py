@@ -247,7 +247,7 @@ def _points(derivation: Derivation, solved: PartSolution) -> Iterator[MarkPoint]
             yield point
     for note in derivation.notes:
         # That a claim is not true, or has no answer, is told in words, which are not marked.
-        if note.part != label or note.kind == "refuted" or note.kind in CONCLUDING:
+        if note.part != label or note.kind in ("refuted", "unsolved", *CONCLUDING):
             continue
         place = items.get(note.item)
         answer, shown = _asked(solved, place)

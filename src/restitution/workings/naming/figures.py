@@ -68,6 +68,11 @@ def has_plain_angles(tree: Expression) -> bool:
     return bool(_ratios_of_numbers(tree))
 
 
+def figures_of(tree: Expression) -> Expression | None:
+    """A number in the figures with which a working goes on; None of a very small or large one."""
+    return _in_figures(tree)
+
+
 def is_by_calculator(trees: Iterable[Expression]) -> bool:
     """Whether a working has ratios of angles such as 37°, and is so one with a calculator."""
     ratios = (ratio for tree in trees for ratio in _ratios_of_numbers(tree))

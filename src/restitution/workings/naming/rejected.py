@@ -230,9 +230,17 @@ def _solved(gaps: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[sp.E
 
     Empty where they are not.
     """
+    # Roots and sines of numbers stand as letters: SymPy would look for the field that they make.
+    atoms = {
+        node: sp.Dummy(positive=True)
+        for gap in gaps
+        for node in gap.atoms(sp.Pow, sp.sin, sp.cos, sp.tan)
+        if not node.free_symbols & set(unknowns) and not (node.is_Pow and node.exp.is_Integer)
+    }
+    back = {letter: node for node, letter in atoms.items()}
     try:
-        (solution,) = sp.linsolve(gaps, list(unknowns))
-        return [tidy(value) for value in solution]
+        (solution,) = sp.linsolve([gap.xreplace(atoms) for gap in gaps], list(unknowns))
+        return [tidy(value.xreplace(back)) for value in solution]
     except (ValueError, sp.polys.polyerrors.PolynomialError):
         pass
     values: dict[sp.Symbol, sp.Expr] = {}

@@ -12,12 +12,14 @@ from restitution.explaining.lines.derivation import (
     OPPOSITE,
     Derivation,
     Line,
+    Link,
     Relation,
 )
 from restitution.explaining.lines.saying import Sentence, say
 from restitution.expression.evaluate import in_letters
-from restitution.expression.tree import Apply, Negate, Unit
+from restitution.expression.tree import Apply, Negate, Unit, letters
 from restitution.render import layout as lay
+from restitution.workings.naming.figures import figures_of, is_by_calculator
 from restitution.workings.naming.measured import vector_worth
 from restitution.workings.naming.quantities import Naming
 from restitution.workings.naming.rejected import bound_broken, made_by_a_root, root_of_a_square
@@ -46,7 +48,8 @@ def made_of_a_root(
     equations = tuple(say("derived.number", number=str(number)) for number in numbers)
     if not equations:
         return None
-    results = tuple(map(naming.relation, values or (Relation(((bound,),)),)))
+    outcomes = map(_with_a_calculator, values or (Relation(((bound,),)),))
+    results = tuple(map(naming.relation, outcomes))
     root = naming.relation(Relation((dropped,)))
     if not values or any(link.sign != "=" for link in values[-1].only):
         return say("derived.would", value=root, results=results, equations=equations)
@@ -58,6 +61,15 @@ def made_of_a_root(
             allowed = naming.relation(Relation(((replace(bound, sign=OPPOSITE[bound.sign]),),)))
     slots = {"value": root, "results": results, "equations": equations, "bound": allowed}
     return say("derived.would-beyond", **slots)
+
+
+def _with_a_calculator(relation: Relation) -> Relation:
+    """What a letter is with angles such as 37°, in figures; any other relation as it is."""
+    match relation.options:
+        case ((Link(left, "=", value),),) if is_by_calculator((value,)):
+            number = None if letters(value) else figures_of(value)
+            return relation if number is None else Relation(((Link(left, "≈", number),),))
+    return relation
 
 
 def root_on_a_rim(derivation: Derivation, naming: Naming, line: Line, number: int) -> Sentence:

@@ -35,6 +35,7 @@ SENTENCES: Mapping[str, str] = {
         "unknowns."
     ),
     "note.none": "{items:capital} cannot be found, as {reason}.",
+    "note.unsolved": "There is no working of {items}: {reason}.",
     "note.idle": (
         "It is given that {fact}. That is so for all values of {items}, so {items} cannot be found."
     ),
