@@ -185,7 +185,7 @@ def _worked_out(scene: Scene, number: int, line: int, change: Vector) -> int:
     whole = Vector(*(tidy(component) for component in put))
     own = scene.model.frames[number]
     final = plain_direction(-own.n if own.wall is not None else own.n)
-    if refs or whole == final or not all(value.is_number for value in whole):
+    if refs or whole == final:
         return line
     centres = Quantity("line_of_centres", (), number)
     relation = Relation(((Link(centres, "parallel to", tree_of(whole)),),))

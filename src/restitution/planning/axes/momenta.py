@@ -114,10 +114,6 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
     velocity = Quantity("velocity", (Name(body),), stage)
     for tree in scene.asked:
         match tree:
-            case Quantity("energy_lost", (), int(event)) if event == stage:
-                return True
-            case Quantity("total_energy_lost", (), 1) if stage == 1:  # that of the one impact
-                return True
             case Quantity("along" | "across", (one, _)) if one == velocity:
                 return True
             case Quantity("angle", (one, Quantity("line_of_centres"))) if one == velocity:

@@ -22,12 +22,22 @@ from restitution.expression.tree import (
     is_function,
     is_quantity,
     is_zero,
+    walk,
 )
 
 
 def under_a_root(tree: Expression) -> tuple[Expression, ...]:
     """What stands under a root, and its size if it is no sum."""
     return (tree.argument,) if is_function(tree, "sqrt") else ()
+
+
+def has_sum_of_squares(tree: Expression) -> bool:
+    """Whether two squares are added within an expression, as those of both components are."""
+    for node in walk(tree):
+        match node:
+            case Binary("+", Binary("^"), Binary("^")):
+                return True
+    return False
 
 
 def ratio_below(speed: Expression) -> str:

@@ -41,6 +41,7 @@ from restitution.workings.leads.flights import chord_title, distance_title, flig
 from restitution.workings.leads.scalar_products import product_title, slope_title
 from restitution.workings.leads.shapes_of_lines import (
     body_read_off,
+    has_sum_of_squares,
     ratio_below,
     read_off_lines,
     under_a_root,
@@ -128,7 +129,10 @@ class Titles(SourceLeads, TurnLeads, ComponentLeads):
             for node in walk(relation.options[0][0].left)
             if isinstance(node, Quantity)
         }
-        if self._naming.bold.has_unit(line.move.event or 0) and "velocity" in kinds:
+        whole = isinstance(line.relation, Relation) and any(
+            has_sum_of_squares(link.right) for link in line.relation.options[0]
+        )
+        if "velocity" in kinds and (whole or self._naming.bold.has_unit(line.move.event or 0)):
             # By velocities alone, along a line that slants, there is no component.
             return kinds <= {"velocity", "mass", "speed", "energy"}
         return not kinds.isdisjoint({"energy", "speed"})
