@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -62,7 +62,7 @@ from restitution.workings.naming.facts import fact_in_words
 from restitution.workings.naming.measured import worth
 from restitution.workings.naming.sources import Source
 from restitution.workings.reasons.factors import cosine_divided, factor_cancelled
-from restitution.workings.reasons.in_any_case import range_behind
+from restitution.workings.reasons.in_any_case import bounds_behind, range_behind
 
 
 class Leads(Titles):
@@ -393,6 +393,21 @@ class Leads(Titles):
                 self._given.add(fact.id)
                 yield offset_sentence(fact, self._naming, given=True)
 
+    def _every_value(self, line: Line, letter: Letter, worked: Sequence[Line]) -> Sentence:
+        """That a letter may have every value, as what was worked out above always holds."""
+        name, own = self._naming.layout(letter), [other.relation for other in worked]
+        if len(own) == 1 and isinstance(own[0], Relation):
+            bounds = tuple(map(self._naming.relation, bounds_behind(self._naming, own[0])))
+            if bounds:
+                return say("range.every-holds-as", bounds=bounds, letter=name)
+        if worked:
+            return say("range.every-holds", letter=name)
+        before = any(
+            other.item == line.item and other.number < line.number
+            for other in self._derivation.lines
+        )
+        return say("range.every" if before else "range.every-free", letter=name)
+
     def anyway(self, line: Line) -> Iterator[Sentence]:
         """What is given and holds for all values of the letters, above a range beside others.
 
@@ -406,18 +421,12 @@ class Leads(Titles):
                 self._reasons.is_own_range(line)
             ):
                 above = [other for other in map(self._cited, line.premises) if other is not None]
-                holds = any(line.move.id in ("put", "rearrange", "cancel") for line in above)
+                worked = [o for o in above if o.move.id in ("put", "rearrange", "cancel")]
                 facts = [self._derivation.fact(str(ref)) for ref in line.premises]
                 if any(fact is not None and fact.kind == "range" for fact in facts):
                     yield say("given.data")  # what is given of the letter bounds it
                 else:
-                    before = any(
-                        other.item == line.item and other.number < line.number
-                        for other in self._derivation.lines
-                    )
-                    free = "range.every" if before else "range.every-free"
-                    name = "range.every-holds" if holds else free
-                    yield say(name, letter=self._naming.layout(letter))
+                    yield self._every_value(line, letter, worked)
         for ref in line.premises if line.move.id == "compare" else ():
             own = self._derivation.line(ref)
             if own is None or own.shown != "silent" or own.move.id != "put":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 import sympy as sp
@@ -10,9 +11,12 @@ from restitution.errors import RestitutionError
 from restitution.explaining.lines.derivation import Link, Relation
 from restitution.explaining.lines.trees import trees_of
 from restitution.expression.evaluate import evaluate
-from restitution.expression.tree import Letter, Number, letters
+from restitution.expression.tree import Expression, Letter, Number, letters
+from restitution.oracle import BeyondError, Formula, Oracle, compared
+from restitution.oracle.roles import REAL
 from restitution.solving.story.letters import roles
 from restitution.workings.naming.quantities import Naming
+from restitution.workings.reasons.together import merged
 
 _ZERO, _ONE = (Number(Fraction(n)) for n in (0, 1))
 
@@ -49,4 +53,46 @@ def range_behind(naming: Naming, relation: Relation) -> Relation | None:
     return None
 
 
-__all__ = ["range_behind"]
+def bounds_behind(naming: Naming, relation: Relation) -> tuple[Relation, ...]:
+    """The bounds of coefficients by which an inequality always holds, as few as prove it.
+
+    Empty where it holds without them, as a sum of squares does, and where nothing is proved.
+    """
+    match relation.options:
+        case ((Link(left, "<" | "<=" | ">" | ">=" as sign, right),),):
+            pass
+        case _:
+            return ()
+    own = roles(naming.problem)
+    names = {name for tree in (left, right) for name in letters(tree)}
+    coefficients = sorted(n for n in names if n in own and own[n].kind == "restitution")
+    free = {**own, **dict.fromkeys(coefficients, REAL)}
+    bounds = [
+        link
+        for name in coefficients
+        for link in (Link(Letter(name), ">=", _ZERO), Link(Letter(name), "<=", _ONE))
+    ]
+
+    def proves(links: Sequence[Link]) -> bool:
+        def symbol(name: str) -> sp.Expr:
+            return free[name].symbol(name)
+
+        def formula(one: Expression, sign: str, other: Expression) -> Formula:
+            return compared(evaluate(one, symbol), sign, evaluate(other, symbol))
+
+        try:
+            within = [formula(link.left, link.sign, link.right) for link in links]
+            return Oracle(free).with_facts(within).proves(formula(left, sign, right))
+        except (RestitutionError, BeyondError, KeyError, TypeError, ValueError):
+            return False
+
+    if not bounds or not proves(bounds):
+        return ()
+    for link in tuple(bounds):
+        fewer = [other for other in bounds if other != link]
+        if proves(fewer):
+            bounds = fewer
+    return tuple(merged(bounds))
+
+
+__all__ = ["bounds_behind", "range_behind"]

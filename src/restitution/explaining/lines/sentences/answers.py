@@ -8,6 +8,9 @@ SENTENCES: Mapping[str, str] = {
     "range.every": "So every value of {letter} is possible:",
     "range.every-free": "No condition bounds {letter}, so every value of it is possible:",
     "range.every-holds": "This always holds, so every value of {letter} is possible:",
+    "range.every-holds-as": (
+        "This always holds, as {bounds:and}, so every value of {letter} is possible:"
+    ),
     "range.also": "In this range {bounds:and} as well.",
     "range.both": "{one} {two}",
     "range.within": "In this range {bounds:and}, so {body} hits {walls:and} between its ends too.",
