@@ -131,6 +131,11 @@ class GrowthReasons:
         if name in positive and far is not None:
             near = self._near_zero(line.relation, name, ends)
             yield from self._tending(above.left, name, (far, None), named, near)
+        elif name in positive and not any(
+            Letter(name) in (end.left, end.right) for end in ends
+        ):  # the bound is the value at zero
+            low = Link(Letter(name), ">", ZERO)
+            yield say("derived.fact", fact=self._naming.relation(Relation(((low,),))))
         elif any(end.line == line.number and end.shown for end in self._derivation.items):
             reached = reached_at_an_end(above.right, line.relation, name, ends)
             if reached is not None:
