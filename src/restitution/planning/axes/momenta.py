@@ -10,7 +10,7 @@ from restitution.expression.tree import Expression, Letter, Name, Polar, Quantit
 from restitution.planning.axes.by_changes import take_impulse, take_known_impulse
 from restitution.planning.formulas.definitions import Formula, itself, write_formula
 from restitution.planning.formulas.velocity_formulas import body_and_stage
-from restitution.planning.writing.desk import Source, chain, together
+from restitution.planning.writing.desk import NotPlannedError, Source, chain, together
 from restitution.planning.writing.forms import product, swept, total, tree_of
 from restitution.planning.writing.polynomials import expanded
 from restitution.planning.writing.scene import Scene
@@ -35,7 +35,10 @@ def write_by_momentum(scene: Scene, velocity: Quantity) -> bool:
         return False  # it is put together of what stands
     if _component_is_wanted(scene, body, stage):
         return False
-    frame = scene.frame(stage)
+    try:
+        frame = scene.frame(stage)
+    except NotPlannedError:
+        return False  # the line of centres comes with what is asked
     if (
         frame.wall is not None
         or 0 in frame.n

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from restitution.exact import tidy
+from restitution.exact import in_one_ratio, tidy
 from restitution.exact.symbols import symbol_names
 from restitution.explaining.lines.derivation import Move, Relation, equality, numbers_in
 from restitution.explaining.lines.trees import statement_of
@@ -24,12 +24,13 @@ from restitution.planning.closing.shapes import close
 from restitution.planning.formulas.impacts import residual, scene_value
 from restitution.planning.writing.desk import NotPlannedError, chain
 from restitution.planning.writing.forms import ONE, product, square, swept, total, tree_of
-from restitution.planning.writing.polynomials import numerator
+from restitution.planning.writing.polynomials import expanded, numerator
 from restitution.planning.writing.premises import background
 from restitution.planning.writing.scene import Scene
 
 Pair = tuple[int, int]
 Unknowns = tuple[sp.Symbol, sp.Symbol]
+_PAIR = 2
 
 
 def close_two(scene: Scene, lines: Pair, unknowns: Unknowns) -> None:
@@ -262,6 +263,37 @@ def _ratio_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     return _put_in(scene, lines, unknowns, subject, value, Move("rearrange"))
 
 
+def _ratio_with_squares(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
+    """A sine or cosine that one equation ties to the other angle; the other has it in squares too.
+
+    With cos α = 2 cos β the sines go by sin² + cos² = 1, in one line for both angles.
+    """
+    x, y = unknowns
+    own, other = (_above(scene, line) for line in lines)
+    tied = [atom for atom in own.atoms(sp.sin, sp.cos) if atom.args in ((x,), (y,))]
+    if len(tied) != _PAIR or {atom.args[0] for atom in tied} != {x, y}:
+        return False
+    whole = other
+    for ratio in tied:
+        rest = (sp.cos if isinstance(ratio, sp.sin) else sp.sin)(*ratio.args)
+        if not whole.is_polynomial(ratio, rest):
+            return False
+        if any(n % 2 for (n,) in sp.Poly(whole, rest).monoms()):
+            return False
+        whole = expanded(in_one_ratio(whole, ratio, rest))
+    if whole == other or inside_functions(sp.Poly(whole, *tied).as_expr().subs(_dummies(tied))):
+        return False
+    constant = sp.Poly(whole, *tied).coeff_monomial(1)
+    sign = -1 if scene.model.sign(constant) > 0 else 1
+    relation = chain(tree_of(sign * (whole - constant)), (tree_of(-sign * constant), None))
+    alone = _write(scene, Move("identity", "pythagoras"), lines[1:], relation)
+    return alone is not None and _ratio_expressed(scene, (lines[0], alone), unknowns)
+
+
+def _dummies(ratios: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
+    return {ratio: sp.Dummy() for ratio in ratios}
+
+
 def _square_expressed(scene: Scene, lines: Pair, unknowns: Unknowns) -> bool:
     """A square of sine or cosine, by sin² + cos² = 1 from one equation, put into the other."""
     x, _ = unknowns
@@ -412,6 +444,7 @@ SHAPES: tuple[Callable[[Scene, Pair, Unknowns], bool], ...] = (
     _expressed,
     _square_of_unknown,
     _ratio_expressed,
+    _ratio_with_squares,
     _square_expressed,
 )
 """What two equations may look like, in the order in which the shapes are tried."""

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from restitution.components.models import Model
-from restitution.exact.symbols import symbols_in
+from restitution.exact.symbols import symbol_names, symbols_in
 from restitution.explaining.data.facts import staged
 from restitution.explaining.lines.derivation import Fact, Link, Meaning, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt, trees_of
@@ -154,6 +154,24 @@ class Scene:
             if not isinstance(item, Show)
             for tree in trees_of_step(Find((item,)))
         )
+
+    @cached_property
+    def _tied(self) -> frozenset[sp.Symbol]:
+        """Angles known by a ratio of another angle that the part does not ask for: sin α stays."""
+        names = {node.name for node in self.asked if isinstance(node, Letter)}
+        for answer in (answer for result in self.solution.items for answer in result.answers):
+            pair = isinstance(answer.value, tuple | Vector)
+            names |= symbol_names(*(answer.value if pair else (answer.value,)))
+        tied = set()
+        for symbol, value in self.model.final.items():
+            own = value.atoms(sp.sin, sp.cos, sp.tan) if isinstance(value, sp.Expr) else ()
+            if self._is_angle(symbol) and own and not names & symbol_names(*own):
+                tied.add(symbol)
+        return frozenset(tied)
+
+    def _is_angle(self, symbol: sp.Symbol) -> bool:
+        role = self.model.unknowns.roles.get(symbol.name)
+        return role is not None and role.kind == "angle"
 
     def _answered(self) -> Iterator[tuple[Any, Any]]:
         """The items of the part that have an answer, each with the event at which it is asked."""
@@ -418,6 +436,8 @@ class Scene:
         if known is None and argument.name in self.complements and tree.function != "tan":
             write_complement(self, tree, *self.complements[argument.name])
             known = self.desk.known(tree)
+        if argument in self._tied:
+            return known
         if (known is None and self._by_an_inverse(argument)) or self._is_number_now(known):
             write_other_ratio(self, argument, type(ratio).__name__)
             known = self.desk.known(tree)
@@ -431,18 +451,20 @@ class Scene:
         return all(own is not None and own.value.is_number for own in letters_)
 
     def _by_an_inverse(self, symbol: sp.Basic) -> bool:
-        """Whether an angle is known as the inverse of a ratio only."""
+        """Whether an angle is known as the inverse of a ratio only, in letters that are known."""
         known = self.desk.known(plain_letter(symbol.name))
-        return known is not None and bool(
-            sp.sympify(known.value, strict=True).atoms(sp.atan, sp.asin, sp.acos)
-        )
+        value = None if known is None else sp.sympify(known.value, strict=True)
+        if value is None or not value.atoms(sp.atan, sp.asin, sp.acos):
+            return False
+        return not self.unknown(value)
 
     def _angle(self, ratio: sp.Expr) -> Source | None:
         """A ratio of angles that are known, as numbers or by others."""
         changes = {}
         refs: list[Ref] = []
         for symbol in ratio.free_symbols:
-            source = None if self._is_basic(symbol) else self.desk.known(plain_letter(symbol.name))
+            is_open = self._is_basic(symbol) or symbol in self._tied
+            source = None if is_open else self.desk.known(plain_letter(symbol.name))
             if source is not None:
                 changes[symbol] = source.value
                 refs += source.refs
