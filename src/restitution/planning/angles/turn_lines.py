@@ -37,6 +37,7 @@ from restitution.planning.writing.forms import (
     TWO,
     ZERO,
     difference,
+    in_tangents,
     product,
     swept,
     total,
@@ -464,7 +465,10 @@ def by_tangents(
     both = scene.scalar(product(*tangents))
     both_tree = tree_of(tidy(both)) if both.free_symbols else None
     put = swept(tangent_of(form, tangents[0], tangents[1], both_tree))
+    own_value = _in_its_tangents(scene, form, tangents)
     final = tree_of(tidy(scene.scalar(put)))
+    if own_value is not None and any(is_function(node, "sin", "cos") for node in walk(final)):
+        final = tree_of(own_value, as_it_is=True)
     if not asked and given is None:
         # The value that is given stays where it stands.
         refs = (number, *together(*(term.refs for term in terms)))
@@ -476,6 +480,20 @@ def by_tangents(
     sources = together(*(term.refs for term in terms), () if given is None else given[1])
     refs = scene.judge.enough(Move("put"), (number, *sources), relation, known)
     return None if refs is None else scene.desk.write(Move("put"), refs, relation)
+
+
+def _in_its_tangents(scene: Scene, form: Form, tangents: Sequence[Expression]) -> sp.Expr | None:
+    """The tangent of an angle by two others, in the tangents of letters in these; None without."""
+    values = [in_tangents(scene.scalar(tangent)) for tangent in tangents]
+    own = sorted({ratio for value in values for ratio in value.atoms(sp.tan)}, key=str)
+    if not own or any(value.has(sp.sin, sp.cos) for value in values):
+        return None
+    letters_ = {tangent: sp.Dummy(positive=True) for tangent in own}
+    p, q = (value.xreplace(letters_) for value in values)
+    both = p * q - 1 if form == "rest of sum" else 1 - p * q if form == "sum" else 1 + p * q
+    above = p + q if "sum" in form else p - q if form == "difference" else q - p
+    back = {letter: tangent for tangent, letter in letters_.items()}
+    return tidy(above / both).xreplace(back)
 
 
 def _with_values(
