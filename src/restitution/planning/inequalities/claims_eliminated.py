@@ -75,6 +75,13 @@ class Eliminated(InStages):
                 self.worths.back(mark)
             return None
 
+        def by_an_answer(base: list[Ref], relation: Relation) -> int | None:
+            for line in filter(None, map(self._answered_by, self.ties.lines())):
+                written = self._eliminated(line, [], relation, target)
+                if written is not None:
+                    return written
+            return None
+
         def by_ties(base: list[Ref], relation: Relation) -> int | None:
             for line in self.ties.lines():
                 written = self.monotone(line, relation)
@@ -117,6 +124,7 @@ class Eliminated(InStages):
             return self.compared([line, *self.judge.known(target)], relation)
 
         yield by_what_is_shown
+        yield by_an_answer
         yield by_conditions
         yield by_ratios
         yield by_ties
@@ -127,6 +135,20 @@ class Eliminated(InStages):
     def write(self, relation: Relation) -> int:
         """Writes the lines of an inequality that holds; the last says it."""
         raise NotImplementedError
+
+    def _answered_by(self, ref: int) -> int | None:
+        """An answer for a coefficient that is another form of a line: what follows begins there."""
+        desk, known = self.scene.desk, roles(self.scene.problem)
+        source = desk.line(ref)
+        same = [(ref,), source.premises] if source.move.id == "rearrange" else [(ref,)]
+        for end in desk.ends:
+            own = desk.line(end.line)
+            match own.relation:
+                case Relation(((Link(Letter(name), "="),),)) if name in known:
+                    plain = own.move.id == "rearrange" and own.premises in same
+                    if plain and known[name].kind == "restitution":
+                        return end.line
+        return None
 
     def _is_factor_in(self, line: int, difference: Expression) -> bool:
         """Whether a difference is a factor of a side of an equation, above or below: seen there."""
