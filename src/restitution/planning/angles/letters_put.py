@@ -8,34 +8,66 @@ from dataclasses import replace
 import sympy as sp
 
 from restitution.exact import tidy
-from restitution.explaining.lines.derivation import Move, Ref
+from restitution.explaining.lines.derivation import Link, Move, Ref, Relation
 from restitution.explaining.lines.trees import rebuilt
-from restitution.expression.tree import Apply, Expression, Letter, walk
+from restitution.expression.tree import Apply, Expression, Letter, Quantity, walk
+from restitution.planning.formulas.named_angles import letter_known
 from restitution.planning.writing.angle_ratios import given_ratio
 from restitution.planning.writing.desk import chain
 from restitution.planning.writing.forms import tree_of
-from restitution.planning.writing.ratio_of_an_angle import Ratio
+from restitution.planning.writing.ratio_of_an_angle import RANGES, Ratio
 from restitution.planning.writing.scene import Scene
 from restitution.solving.story.letters import roles
 
 
-def with_letters_put(scene: Scene, own: Ratio) -> Ratio:
-    """A ratio whose line has letters that are known by now, by a line with their values."""
+def with_letters_put(scene: Scene, own: Ratio, named: Ref | None = None) -> Ratio:
+    """A ratio whose line has letters that are known by now, by a line with their values.
+
+    ``named`` says what the letter of the angle is, where the line has the angle in its place.
+    """
     link = scene.desk.last_link(own.line)
-    if link.left != Apply(own.function, Letter(own.letter)) or link.sign != "=":
+    is_of_the_letter = link.left == Apply(own.function, Letter(own.letter))
+    if not (is_of_the_letter or named is not None) or link.sign != "=":
         return own
+    more = () if named is None else (named,)
     value = sp.sympify(scene.scalar(link.right), strict=True)
     if not value.free_symbols:
         return own
     values, given = _given_values(scene, link.right)
     whole = rebuilt(link.right, lambda tree: values.get(tree, tree))
     put = tidy(scene.scalar(whole))
-    line = None if put.free_symbols else _put(scene, own, whole, put, given)
+    line = None if put.free_symbols else _put(scene, own, whole, put, (*more, *given))
     if line is None:
         put, refs = scene.put(value)
         changed = refs and put != value
-        line = _put(scene, own, tree_of(put), put, refs) if changed else None
+        line = _put(scene, own, tree_of(put), put, (*more, *refs)) if changed else None
     return own if line is None else replace(own, line=line, value=tidy(put))
+
+
+def ratio_of_an_answer(scene: Scene, asked: Quantity, functions: Sequence[str]) -> Ratio | None:
+    """The ratio of an angle that is an answer in letters, with the numbers put in that these are.
+
+    None where no answer says it, or where letters are left.
+    """
+    named = letter_known(scene, asked)
+    kind = asked.kind if asked.kind in RANGES else "deflection"
+    for end in () if named is None else reversed(scene.desk.ends):
+        match scene.desk.line(end.line).relation:
+            case Relation(((Link(Apply(function, angle), "="), *_),)) if (
+                named is not None
+                and angle in (Letter(named[0]), asked)
+                and function in functions
+                and scene.desk.holds(end.line)
+            ):
+                name, meaning = named[0], None if isinstance(angle, Letter) else named[1]
+            case _:
+                continue
+        value = tidy(scene.scalar(scene.desk.last_link(end.line).right))
+        own = Ratio(end.line, name, function, value, RANGES[kind].format(name))
+        put = with_letters_put(scene, own, meaning)
+        if put is not own and not put.value.free_symbols:
+            return put
+    return None
 
 
 def _given_values(
@@ -67,10 +99,10 @@ def _put(
     scene: Scene, own: Ratio, form: Expression, value: sp.Expr, refs: Sequence[Ref]
 ) -> int | None:
     """The line of a ratio with values in it; None where it does not follow."""
-    subject = scene.desk.last_link(own.line).left
+    subject = Apply(own.function, Letter(own.letter))
     relation = chain(subject, (form, None), (tree_of(value), "rearrange"))
     premises = scene.judge.enough(Move("put"), (own.line, *dict.fromkeys(refs)), relation)
     return None if premises is None else scene.desk.write(Move("put"), premises, relation)
 
 
-__all__ = ["with_letters_put"]
+__all__ = ["ratio_of_an_answer", "with_letters_put"]

@@ -40,7 +40,7 @@ from restitution.planning.angles.directions import (
 )
 from restitution.planning.angles.from_axes import from_an_axis
 from restitution.planning.angles.kept_tangents import multiple_of_a_tangent
-from restitution.planning.angles.letters_put import with_letters_put
+from restitution.planning.angles.letters_put import ratio_of_an_answer, with_letters_put
 from restitution.planning.angles.lines_between import (
     angle_of_lines,
     cosine_of,
@@ -151,7 +151,8 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
-        own = _by_a_known_ratio(scene, asked) or _ratio(scene, asked)
+        own = _by_a_known_ratio(scene, asked) or ratio_of_an_answer(scene, asked, ("cos", "tan"))
+        own = own or _ratio(scene, asked)
         line = own if isinstance(own, int) else _by_inverse(scene, with_letters_put(scene, own))
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line
@@ -314,7 +315,8 @@ def write_ratio(scene: Scene, function: str, angle: Expression) -> tuple[int, Re
     known = _ratio_of_its_letter(scene, function, quantity_of(scene, angle))
     if known is not None:
         return known
-    own = _ratio(scene, quantity_of(scene, angle), function)
+    quantity = quantity_of(scene, angle)
+    own = ratio_of_an_answer(scene, quantity, (function,)) or _ratio(scene, quantity, function)
     if isinstance(own, int):
         raise NotPlannedError(f"the {function} of a sum")
     tree = Apply(function, Letter(own.letter))
