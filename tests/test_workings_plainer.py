@@ -175,6 +175,62 @@ sphere P: mass 1, velocity 3i
 P hits W: e = 1
 find direction(P)
 """
+VECTORS_AND_ENERGY = """
+sphere A: mass 4m, velocity u i - 3u j
+sphere B: mass m, velocity 5u i + 2u j
+B hits A
+given velocity(B) = -3u i - 2u j
+find line_of_centres, velocity(A), energy_lost
+"""
+TIED_BY_COSINES = """
+sphere A, B: mass m
+sphere A: velocity u at alpha
+sphere B: velocity u at 180° + beta
+A hits B: along i, e = 1/2
+given cos(alpha) = 3 cos(beta)
+part a
+show velocity(A) perpendicular to i
+part b
+given energy = 11/12 m u^2
+find alpha
+"""
+ALWAYS_AGAIN = """
+wall W: along j
+sphere A: mass 3m, velocity u i
+sphere B: mass 2m, at rest
+A hits B: along i
+B hits W: e = f
+given A and B collide again
+find range of f in terms of e
+"""
+EITHER_WAY_ON = """
+sphere A: mass k m, velocity u at alpha
+sphere B: mass m, at rest
+A hits B: along i, e = 1/2
+find tan(deflection(A))
+"""
+BY_WHAT_IS_SHOWN = """
+sphere P, Q: mass m
+sphere P: velocity u at alpha
+sphere Q: at rest
+P hits Q: along i
+part a
+show tan(deflection(P)) = (1 + e) tan(alpha)/(1 - e + 2 tan^2(alpha))
+part b
+given e = 1/3, alpha = 45°
+find tan(deflection(P))
+"""
+FROM_THE_ANSWER = """
+sphere A: mass m, velocity u at 30°
+sphere B: mass M, at rest
+A hits B: along i
+part a
+given velocity(A) perpendicular to velocity(A, 0)
+show e = (4m + M)/(3M)
+part b
+given velocity(A) perpendicular to velocity(A, 0)
+show M >= 2m
+"""
 
 # Statement, and words of its working, worked out by hand.
 SAYS = [
@@ -206,9 +262,20 @@ SAYS = [
     (BY_CALCULATOR, "tan θ ≈ −(u sin 50°)/(2.005u) ≈ −0.3820 M1 θ ≈ −arctan 0.3820, as w > 0"),
     (OFF_FROM_REST, "angle between 𝐯_Q and 𝐢 = φ It is given that"),
     (ACROSS_AT_A_WALL, "change of momentum of Q: impulse on Q = 3m("),
+    (VECTORS_AND_ENERGY, "is parallel to −8u𝐢 − 4u𝐣"),
+    (VECTORS_AND_ENERGY, "m(5u𝐢 + 2u𝐣) + 4m(u𝐢 − 3u𝐣) = m(−3u𝐢 − 2u𝐣) + 4m𝐯_A"),
+    (VECTORS_AND_ENERGY, "Kinetic energy: (iii) kinetic energy lost"),
+    (TIED_BY_COSINES, "As sin² + cos² = 1: 12 cos α cos β = 1"),
+    (ALWAYS_AGAIN, "This always holds, as 0 ≤ e ≤ 1 and f ≥ 0, so every value of f"),
+    (EITHER_WAY_ON, "= 3 tan α/(2k − 1 + 2(1 + k) tan²α)"),
+    (BY_WHAT_IS_SHOWN, "tan δ = ((1 + ⅓) tan 45°)/(1 − ⅓ + 2 tan² 45°) = ½"),
+    (FROM_THE_ANSWER, "(4m + M)/(3M) ≤ 1, as e ≤ 1 M1 M ≥ 2m, as M > 0"),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [
+    (VECTORS_AND_ENERGY, "components that change"),
+    (TIED_BY_COSINES, "√(1 − 9 cos²β)"),
+    (EITHER_WAY_ON, "vector product"),
     (OFF_FROM_REST, "tan 60°"),
     (BY_CALCULATOR, "√(400 sin² 50°"),
     (NOT_BY_ALPHA, "cos²α − 1"),
