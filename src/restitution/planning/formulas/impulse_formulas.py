@@ -13,6 +13,7 @@ from restitution.expression.tree import (
     Apply,
     Binary,
     Expression,
+    Letter,
     Name,
     Quantity,
     walk,
@@ -60,7 +61,8 @@ def body_of_impulse(scene: Scene, event: int) -> str:
     """The body by whose change of momentum the size of an impulse is written.
 
     It is that with the fewest unknowns: its mass, its velocity before, its velocity after; of
-    several one that was at rest, and else that of the shortest numbers.
+    several one that was at rest, or whose component stands above, and else that of the shortest
+    numbers.
     """
     frame = scene.frame(event)
     spheres = scene.spheres(event)
@@ -71,11 +73,22 @@ def body_of_impulse(scene: Scene, event: int) -> str:
         for sphere in fewest
         if in_direction(scene, "along", sphere, event - 1, frame).value == 0
     ]
+    earlier = [sphere for sphere in fewest if _stands_above(scene, sphere, event)]
+    if len(earlier) == 1 and not at_rest:
+        return earlier[0]
     closed = [sphere for sphere in fewest if not _is_open(scene, sphere, event)]
     if len(closed) == len(fewest) and not at_rest:
         return min(fewest, key=lambda sphere: _length_of_change(scene, sphere, event))
     body = (at_rest or fewest)[-1 if at_rest else 0]
     return closed[0] if closed and body not in closed else body
+
+
+def _stands_above(scene: Scene, sphere: str, event: int) -> bool:
+    """Whether an item above has the component along the line of centres after an impact."""
+    component = scene.model.components.get((event, sphere))
+    known = None if component is None else scene.desk.known(Letter(component.symbol.name))
+    lines = [ref for ref in ([] if known is None else known.refs) if isinstance(ref, int)]
+    return bool(lines) and all(scene.desk.line(ref).item != scene.desk.item for ref in lines)
 
 
 def _length_of_change(scene: Scene, sphere: str, event: int) -> int:
