@@ -106,7 +106,7 @@ class Naming(Moments):
             match node:
                 case Binary("-", Quantity("time", (), int()), Quantity("time", (), int()) as early):
                     self.name(early)  # it is introduced before the later one
-        named = self._displacement(tree)
+        named = self._displacement(tree) or self._lost_by_one(tree)
         return named or of_tree(tree, self.vectors, self._in_a_row, self.terms.forms)
 
     def _in_a_row(self, tree: Quantity | Binary) -> lay.Layout | None:
@@ -133,6 +133,27 @@ class Naming(Moments):
                 first, last = self._started(early), self._started(late)
                 sides = {"body": body, "axis": self.layout(axis), "early": first, "late": last}
                 return operand(say("derived.displacement", **sides))
+        return None
+
+    def _lost_by_one(self, tree: Expression) -> lay.Layout | None:
+        """What one body loses in an impact of two, in words: its energy before less that after."""
+        match tree:
+            case Binary(
+                "-",
+                Quantity("energy", (Name(body),), int(early)),
+                Quantity("energy", (Name(other),), int(late)),
+            ) if body == other and late in self.events and not self.events[late].wall:
+                words = say("derived.energy-lost-by", body=body)
+                last = max(
+                    (
+                        event.number
+                        for event in self.events.values()
+                        if event.number < late and body in event.bodies
+                    ),
+                    default=0,
+                )
+                if early == last:
+                    return operand(self._during(words, Quantity("energy_lost", (), late)))
         return None
 
     def in_fractions(self, tree: Expression) -> bool:

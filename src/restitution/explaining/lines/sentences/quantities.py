@@ -73,6 +73,7 @@ SENTENCES: Mapping[str, str] = {
     "derived.energy-of": "kinetic energy of {bodies:and}",
     "derived.energy-all": "total kinetic energy",
     "derived.energy-lost": "kinetic energy lost",
+    "derived.energy-lost-by": "kinetic energy lost by {body}",
     "derived.energy-lost-all": "total kinetic energy lost",
     "derived.angle": "angle between {of:and}",
     "derived.acute-angle": "acute angle between {of:and}",
