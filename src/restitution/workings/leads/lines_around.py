@@ -149,9 +149,12 @@ class LinesAround:
         Its velocity is then along the line of centres.
         """
         event = self._naming.events.get(line.move.event or 0)
-        if event is None or event.wall or event.number != 1 or self._is_direct(event):
+        if event is None or event.wall or self._in_one_line(event):
             return False
         (body, *_) = line.move.bodies
+        events = self._naming.events.values()
+        if any(e.number < event.number and body in e.bodies for e in events):
+            return False
         across = self._standing(line).get("across") == body
         return across and self.tells_of_rest(body, event.number, line)
 
