@@ -486,12 +486,26 @@ class GivenLeads(Leads):
                         self._given.add(fact.id)  # its number is put in before the reader's eyes
                 case Link(Apply("sin" | "cos" | "tan", Letter()), "="):
                     # Its number stands in the law, and no line says where that is from.
-                    self._given.add(fact.id)
-                    return (say("given.and", fact=fact_in_words(self._naming, fact)),)
+                    facts = self._ratios_put(line)
+                    self._given |= {own.id for own in facts}
+                    words_ = tuple(fact_in_words(self._naming, own) for own in facts)
+                    return (say("given.facts", facts=words_),)
                 case Link(Quantity("velocity", (Name(body),)), "=") if is_rest(fact):
                     self._given.add(fact.id)
                     return (say("given.rest", body=body),)
         return ()
+
+    def _ratios_put(self, line: Line) -> list[Fact]:
+        """The given ratios of angles of which a law has the numbers in their places, unsaid so far."""
+        put = []
+        for fact in self._derivation.facts_in(line.premises):
+            match fact.relation.options[0][0]:
+                case Link(Apply("sin" | "cos" | "tan", Letter()) as ratio, "=") if not any(
+                    ratio in walk(tree) for tree in trees_of(line.relation)
+                ):
+                    if fact.kind == "given" and fact.id not in self._given:
+                        put.append(fact)
+        return put
 
     def _lengths_put(self, line: Line) -> list[Fact]:
         """The given facts of which a line has the value of a letter in its place, unsaid so far."""
