@@ -231,6 +231,30 @@ part b
 given velocity(A) perpendicular to velocity(A, 0)
 show M >= 2m
 """
+TWO_RATIOS_GIVEN = """
+sphere A: mass m, velocity u at alpha
+sphere B: mass 2m, velocity 2u at 180° - beta
+A hits B: along i
+given cos(alpha) = 3/5, cos(beta) = 5/13
+given velocity(B) perpendicular to i
+find e
+"""
+THEN_THE_IMPULSE = """
+sphere A: mass 3m, velocity 2u i + 5u j
+sphere B: mass m, velocity -4u i + u j
+A hits B: along i
+part a
+given along(velocity(A), i) < 0
+find range of e
+part b
+find energy_lost(A), impulse
+"""
+SENT_BACK_IN_LETTERS = """
+sphere A: mass m, velocity 2u at 30°
+sphere B: mass 2m, velocity u at 150°
+A hits B: along i
+find angle(velocity(A), i)
+"""
 
 # Statement, and words of its working, worked out by hand.
 SAYS = [
@@ -270,6 +294,10 @@ SAYS = [
     (EITHER_WAY_ON, "= 3 tan α/(2k − 1 + 2(1 + k) tan²α)"),
     (BY_WHAT_IS_SHOWN, "tan δ = ((1 + ⅓) tan 45°)/(1 − ⅓ + 2 tan² 45°) = ½"),
     (FROM_THE_ANSWER, "(4m + M)/(3M) ≤ 1, as e ≤ 1 M1 M ≥ 2m, as M > 0"),
+    (TWO_RATIOS_GIVEN, "It is given that cos α = ⅗ and cos β = 5/13. Conservation of momentum"),
+    (THEN_THE_IMPULSE, "kinetic energy lost by A = "),
+    (THEN_THE_IMPULSE, "change of momentum of A along the line of centres"),
+    (SENT_BACK_IN_LETTERS, "β = 180° − arctan(√3/(3e))"),
     (DOWN_AN_AXIS, "P moves in the direction of 𝐣: angle from 𝐢 to 𝐯_P = 90°"),
 ]
 SAYS_NOT = [

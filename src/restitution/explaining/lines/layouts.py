@@ -243,7 +243,9 @@ class Forms:
         number = known or _number(size * root, radicand)
         whole = reduce(lambda a, b: Binary("*", a, b), first, number)
         match number:
-            case Binary("/", above_, below_) if (first or second) and known is None and radicand > 1:
+            case Binary("/", above_, below_) if (
+                (first or second) and known is None and radicand > 1
+            ):
                 up = reduce(lambda a, b: Binary("*", a, b), first, above_)
                 return Binary("/", up, reduce(lambda a, b: Binary("*", a, b), second, below_))
         if first and number == Number(Ratio(1)):

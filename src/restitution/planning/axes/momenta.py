@@ -115,8 +115,16 @@ def _component_is_wanted(scene: Scene, body: str, stage: int) -> bool:
     if any(body in scene.bodies(event) for event in range(stage + 1, scene.events + 1)):
         return True
     velocity = Quantity("velocity", (Name(body),), stage)
+    others = [Quantity("velocity", (Name(o),), stage) for o in scene.bodies(stage) if o != body]
+    links = [equation.link for equation in scene.given]
+    is_given = any(link.sign == "=" and link.left in others for link in links)
     for tree in scene.asked:
         match tree:
+            # Beside a velocity that is given the components are not worked out for the laws.
+            case Quantity("energy_lost", (), int(event)) if event == stage and not is_given:
+                return True
+            case Quantity("total_energy_lost", (), 1) if stage == 1 and not is_given:
+                return True  # that of the one impact
             case Quantity("along" | "across", (one, _)) if one == velocity:
                 return True
             case Quantity("angle", (one, Quantity("line_of_centres"))) if one == velocity:

@@ -496,7 +496,7 @@ class GivenLeads(Leads):
         return ()
 
     def _ratios_put(self, line: Line) -> list[Fact]:
-        """The given ratios of angles of which a law has the numbers in their places, unsaid so far."""
+        """The given ratios of angles of which a law has the numbers instead, unsaid so far."""
         put = []
         for fact in self._derivation.facts_in(line.premises):
             match fact.relation.options[0][0]:
