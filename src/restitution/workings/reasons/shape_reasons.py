@@ -48,7 +48,9 @@ from restitution.workings.reasons.shares import share_of
 
 # A longer expression is told by the name of what it is worth.
 _LONGEST = 24
-ZERO = Number(Fraction(0))
+ZERO, ONE = Number(Fraction(0)), Number(Fraction(1))
+# A range has two.
+_ENDS = 2
 SQUARED = 2
 UP: tuple[Sign, Sign] = ("<", "<=")
 DOWN: tuple[Sign, Sign] = (">", ">=")
@@ -224,6 +226,9 @@ class ShapeReasons:
         """
         assert isinstance(line.relation, Relation)
         links = line.relation.options[0]
+        if line.move.id == "monotone" and len(links) == _ENDS:
+            yield from self._between_no_angle_and_a_right_one(line, links)
+            return
         if line.move.id not in ("sign", "monotone") or len(links) != 1:
             return
         for own in map(self.relation_of, line.premises):
@@ -246,6 +251,38 @@ class ShapeReasons:
                         bound = Relation(((Link(node, signs[links[0].sign in _WEAK], end),),))
                         yield say("derived.fact", fact=self._naming.relation(bound))
                         return
+
+    def _between_no_angle_and_a_right_one(
+        self, line: Line, links: tuple[Link, ...]
+    ) -> Iterator[Sentence]:
+        """That the square of a sine or cosine of an acute angle lies between 0 and 1.
+
+        That gives both ends of a range.
+        """
+        low, high = links
+        if low.right != high.left or {low.sign, high.sign} != {"<"}:
+            return
+        for own in map(self.relation_of, line.premises):
+            if own is None or own.options[0][0].left != low.right:
+                continue
+            whole = own.options[0][-1].right
+            for node in walk(whole):
+                match node:
+                    case Binary("^", Apply("sin" | "cos", Letter(name)), Number(power)) if (
+                        power == 2 and f"acute: {name}" in line.premises
+                    ):
+                        pass
+                    case _:
+                        continue
+                once = sum(isinstance(x, Letter) and x.name == name for x in walk(whole)) == 1
+                if once and any(
+                    is_bound_by(whole, node, one, low.left)
+                    and is_bound_by(whole, node, other, high.right)
+                    for one, other in ((ZERO, ONE), (ONE, ZERO))
+                ):
+                    between = Relation(((Link(ZERO, "<", node), Link(node, "<", ONE)),))
+                    yield say("derived.fact", fact=self._naming.relation(between))
+                    return
 
     def _divisor(self, line: Line) -> Iterator[Sentence]:
         """That what a square was divided by is more than 1, where a bound has it no more."""
