@@ -30,7 +30,7 @@ from restitution.expression.tree import (
 from restitution.planning.angles.quantities import formula
 from restitution.planning.closing.square_roots import as_square
 from restitution.planning.inequalities.worths import Worths
-from restitution.planning.writing.forms import ZERO, square, swept, total, tree_of
+from restitution.planning.writing.forms import ZERO, difference, square, swept, total, tree_of
 from restitution.planning.writing.inequalities import solve_linear, without_signs
 from restitution.planning.writing.polynomials import cancelled, expanded, factored, one_fraction
 from restitution.solving.story.letters import roles
@@ -223,7 +223,11 @@ def solve_quadratic(worths: Worths, line: int, sign: Sign, x: sp.Expr, known: Se
     if len(sp.Poly(poly / sp.Integer(1), symbol).factor_list()[1]) > 1:
         link = Link(tree_of(sp.factor(poly.as_expr() / sp.sign(a)), as_it_is=True), own, ZERO)
     else:
-        link = Link(square(tree_of(symbol + b / (2 * a))), own, tree_of(gap))
+        shift, letter = b / (2 * a), tree_of(symbol)
+        inner = total((letter, tree_of(shift)))
+        if shift < 0:
+            inner = difference(letter, tree_of(-shift))
+        link = Link(square(inner), own, tree_of(gap))
     solved = worths.judge.write(_SOLVING[:2], [line], Relation(((link,),)))
     if solved is None:
         return line
