@@ -146,7 +146,8 @@ def _parts_of(claims: Comparing, symbol: sp.Symbol, value: sp.Expr) -> _Parts | 
     if scene.model.sign(a) < 0:
         a, b, c, d = (tidy(-term) for term in (a, b, c, d))
     share: sp.Expr = sp.Integer(1)
-    if a.free_symbols | b.free_symbols:
+    # So 4(1 + k)² below has its 4 in front of 1/k + k + 2.
+    if a.free_symbols | b.free_symbols or (a == b and d != 0):
         share = _number_in_common(a, b, d)
         a, b, d = (tidy(term / share) for term in (a, b, d))
         above, share = sp.fraction(c / share)
