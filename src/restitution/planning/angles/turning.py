@@ -151,8 +151,9 @@ def angle_line(scene: Scene, asked: Quantity) -> int:
     if line is None:
         line = turn_of_directions(scene, asked) or _same_angle(scene, asked)
     if line is None:
-        own = _by_a_known_ratio(scene, asked) or ratio_of_an_answer(scene, asked, ("cos", "tan"))
-        own = own or _ratio(scene, asked)
+        known_ratio = _by_a_known_ratio(scene, asked)
+        known_ratio = known_ratio or ratio_of_an_answer(scene, asked, ("cos", "tan"))
+        own = known_ratio or _ratio(scene, asked)
         line = own if isinstance(own, int) else _by_inverse(scene, with_letters_put(scene, own))
     scene.desk.know(asked, scene.scalar(scene.desk.last_link(line).right), (line,))
     return line

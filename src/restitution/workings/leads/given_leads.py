@@ -486,10 +486,10 @@ class GivenLeads(Leads):
                         self._given.add(fact.id)  # its number is put in before the reader's eyes
                 case Link(Apply("sin" | "cos" | "tan", Letter()), "="):
                     # Its number stands in the law, and no line says where that is from.
-                    facts = self._ratios_put(line)
-                    self._given |= {own.id for own in facts}
-                    words_ = tuple(fact_in_words(self._naming, own) for own in facts)
-                    return (say("given.facts", facts=words_),)
+                    ratios = self._ratios_put(line)
+                    self._given |= {given.id for given in ratios}
+                    in_words = tuple(fact_in_words(self._naming, given) for given in ratios)
+                    return (say("given.facts", facts=in_words),)
                 case Link(Quantity("velocity", (Name(body),)), "=") if is_rest(fact):
                     self._given.add(fact.id)
                     return (say("given.rest", body=body),)
