@@ -68,7 +68,7 @@ find maximum of energy_lost over m, minimum of energy_lost over m, maximum of en
         [
             "kinetic energy lost → ½Mu²(1 − e²)",
             "as m → ∞, so there is no greatest value",
-            "increases with m and 0 ≤ e ≤ 1",
+            "increases with m, m > 0 and 0 ≤ e ≤ 1",
             "kinetic energy lost → 0, as m → 0, so there is no least value",
             "kinetic energy of B → ½(1 + e)²mu²",
             "as M → ∞, so there is no greatest value",
