@@ -56,8 +56,9 @@ def test_a_working_at_whole_degrees(angle: int) -> None:
     )
     shown = " ".join(to_text(explain(solve(parse(text))), 80).split())
     e = 2.4 / (2 * math.cos(math.radians(angle))) - 1
-    assert f"e = (6 − 5 cos {angle}°)/(5 cos {angle}°) ≈ {e:.3f} A1" in shown
-    assert f"v = 3.5 cos {angle}° − 1.8 ≈" in shown
+    assert f"e ≈ {e:.3f} A1" in shown
+    v = 3.5 * math.cos(math.radians(angle)) - 1.8
+    assert f"v ≈ {v:#.4g} m s⁻¹" in shown
     assert "√5" not in shown
 
 

@@ -136,7 +136,10 @@ A hits B: along i, e = 0.5
 given direction(A) = 70°
 find M, speed(B)
 """,
-        ("M = (4 tan 70° − 4 tan 25°)/(5 tan 70° + 10 tan 25°) ≈ 0.496",),
+        (
+            "0.4 × 3 cos 25° ≈ 0.4 × 0.4615 + 1.821M",
+            "M ≈ 0.496",
+        ),
     ),
     "a letter that has to go, by an equation between momenta": (
         """

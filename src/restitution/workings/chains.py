@@ -67,6 +67,7 @@ from restitution.workings.naming.row_sides import (
     without_doubles,
 )
 from restitution.workings.naming.senses_at_walls import away, is_turned, turned_value
+from restitution.workings.naming.solved_figures import leads_elsewhere
 from restitution.workings.naming.sources import is_displacement, is_time, is_vector
 from restitution.workings.naming.values_of_letters import in_the_other_sense, with_values
 from restitution.workings.rendering.steps import Row
@@ -118,9 +119,9 @@ class Chains:
             if isinstance(line.relation, Relation)
             for tree in line.relation.trees
         )
-        self._figures = Figures(is_by_calculator(trees))
-        # The numbers of lines with figures in place of values.
-        self._with_figures: set[int] = set()
+        self._figures = Figures(is_by_calculator(trees), measures.decimals)
+        # Lines with figures in place of values: their first two sides, by the number.
+        self._with_figures: dict[int, tuple[Expression, Expression]] = {}
         # The left sides of lines with figures in place of roots of sums of roots.
         self._in_figures_above: set[Expression] = set()
         # The left side of the row above, and the item to which it belongs.
@@ -306,10 +307,24 @@ class Chains:
             if tangent != trees[-1]:
                 sides.append(self._naming.layout(tangent))
                 signs.append("≈")
+        self._in_figures_from_here(links, sides, signs)
         more = self._one_figure_more(line)
         if more is not None:
             sides.insert(1, more)
             signs.insert(0, "≈")
+
+    def _in_figures_from_here(
+        self, links: tuple[Link, ...], sides: Sequence[lay.Layout], signs: Sequence[str]
+    ) -> None:
+        """Notes the figures of a value that no row has exactly, with a calculator."""
+        if not self._figures.with_calculator or signs[-1] != "≈" or has_quantity(links[-1].right):
+            return
+        exact = self._trees(links)[-1]
+        if isinstance(links[0].left, Apply) or self._naming.layout(exact) in sides:
+            return
+        figures = self._figures.outcome(exact)
+        if figures != exact:
+            self._figures.stands_for(exact, figures)
 
     def _is_open(self, draft: _Draft) -> bool:
         """Whether the side before the last is still to be worked out, so that it is printed."""
@@ -343,6 +358,7 @@ class Chains:
             or self._figures.has_sums_of_roots(last)
         )
         plain = plain or (not calculated and self._stays_exact(line, last))
+        plain = plain or (calculated and self._leads_elsewhere(line, last))
         ratio = isinstance(links[0].left, Apply) and line.move.id != "define"
         worked = calculated and (ratio or line.move.id in _WORKED_OUT)
         if line.move.id == "put" and self._figures.has_known(trees[1]):
@@ -365,7 +381,7 @@ class Chains:
                 self._figures.stands_for(exact[-1], trees[-1])
         put = frozenset(n for n, tree in enumerate(trees) if tree != exact[n])
         if put:
-            self._with_figures.add(line.number)
+            self._with_figures[line.number] = trees[0], trees[1]
         tangent = self._tangent(line, exact[-1], trees[-1]) if put else trees[-1]
         if isinstance(links[0].left, Apply) and tangent != exact[-1]:
             self._figures.stands_for(exact[-1], tangent)  # of the angle itself, next
@@ -379,8 +395,21 @@ class Chains:
 
     def _goes_on_in_figures(self, line: Line) -> bool:
         """Whether a line only works out what figures stand for above, with a calculator."""
-        cited = self._with_figures.intersection(numbers_in(line.premises))
+        cited = self._with_figures.keys() & set(numbers_in(line.premises))
         return self._figures.with_calculator and line.move.id in _GOES_ON_IN_FIGURES and bool(cited)
+
+    def _leads_elsewhere(self, line: Line, value: Expression) -> bool:
+        """Whether the figures of the equation above lead to others than those of an answer."""
+        assert isinstance(line.relation, Relation)
+        left = line.relation.only[0].left
+        cited = [n for n in numbers_in(line.premises) if n in self._with_figures]
+        if self._ends.of(line) is None or len(cited) != 1 or not isinstance(left, Letter):
+            return False
+        equation = self._with_figures[cited[0]]
+        solved = line.move.id in _GOES_ON_IN_FIGURES and any(
+            left.name in letters(e) for e in equation
+        )
+        return solved and leads_elsewhere(*equation, left, value)
 
     def _tangent(self, line: Line, exact: Expression, put: Expression) -> Expression:
         """What stands at the end of the line of a tangent: its figures, with a calculator."""
@@ -504,6 +533,8 @@ class Chains:
         point = coordinates(as_decimal(link.right) if decimals else link.right)
         if point is not None:
             shown[0] = (self._naming.layout(Pair(*point)), "=")
+            if self._figures.with_calculator and any(map(has_plain_angles, point)):
+                del shown[:-1]
         if decimals and [sign for _, sign in shown[1:]] == ["="]:
             shown = shown[:1]
         if is_plain(self._naming.layout(link.right)):

@@ -144,7 +144,6 @@ class _Writer:
             shared.reasons if shared else None,
         )
         self.ends = Ends(derivation, self.problem, self.naming)
-        self.notes = Notes(derivation, self.naming, self.ends)
         self.introductions = Introductions(derivation, self.naming)
         # These are introduced where the offset is.
         for letter in filter(None, map(letter_of_offset, derivation.lines)):
@@ -154,6 +153,7 @@ class _Writer:
         self.meetings = dict(meetings(derivation, self.ends, self.naming))
         self.angles = DataAngles(derivation, self.naming)
         self.rows = Rows(derivation, self.naming, self.measures, self.ends)
+        self.notes = Notes(derivation, self.naming, self.ends, self.rows.in_figures)
         self.radii = Radii(derivation, self.naming)
         self.sides = Sides(derivation, self.naming)
         self.touching = Touching(derivation, self.naming)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import groupby
@@ -57,10 +57,17 @@ def _has_an_open_direction(problem: Problem) -> bool:
 class Notes:
     """The notes of one working, and where they stand among its lines."""
 
-    def __init__(self, derivation: Derivation, naming: Naming, ends: Ends) -> None:
+    def __init__(
+        self,
+        derivation: Derivation,
+        naming: Naming,
+        ends: Ends,
+        figures: Callable[[Link], Link],
+    ) -> None:
         self._derivation = derivation
         self._naming = naming
         self._ends = ends
+        self._figures = figures
         self._all = derivation.notes
         self._order = {item: n for n, item in enumerate(derivation.asked)}
 
@@ -242,7 +249,7 @@ class Notes:
         (bound,) = bounds
         left, right = _bounded(relation, self._bounds_of(bound))
         over = "<=" in str(bound)
-        links = [Link(left, "=", right)]
+        links = [self._figures(Link(left, "=", right))]
         if letters(right):
             links.append(Link(right, ">" if over else "<", Number(Fraction(int(over)))))
         equation = self._naming.relation(Relation((tuple(links),)))

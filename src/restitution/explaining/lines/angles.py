@@ -40,7 +40,10 @@ from restitution.expression.tree import (
 from restitution.oracle.roles import REAL
 from restitution.records import dataclass
 
-Identity = Literal["pythagoras", "double-angle", "half-angle", "sum", "complement"]
+Identity = Literal["pythagoras", "double-angle", "half-angle", "sum", "complement", "degrees"]
+"""What relates sines and cosines; "degrees" those of numbers of degrees, by multiples of 15°."""
+
+_EXACT = Fraction(15)
 
 TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "cosec"})
 
@@ -269,7 +272,16 @@ class Angles(Roots):
         if degrees == 15:
             six, two = (self._root_of_number(Fraction(n, 16)) for n in (6, 2))
             return six + two, six - two
-        return self._pair((((), Fraction(0)), degrees))
+        times = round(degrees / _EXACT)
+        if times and "degrees" in self.identities and degrees % _EXACT:
+            (c, s), (near, beside) = map(
+                self._plain_angle, (times * _EXACT, degrees - times * _EXACT)
+            )
+            return self.reduced(c * near - s * beside), self.reduced(s * near + c * beside)
+        key: AngleKey = (((), Fraction(0)), degrees)
+        cosine, sine = self._pair(key)
+        self.squares[self._keys["sin", key]] = 1 - cosine.above**2
+        return cosine, sine
 
 
 def _rational(tree: Expression) -> Fraction | None:

@@ -27,19 +27,41 @@ from restitution.explaining.steps.solving import solves
 from restitution.explaining.steps.step import Step
 from restitution.expression.tree import (
     Binary,
+    Degrees,
     Expression,
     Letter,
     Name,
     Number,
     Quantity,
+    walk,
 )
 
 
 def follows(step: Step, relation: Relation) -> bool:
     """Whether a relation is what the move makes of what is cited.
 
+    Numbers of degrees are compared by what is left of multiples of 15°, where they have to be.
     Raises NotComparableError where that is beyond what is compared.
     """
+    if _follows(step, relation):
+        return True
+    several = len(set(_plain_degrees(step, relation))) > 1
+    by_degrees = frozenset({*step.identities, "degrees"})
+    return several and _follows(step.under(identities=by_degrees), relation)
+
+
+def _plain_degrees(step: Step, relation: Relation) -> Iterator[Fraction]:
+    """The numbers of degrees in a line and in what it cites, as far as roots do not have them."""
+    cited = (own.relation for own in step.cited)
+    for own in (relation, *cited):
+        for tree in own.trees if isinstance(own, Relation) else ():
+            for node in walk(tree):
+                if isinstance(node, Degrees) and node.value % 15:
+                    yield node.value
+
+
+def _follows(step: Step, relation: Relation) -> bool:
+    """Whether a relation is what the move makes of what is cited, as its angles stand."""
     if step.move.record == "either-side":
         return _on_either_side(step, relation)
     if (step.move.id, step.move.record) == ("define", "speed"):

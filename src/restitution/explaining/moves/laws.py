@@ -48,7 +48,7 @@ def is_law(step: Step, line: Link) -> bool:
         return True
     if not any(map(has_ratio_of_a_sum, (line.left, line.right))):
         return False
-    resolved = step.under(identities=frozenset({"sum"}))
+    resolved = step.under(identities=step.identities | {"sum"})
     return any(_is_template(resolved, line, template) for template in _templates(resolved, line))
 
 

@@ -48,6 +48,10 @@ _FIGURES_BEFORE_A_ROUNDING = range(FIGURES_BETWEEN, 7)
 _RATIOS = frozenset({"sin", "cos", "tan"})
 # Numbers from here on are none that somebody writes before a ratio.
 _LONG = 1000
+# A fraction of numbers below this is short.
+_SHORT = 10
+# A fraction of so many parts is a decimal with an end.
+_DECIMALS = 1000
 # Degrees: multiples of it have ratios of roots.
 _EXACT_ANGLE = 15
 # Values beyond these would need a power of ten.
@@ -167,8 +171,9 @@ def _multiple(number: sp.Expr, letters_: sp.Expr) -> Expression | None:
 class Figures:
     """The sums of ratios of plain angles that are on paper, with their figures."""
 
-    def __init__(self, with_calculator: bool = False) -> None:
+    def __init__(self, with_calculator: bool = False, decimals: bool = False) -> None:
         self.with_calculator = with_calculator
+        self._decimals = decimals
         self._known: dict[Expression, Expression] = {}
         # The same by the size of a value: of ratios of plain angles there are many forms.
         self._by_size: dict[str, Expression] = {}
@@ -202,7 +207,9 @@ class Figures:
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = unsigned(tree)
-        carried = self._is_long(own) or (self.with_calculator and self._is_number_of_several(own))
+        carried = self._is_long(own) or (
+            self.with_calculator and (self._is_number_of_several(own) or self._is_awkward(own))
+        )
         number = _in_figures(own) if carried else self.in_letters(own)
         if number is not None:
             self._known[own] = number
@@ -296,12 +303,15 @@ class Figures:
         """The sums of roots in a tree that are carried, each with its figures."""
         is_carried = self.is_of_roots
         if outcome and self.with_calculator and not is_measure_of_angle(tree):
-            whole = behind or any(map(self._is_long, walk(tree)))
+            awkward = self._is_awkward(tree)
+            is_long = any(map(self._is_long, walk(tree)))
+            whole = behind or awkward or is_long
             if whole and letters(tree):
                 multiple = self.in_letters(tree)
                 if multiple is not None:
                     return {tree: multiple}
-            worked = self._is_number_of_several(tree) or (behind and _has_long_numbers(tree))
+            worked = awkward or is_long or self._is_number_of_several(tree)
+            worked = worked or (behind and _has_long_numbers(tree))
             if whole and worked and not has_unit_vector(tree):
                 number = _in_figures(tree, figures)
                 return {} if number is None else {tree: number}
@@ -344,13 +354,25 @@ class Figures:
         """Whether a value is a sum with ratios of plain angles in it, or a sum of roots."""
         return self.is_of_roots(tree) or _is_long(tree)
 
+    def _is_awkward(self, tree: Expression) -> bool:
+        """Whether a number has a fraction beside a ratio that nobody would carry: (112/45) cos 52°.
+
+        Among decimals nobody has a multiple of a ratio below a line.
+        """
+        if not of_plain_angles(tree):
+            return False
+        quotients = [node for node in walk(tree) if isinstance(node, Binary) and node.op == "/"]
+        return any(_is_long_fraction(node) for node in quotients) or (
+            self._decimals and any(_is_multiple_of_a_ratio(node.right) for node in quotients)
+        )
+
     def _is_number_of_several(self, tree: Expression) -> bool:
         """Whether a number has several ratios, or one beside a sum of roots."""
         return not letters(tree) and self._is_of_several(tree)
 
     def _is_of_several(self, tree: Expression) -> bool:
         """Whether a value has several ratios of plain angles, or one beside a sum of roots."""
-        if _has_several_ratios(tree):
+        if _has_several_ratios(tree) or (self.with_calculator and _is_long(tree)):
             return True
         one = bool(_ratios_of_numbers(tree)) and not has_quantity(tree)
         return one and self.with_calculator and self.has_sums_of_roots(tree)
@@ -407,6 +429,20 @@ def _has_long_numbers(tree: Expression) -> bool:
         isinstance(node, Number) and max(node.value.numerator, node.value.denominator) >= _LONG
         for node in walk(tree)
     )
+
+
+def _is_long_fraction(tree: Binary) -> bool:
+    """Whether a quotient is a fraction with a number that is not short, and no short decimal."""
+    match tree:
+        case Binary("/", Number(above), Number(below)):
+            places = _DECIMALS % (above / below).denominator
+            return max(above, below) >= (_SHORT if places else _LONG)
+    return False
+
+
+def _is_multiple_of_a_ratio(tree: Expression) -> bool:
+    """Whether a tree is a number times a ratio: 2.4 sin 38°."""
+    return is_binary(tree, "*") and isinstance(tree.left, Number) and of_plain_angles(tree)
 
 
 def _has_several_ratios(tree: Expression) -> bool:
