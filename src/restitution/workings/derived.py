@@ -538,7 +538,6 @@ class _Writer:
             sentences = tuple(map(_of_a_percentage, sentences))
             title = None if title is None else _of_a_percentage(title)
         sentences, source = self.carried.beside(title, () if again else sentences, _subject(line))
-        decimals = self.rows.decimals(line)
         reasons = () if arithmetic else self.reasons.of(line)
         numbers = self.sources.numbers
         behind = next((numbers[e.number] for e in (line, *waiting) if e.number in numbers), None)
@@ -553,8 +552,7 @@ class _Writer:
             number="" if behind is None else str(behind),
             label=self.ends.label(line, self.said_again),
         )
-        if decimals is not None:
-            rows.append(decimals)
+        rows = self.rows.with_decimals(rows, line)
         end = self.ends.of(line)
         if end is not None and not end.shown:
             rows[-1] = replace(rows[-1], answer=True)

@@ -237,6 +237,25 @@ class Rows(Chains):
         self._bounded(sides, bounded)
         return Row(tuple(bounded), tuple(sign_of(link) for link in links), reasons=reasons)
 
+    def with_decimals(self, rows: Sequence[Row], line: Line) -> list[Row]:
+        """Rows with the ends of their range to three figures below them.
+
+        With a calculator they take the place of ends that nobody would write.
+        """
+        *above, last = rows
+        decimals = self.decimals(line)
+        if decimals is None:
+            return [*rows]
+        assert isinstance(line.relation, Relation)
+        by_calculator = self._figures.with_calculator
+        if not by_calculator or not any(map(self._figures.is_carried, line.relation.trees)):
+            return [*rows, decimals]
+        reasons = (*last.reasons, *decimals.reasons)
+        return [
+            *above,
+            replace(last, operands=decimals.operands, signs=decimals.signs, reasons=reasons),
+        ]
+
     def _alternatives(self, options: tuple[tuple[Link, ...], ...], asked: bool) -> Row:
         """``t = 1 or t = −1``, set at the first sign; opposite roots as ``t = ±1``."""
         first, *rest = options

@@ -33,6 +33,8 @@ from restitution.expression.tree import (
     Name,
     Number,
     Quantity,
+    has_quantity,
+    letters,
     walk,
 )
 
@@ -45,9 +47,19 @@ def follows(step: Step, relation: Relation) -> bool:
     """
     if _follows(step, relation):
         return True
+    if step.move.id != "law" or not _gives_a_number(relation):
+        return False
     several = len(set(_plain_degrees(step, relation))) > 1
     by_degrees = frozenset({*step.identities, "degrees"})
     return several and _follows(step.under(identities=by_degrees), relation)
+
+
+def _gives_a_number(relation: Relation) -> bool:
+    """Whether a line is an equation for one value: a longer one would take minutes by degrees."""
+    links = relation.options[0]
+    return len(relation.options) == 1 and all(
+        link.sign == "=" and not (letters(link.right) or has_quantity(link.right)) for link in links
+    )
 
 
 def _plain_degrees(step: Step, relation: Relation) -> Iterator[Fraction]:

@@ -204,13 +204,16 @@ class Figures:
         parts = _number_and_letters(tree) if len(_ratios_of_numbers(tree)) >= least else None
         return None if parts is None else _multiple(*parts)
 
+    def is_carried(self, tree: Expression) -> bool:
+        """Whether a working goes on with the figures of a value, and not with the value."""
+        return self._is_long(tree) or (
+            self.with_calculator and (self._is_number_of_several(tree) or self._is_awkward(tree))
+        )
+
     def note(self, tree: Expression) -> None:
         """Notes that the figures of a value stand behind it now."""
         own = unsigned(tree)
-        carried = self._is_long(own) or (
-            self.with_calculator and (self._is_number_of_several(own) or self._is_awkward(own))
-        )
-        number = _in_figures(own) if carried else self.in_letters(own)
+        number = _in_figures(own) if self.is_carried(own) else self.in_letters(own)
         if number is not None:
             self._known[own] = number
             self._by_size.update(_by_its_size(own, number))
