@@ -101,6 +101,7 @@ VERDICTS = {"true", "follows", "false", "asks", "unread", "remark", "unsupported
         ("twentysecond-sealed", 87, 41),
         ("twentythird", 100, 49),
         ("twentythird-sealed", 113, 56),
+        ("twentyfourth", 129, 62),
     ],
 )
 def test_the_scripts_of_a_set_are_well_formed(folder: str, number: int, correct: int) -> None:
