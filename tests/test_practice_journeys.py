@@ -97,3 +97,18 @@ def test_the_time_of_a_flight_is_no_component_of_the_same_number() -> None:
     marking = restitution.mark(solution_of(statement), "t = 6/3 = 2", part="a")
     assert [line["principle"] for line in marking.json()["lines"]] == ["component"]
     assert [point.state for point in marking.marks.points].count("earned") == 2
+
+
+def test_the_time_of_the_way_back_is_none_of_the_way_there() -> None:
+    # 8 m at 2 take 4 s; back at 1 they take 8 s.
+    statement = THERE_AND_BACK.replace("8i", "2i").replace("12", "8").replace("1/4", "1/2")
+    assert verdicts(statement, "time back = 8/2 = 4 s", "total = 4 + 4 = 8 s") == [
+        "false",
+        "follows",
+    ]
+    right = ("time for the return journey = 8/1 = 8", "time to come back = 8", "total time = 12")
+    assert set(verdicts(statement, *right)) == {"true"}
+
+
+def test_a_time_across_is_a_time() -> None:
+    assert verdicts(STRIP, "time across = 4/6 = 0.667", "time to go across = 2/3") == ["true"] * 2

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, product
 
 from restitution.expression.tree import Binary, Expression, Letter, Quantity
-from restitution.practice.judging.entries import is_numeric
+from restitution.practice.judging.entries import Entry, is_numeric
 from restitution.practice.judging.following import Following
 from restitution.practice.judging.judged_link import JudgedLink
-from restitution.practice.reading.phrases import names_time, names_whole_time
+from restitution.practice.reading.phrases import (
+    names_time,
+    names_way_back,
+    names_whole_time,
+)
 from restitution.practice.script import Claim, Link, ScriptLine
 
 
@@ -34,7 +38,7 @@ class Journeys(Following):
                     meant = meanings.get(name)
                 case _:
                     continue
-            if meant not in times or names_whole_time(name):
+            if meant not in times or names_whole_time(name) or names_way_back(name):
                 continue
             for time in times:
                 other = replace(claim, left=time)
@@ -43,11 +47,41 @@ class Journeys(Following):
                     return JudgedLink("true", other, grade)
         return None
 
+    def _summed_times(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A time in all that adds up times of lines above, of which one is wrong."""
+        own = [entry for entry in self.entries if self._is_time(entry)]
+        known = [(x, 0) for x in self._times()] if any(entry.wrong for entry in own) else []
+        wrong = [(entry.claim.right, entry.number) for entry in own if entry.wrong]
+        for claim in link.readings if wrong else ():
+            match claim:
+                case Claim(Letter(name), "=", value, ()) if is_numeric(value) and names_time(name):
+                    pass
+                case _:
+                    continue
+            for (first, number), (other, beside) in product(wrong, [*wrong, *known]):
+                if number == beside:
+                    continue
+                summed = replace(claim, left=Binary("+", first, other))
+                grade = self._best_accuracy(summed, self.worlds, line, link)
+                if grade is not None:
+                    numbers = tuple(sorted({number, beside} - {0}))
+                    return JudgedLink("follows", claim, grade, numbers)
+        return None
+
+    def _is_time(self, entry: Entry) -> bool:
+        """Whether a line gives a time its value."""
+        left = entry.claim.left
+        meant = entry.meanings.get(left.name, left) if isinstance(left, Letter) else left
+        return entry.is_value and is_numeric(entry.claim.right) and meant in tuple(self._times())
+
     def _mistimed(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A time that is wrong: one in all, or one that an altered law explains.
 
         Of any other nobody knows since when it counts.
         """
+        summed = self._summed_times(line, link)
+        if summed is not None:
+            return summed
         for claim in link.readings:
             match claim:
                 case Claim(Letter(name), "=", value, ()) if is_numeric(value) and names_time(name):

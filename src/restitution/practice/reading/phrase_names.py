@@ -82,6 +82,11 @@ def names_time(name: str) -> bool:
     return any(HEADS.get(word) == "time" for word in name.casefold().split())
 
 
+def names_way_back(name: str) -> bool:
+    """Whether a phrase names the time of the way back."""
+    return names_time(name) and "back" in name.casefold().split()
+
+
 def names_whole_time(name: str) -> bool:
     """Whether a phrase names a time and tells since when it counts: *total time*."""
     return names_time(name) and not _IN_ALL.isdisjoint(name.casefold().split())

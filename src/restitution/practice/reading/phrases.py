@@ -46,6 +46,7 @@ from restitution.practice.reading.phrase_names import (
     names_axis,
     names_quantity,
     names_time,
+    names_way_back,
     names_whole_time,
     speaks_of_the_end,
     tells_after,
@@ -62,6 +63,7 @@ __all__ = [
     "names_axis",
     "names_quantity",
     "names_time",
+    "names_way_back",
     "names_whole_time",
     "read_phrase",
     "speaks_of_the_end",
@@ -200,6 +202,10 @@ class _Reader(Journeys):
             elif heads == {"change"}:
                 yield from self.change(event)
                 yield from self.impulse(event)
+            elif heads == {"time"}:
+                if not (self.features.both or self.features.back):
+                    yield Quantity("time", (), event)
+                yield from self.times()
             elif self.features.direction or self.features.axis is not None or "component" in heads:
                 yield from self.component(event)
                 if self.features.axis is not None and heads <= {"direction"}:
@@ -217,10 +223,6 @@ class _Reader(Journeys):
                 yield from self.inclinations(event)
                 if self.features.wall or set(self.features.names) & set(self.walls):
                     yield from self.component(event)  # AB direction: 0.8u
-            elif "time" in heads:
-                if not (self.features.both or self.features.back):
-                    yield Quantity("time", (), event)
-                yield from self.times()
             elif "distance" in heads and len(self.features.names) == 2:
                 first, second = self.features.names
                 yield Quantity("distance", (Name(first), Name(second)))

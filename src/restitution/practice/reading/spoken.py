@@ -72,6 +72,12 @@ _TIME_TO = re.compile(
     r"(?:the\s+)?(wall|[A-Z])\b",
     re.IGNORECASE,
 )
+_TIME_TO_GO = re.compile(
+    r"\btime(?:\s+taken)?\s+(?:for\s+(?:\w+\s+)?)?to\s+(?:go|get|travel|move|come|return|cross)\b"
+    r"(?:\s+(?:across|over|back|there|it))?(?=\s*[=:])"
+    r"|\btime\s+(?:taken\s+)?for\s+(?:the\s+)?(?:return|way\s+back)(?:\s+\w+)?(?=\s*[=:])",
+    re.IGNORECASE,
+)
 _TIME_OF_EVENT = re.compile(r"\btime\(([1-4])\)(?=\s*[=+\-])")
 # What a derivative is of, and that it is one, which no claim says: dy/dt, d/dt(...), d(tan δ)/dα.
 _DERIVATIVE = re.compile(
@@ -79,6 +85,14 @@ _DERIVATIVE = re.compile(
     r"\s*(?:\([^=]*\)|\[[^=]*\])?\s*[=:]"
 )
 _PART = re.compile(r"\b([ij])[- ]part\b(?=[^:=]*=)")
+# The part of a vector, behind which it is worked out as a vector: ``perp part of 5i = ...``.
+_PART_OF_A_VECTOR = re.compile(
+    r"(?:\b(?:the\s+)?(?:parallel|para?|perp(?:endicular)?|normal|tangential|resolved)\s+)"
+    r"(?:part|bit|component|comp|vector)\s+of\s+"
+    r"\(?\s*[-−]?[\d./√]*[uU]?[ij](?:\s*[-+−]\s*[\d./√]*[uU]?[ij])?\s*\)?\s*="
+    r"(?=[^=]*[ij])",
+    re.IGNORECASE,
+)
 _COUNTED = re.compile(
     r"\b(deflection|loss|energy\s+lost|KE\s+lost|impulse)\s?([1-4])(?=\s*=)", re.IGNORECASE
 )
@@ -227,6 +241,11 @@ def _in_all(match: re.Match[str], problem: Problem) -> str:
     return f"{match[1]} time" if timed else match[0]
 
 
+def _returns(text: str) -> bool:
+    """Whether words tell of a way back."""
+    return bool({"back", "return"} & set(text.casefold().split()))
+
+
 def _at_the_end(match: re.Match[str], _: Problem) -> str:
     """The energy before, or the one after, of ``KE i`` and ``KE f``."""
     return f"{'initial' if match[2] == 'i' else 'final'} KE "
@@ -294,9 +313,11 @@ _RULES: tuple[tuple[re.Pattern[str], Put], ...] = (
     (_MAKES_AN_ANGLE, _angle),
     (_ANGLE_OF_A_VELOCITY, _of_a_velocity),
     (_TIME_TO, lambda match, _: f"time for {match[2] or 'it'} to {match[3]}"),
+    (_TIME_TO_GO, lambda match, _: "time back" if _returns(match[0]) else "time"),
     (_TIME_OF_EVENT, lambda match, _: f"time of {_ORDINALS[int(match[1]) - 1]} impact "),
     (_DERIVATIVE, lambda _, __: "derivative: "),
     (_PART, lambda match, _: f"{match[1]} component"),
+    (_PART_OF_A_VECTOR, lambda _, __: ""),
     (_COUNTED, lambda match, _: f"{match[1]} of the {_ORDINALS[int(match[2]) - 1]} impact"),
     (_FIRST_AND_LAST, lambda _, __: "initial and final "),
     (_BETWEEN_U_AND_V, _of_both),

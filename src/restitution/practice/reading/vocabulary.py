@@ -119,7 +119,7 @@ FILLERS = frozenset(
     + ("surface", "moment", "makes", "made", "relative", "combined", "through", "s", "axis", "dir")
     + ("dirn", "moves", "moving", "actual", "resultant", "sum", "which", "it", "that", "their")
     + ("motion", "given", "exerted", "received", "common", "full", "into", "wrt", "joining", "rel")
-    + ("reduced", "path", "paths", "trajectory")
+    + ("reduced", "path", "paths", "trajectory", "back")
 )
 PHRASE_WORDS = (
     frozenset(HEADS)
