@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from marked import verdicts
 
 import restitution
 from restitution.explaining.data.arrangement import events_of
@@ -196,3 +197,13 @@ def test_a_value_in_a_case_holds_in_that_case_alone() -> None:
     for wrong, verdict in (("", "true"), ("\ne = 1: I = 20mu/7", "false")):
         marking = restitution.mark(restitution.parse(_RANGE), lines + wrong, letters=letters)
         assert marking.json()["lines"][-1]["verdict"] == verdict
+
+
+def test_the_impulse_on_the_other_sphere_is_opposite_to_his_own() -> None:
+    statement = (
+        "sphere A: mass 2, velocity 5i + 3j\nsphere B: mass 4, at rest\nA hits B\n"
+        "given velocity(A) = 3i + j\nfind velocity(B)"
+    )
+    working = ["change in velocity of A = -2i + 4j", "impulse on A = -4i + 8j"]
+    assert verdicts(statement, *working, "vB = i - 2j")[1:] == ["follows", "follows"]
+    assert verdicts(statement, *working, "vB = 4i - 8j")[2] == "false"

@@ -17,6 +17,7 @@ from restitution.expression.evaluate import Angle
 from restitution.expression.quantities import ANGLES
 from restitution.expression.tree import (
     Apply,
+    Binary,
     Expression,
     Letter,
     Name,
@@ -45,6 +46,8 @@ _EFFORT = 80_000
 """So many evaluations are spent on other meanings of the letters, at most."""
 _SURE = 3
 """What an angle is taken for is certain with so many true lines that it stands in."""
+_ROUNDED = 0.006
+"""What a student's own rounding may move a product of speeds by."""
 _RIGHT = 1e-9
 """A sine below this is that of a multiple of two right angles."""
 
@@ -194,6 +197,31 @@ class Doubts:
             return False
         return any(self._agree(meant, tree) for tree, _ in self.bench.wanted.asked)
 
+    def _is_asked_angle(self, name: str, meant: Expression, line: JudgedLine) -> bool:
+        """Whether a letter is the only angle that is asked, by the sizes in a scalar product.
+
+        ``cos θ = (14 + 9)/(5 × 4.61)`` is of the velocities of 5 and 4.61, whatever stands above.
+        """
+        asked = [tree for tree, _ in self.bench.wanted.asked if kind_of(tree) in ANGLES]
+        if len(asked) != 1 or not self._agree(meant, asked[0]):
+            return False
+        sizes = _sizes_beside(asked[0], len(self.bench.worlds[0].events))
+        cosine = Apply("cos", Letter(name))
+        return sizes is not None and any(
+            is_binary(claim.right, "/") and self._is_near(claim.right.right, sizes)
+            for link in line.line.links
+            for claim in link.readings
+            if claim.left == cosine
+        )
+
+    def _is_near(self, first: Expression, second: Expression) -> bool:
+        """Whether two numbers are equal in the first true world, but for a student's rounding."""
+        world = self.bench.worlds[0]
+        try:
+            return bool(np.allclose(world.scalar(first), world.scalar(second), rtol=_ROUNDED))
+        except RestitutionError:
+            return False
+
     def _agree(self, first: Expression, second: Expression) -> bool:
         """Whether two quantities are equal in the first true world."""
         try:
@@ -266,6 +294,8 @@ class Doubts:
                     name in worked or by_momentum
                 )
                 odd = is_odd(name, meaning.quantity)
+                if self._is_asked_angle(name, meaning.quantity, line):
+                    continue
                 if support < (2 if odd else 0 if named else 1) or (
                     (not support or (support < _SURE and kind_of(meaning.quantity) in ANGLES))
                     and self._is_true_of_another(line, name, lines)
@@ -355,6 +385,17 @@ def _gives(line: ScriptLine, name: str) -> bool:
         or (isinstance(side, Apply) and side.argument == Letter(name))
         for side in sides
     )
+
+
+def _sizes_beside(angle: Expression, last: int) -> Expression | None:
+    """The product of the sizes of the two velocities that an angle is between."""
+    match angle:
+        case Quantity("deflection", (body,), stage):
+            number = stage if isinstance(stage, int) else last
+            return Binary("*", *(Quantity("speed", (body,), n) for n in (number - 1, number)))
+        case Quantity("angle", (Quantity("velocity") as one, Quantity("velocity") as other)):
+            return Binary("*", Apply("abs", one), Apply("abs", other))
+    return None
 
 
 def _sphere_of(tree: Expression) -> str | None:

@@ -18,6 +18,7 @@ from restitution.expression.tree import (
     Degrees,
     Expression,
     Letter,
+    Name,
     Negate,
     Number,
     Quantity,
@@ -73,6 +74,8 @@ NAMED = 10
 """So many mistakes are looked into; of more the first tell enough."""
 _OF_COMPONENTS = frozenset({"momentum", "restitution", "unchanged"})
 """The laws that tell the components after an impact."""
+_OF_SPHERES = frozenset({"momentum", "restitution"})
+"""The laws along a line of centres."""
 IMPOSSIBLE_ANGLE = "A sine or a cosine is at most 1, so this cannot be."
 IMPOSSIBLE_COEFFICIENT = "A coefficient of restitution lies between 0 and 1, so this cannot be."
 _HUNDRED = 100
@@ -102,6 +105,7 @@ class Following(OwnValues):
     ) -> None:
         super().__init__(worlds, meanings, naming, question, names=names)
         self._confirmed: dict[int, set[str]] = {}
+        self._groundless: set[int] = set()
         self._roots: list[Entry] = []
         self._rooted: tuple[tuple[int, int], list[World]] = ((-1, -1), [])
 
@@ -126,6 +130,7 @@ class Following(OwnValues):
             or self._in_units(line, link, self.students(), "follows")
             or self._under_own_condition(line, link)
             or self._of_own_speeds(line, link)
+            or self._by_opposite_impulse(line, link)
             or self._of_later_event(line, link)
             or self._adopted(line, link)
             or self._consistent(line, link)
@@ -280,6 +285,29 @@ class Following(OwnValues):
                 return JudgedLink("follows", claim, grade, numbers, self._impossible(claim))
         return None
 
+    def _by_opposite_impulse(self, line: ScriptLine, link: Link) -> JudgedLink | None:
+        """A velocity after by the student's own impulse on the other sphere, turned round."""
+        meanings = self.meanings(line.number)
+        for claim in link.readings:
+            left = claim.left
+            meant = meanings.get(left.name) if isinstance(left, Letter) else left
+            match meant:
+                case Quantity("velocity", (Name(body),), int(stage)) if stage and not claim.others:
+                    before = Quantity("velocity", (Name(body),), stage - 1)
+                case _:
+                    continue
+            for other in self._base.start:
+                own = self._own_value(Quantity("impulse", (Name(other),), stage))
+                if own is None or own.right or other == body:
+                    continue
+                change = Binary("-", claim.right, before)
+                gain = Binary("*", Quantity("mass", (Name(body),)), change)
+                turned = replace(claim, left=gain, right=Negate(own.claim.right))
+                grade = self.accuracy(turned, self._base, line, link)
+                if grade is not None:
+                    return JudgedLink("follows", claim, grade, (own.number,))
+        return None
+
     def _of_later_event(self, line: ScriptLine, link: Link) -> JudgedLink | None:
         """A letter that has a value, and is given another: its quantity after a later event."""
         for claim in link.readings if self.wrong else ():
@@ -399,6 +427,17 @@ class Following(OwnValues):
             return False
         uses = self.uses_of_entry(entry) if self._names else ()
         return not uses or any(use.altered or use.principle != "unchanged" for use in uses)
+
+    def _is_grounded(self, entry: Entry) -> bool:
+        """Whether a true line follows from true lines and laws that are not broken, or is a law.
+
+        An equation that is a law, though a mistake above may stand in its place, needs no other.
+        """
+        firm = [other for other in self.entries if other.number not in self._groundless]
+        if self._support.is_grounded(entry, firm, self._forgone()):
+            return True
+        uses = () if entry.is_value else self.uses_of_entry(entry)[:1]
+        return any(use.altered is None and use.principle in _OF_SPHERES for use in uses)
 
     def _repeated(self, mistake: Explained, uses: Sequence[Use]) -> frozenset[str]:
         """The mistakes of an earlier line that a line has once more, at the same event.

@@ -60,7 +60,6 @@ from restitution.practice.judging.plain_mistakes import (
     is_sought_angle,
     is_speed_by_energies,
     is_whole_speed,
-    is_worth,
     is_zero,
     leaves_out_across,
     not_negative,
@@ -69,6 +68,7 @@ from restitution.practice.judging.plain_mistakes import (
 )
 from restitution.practice.judging.sizes import numbers_in, varying_size
 from restitution.practice.judging.slips import Correction, in_datum
+from restitution.practice.judging.squares import is_worth
 from restitution.practice.judging.typed_energies import are_energies, is_halved
 from restitution.practice.letters.candidates import Candidate, candidates
 from restitution.practice.reading.lines import text_of

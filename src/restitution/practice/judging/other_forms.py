@@ -353,8 +353,9 @@ def with_units(claim: Claim, world: World) -> Iterator[Claim]:
     worked = isinstance(claim.left, Binary) and data <= world.letters.keys()
     if claim.sign != "=" or claim.others or not (named or squared or worked):
         return
-    if not is_numeric(claim.right):
-        return
+    pure = letters(claim.right) <= world.letters.keys() - set("".join(_SCALES))
+    if not (is_numeric(claim.right) or (named and pure)):
+        return  # the parallel component of u at α is cos α in units of u
     masses, speeds = ((None, *map(Letter, sorted(set(s) & world.letters.keys()))) for s in _SCALES)
     for mass, speed in product(masses, speeds):
         square = Binary("^", speed, Number(Fraction(2))) if speed is not None else None

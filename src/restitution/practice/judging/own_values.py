@@ -283,6 +283,8 @@ class OwnValues(Holding):
             last = claim.right
             if untrue and judged.verdict == "true":
                 self._note_number(line, judged, start)  # β = 60 - 10.9 = 49.1
+            elif judged.verdict == "true":
+                self._note_worked(line, judged)
             untrue = untrue or judged.verdict in ("false", "follows")
             if judged.verdict not in ("true", "follows", "false", "unsupported"):
                 continue
@@ -317,6 +319,20 @@ class OwnValues(Holding):
             if isinstance(meant, Letter) and is_phrase(meant.name):
                 others = self._meanings_of(meant.name, line.scope.event)
             self._own_numbers.note(judged.claim.right, meant, meanings, line.number, others)
+
+    def _note_worked(self, line: ScriptLine, judged: JudgedLink) -> None:
+        """Keep what is worked out of a wrong number, rightly: ``u cos 38.7 = 0.781u``."""
+        claim = judged.claim
+        if claim.sign != "=" or claim.others or not self._own_numbers:
+            return
+        if isinstance(claim.left, Letter | Quantity) or not self._is_known(claim):
+            return
+        for own, _ in self._own_numbers.put_back(claim):
+            if own.right == claim.right and own.left != claim.left:
+                self._own_numbers.note(
+                    claim.right, own.left, self.meanings(line.number), line.number
+                )
+                return
 
     def _is_of_data(self, tree: Expression, line: ScriptLine) -> bool:
         """Whether a product has letters of what the question fixes alone: ``u cos θ``."""

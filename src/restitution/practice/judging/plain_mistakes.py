@@ -45,6 +45,7 @@ from restitution.practice.judging.plain_energies import (
 from restitution.practice.judging.plain_impulses import is_impulse_of_speeds, is_impulse_reversed
 from restitution.practice.judging.plain_laws import SHOWN
 from restitution.practice.judging.slips import Correction
+from restitution.practice.judging.squares import is_square_of_a_size, is_worth
 from restitution.practice.judging.typed_energies import (
     given_energies,
     has_half,
@@ -66,15 +67,6 @@ _TINY, _ROUNDED = 1e-9, 0.005
 _SIMPLE = 12
 
 
-def is_worth(tree: Expression, entry: Entry, world: World, sizes: Iterable[Array]) -> bool:
-    """Whether a term has the size of one of some quantities, to three figures."""
-    try:
-        size = np.abs(world.spread(world.scalar(tree, entry.meanings, scope=entry.scope)))
-    except RestitutionError:
-        return False
-    return any(bool(np.all(np.abs(size - other) <= 0.005 * other)) for other in sizes)
-
-
 def plainly(
     entry: Entry, world: World, entries: Iterable[Entry], mended: Sequence[Correction]
 ) -> str | None:
@@ -85,7 +77,7 @@ def plainly(
     if name is not None:
         return name
     changes = {correction.change for correction in mended}
-    squares = any(map(_is_square_put, mended)) and changes <= {
+    squares = any(is_square_of_a_size(x, mended, entry, world) for x in mended) and changes <= {
         "square",
         "power",
         "figure",
@@ -96,12 +88,6 @@ def plainly(
     if squares and worked and _is_of_squares(entry) and not any(map(is_energetic, above)):
         return "square-not-taken"  # where no line above has squares that may be copied wrongly
     return None
-
-
-def _is_square_put(correction: Correction) -> bool:
-    """Whether a correction squares a number or a letter."""
-    square = is_binary(correction.put, "^")
-    return correction.change == "square" or (correction.change == "power" and square)
 
 
 def _is_other_component(entry: Entry, world: World) -> bool:

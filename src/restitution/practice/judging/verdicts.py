@@ -101,7 +101,6 @@ class Judge(Unlabelled):
     ) -> None:
         super().__init__(worlds, meanings, naming, question, names=names)
         self.unknown: set[str] = set()
-        self._groundless: set[int] = set()
         self._lines_of: Mapping[str, set[int]] = {}
 
     # --- a script ---------------------------------------------------------------------------------
@@ -582,8 +581,7 @@ class Judge(Unlabelled):
             students = self.students() if self.wrong else ()
             if len(line.links) == 1 and self._is_without_support(entry, students):
                 verdict = "unsupported"
-            firm = [entry for entry in self.entries if entry.number not in self._groundless]
-            grounded = self._support.is_grounded(entry, firm, self._forgone())
+            grounded = self._is_grounded(entry)
             his_own = False
             if not grounded:
                 self._groundless.add(line.number)
