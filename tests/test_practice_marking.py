@@ -1206,3 +1206,45 @@ def test_a_root_behind_a_sphere_is_its_speed_where_it_is_wrong_too() -> None:
     problem = restitution.parse(f"{statement}A hits B: along i, e = 3/5\nfind speed(A)")
     assert [x.verdict for x in restitution.mark(problem, "A √(2²+3²) = √13").lines] == ["false"]
     assert [x.verdict for x in restitution.mark(problem, "A √(4²+1²) = √17").lines] == ["true"]
+
+
+EQUAL_PUSH = """
+sphere A: mass m, velocity 3u i + u j
+sphere B: mass 2m, velocity -u i + 2u j
+A hits B: along i
+given impulse = 4m u
+find velocity(A), velocity(B)
+"""
+OFFSET = """
+sphere A: mass m, velocity u i, radius r
+sphere B: mass 2m, at rest, radius r
+A hits B: offset 6/5 r, e = 1/4
+find speed(B)
+"""
+
+
+def test_an_impulse_on_one_sphere_alone_earns_no_momentum() -> None:
+    marking = restitution.mark(solution(EQUAL_PUSH), ["I on A is -4mu i", "mv - 3mu = -4mu"])
+    momentum = [x for x in marking.marks.points if x.point.principle == "momentum"]
+    assert {mark.state for mark in momentum} == {"lost"}
+
+
+def test_an_equation_that_is_a_law_stands_under_a_mistake_about_another() -> None:
+    letters = {"v": "along(velocity(A), i)", "w": "along(velocity(B), i)"}
+    wrong = "A perp after = 1/2 x 2 = 1"
+    laws = ["2 = 2v + 4w", "w - v = 2", "w = 1, v = -1"]
+    marking = restitution.mark(solution(PAIR), [wrong, *laws], letters=letters)
+    assert all(line.grounded for line in marking.lines[1:])
+
+
+def test_an_answer_worked_out_wrongly_below_its_expression_is_lost() -> None:
+    statement = PAIR.replace("find velocity(A), velocity(B)", "find energy_lost")
+    assert states(statement, "loss = 13 + 4 - 5 - 4\n= 12 - 5 = 6")[-1] == "lost"
+    assert states(statement, "loss = 13 + 4 - 5 - 4\n= 17 - 9 = 8")[-1] != "lost"
+
+
+def test_what_is_worked_out_of_a_wrong_angle_follows() -> None:
+    working = ["tanθ = 1.2r/2r = 0.6, θ = 30.96", "ucos30.96 = 0.857u", "0.857u = v + 2w"]
+    letters = {"v": "along(velocity(A), line_of_centres)", "w": "speed(B)"}
+    lines = restitution.mark(solution(OFFSET), working, letters=letters).json()["lines"]
+    assert [line["verdict"] for line in lines][::2] == ["false", "follows"]

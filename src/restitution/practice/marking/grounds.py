@@ -6,9 +6,14 @@ from collections.abc import Sequence
 from itertools import takewhile
 
 from restitution.explaining.mistakes.misconceptions import MISCONCEPTIONS
-from restitution.expression.tree import is_binary, is_function, walk
-from restitution.practice.judgement import JudgedLine, Judgement
-from restitution.practice.marking.lines import has_vector, is_plain, subtracts_squares
+from restitution.expression.tree import Letter, Quantity, is_binary, is_function, walk
+from restitution.practice.judgement import JudgedLine, Judgement, Use
+from restitution.practice.marking.lines import (
+    fitting_uses,
+    has_vector,
+    is_plain,
+    subtracts_squares,
+)
 from restitution.practice.marking.marks import PointMark
 from restitution.practice.marking.scheme import MarkPoint, Scheme
 from restitution.practice.marking.values import Values
@@ -110,6 +115,22 @@ class Grounds:
             return True
         return point.principle == "speed" and self.values.is_sum_of_squares(point, line)
 
+    def _is_of_vectors(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a velocity only follows from an equation of vectors that is false.
+
+        No components are put together there.
+        """
+        return (
+            point.principle in ("velocity", "impulse")
+            and line.verdict == "follows"
+            and is_plain(line)
+            and any(
+                has_vector(root)
+                and not isinstance(root.line.links[0].readings[0].left, Letter | Quantity)
+                for root in self._roots(line)
+            )
+        )
+
     def _has_no_components(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a speed follows from laws with whole speeds, and so from no component."""
         roots = (root.mistake for root in self._roots(line))
@@ -129,6 +150,16 @@ class Grounds:
         return point.principle in ("velocity", "component") and self.values.speaks_of_line_alone(
             line
         )
+
+    def _is_no_elimination(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line with one unknown only prepares what is solved."""
+        return self._is_of_one_angle(point, line) or self._is_before_condition(point, line)
+
+    def _is_before_condition(self, point: MarkPoint, line: JudgedLine) -> bool:
+        """Whether a line needs no condition of the question, which solving puts in."""
+        needed = (self.states[name].point for name in point.depends if name in self.states)
+        conditions = [x for x in needed if x.principle in ("deflection", "fact")]
+        return bool(conditions) and self.values.holds_by_laws(line)
 
     def _is_of_one_angle(self, point: MarkPoint, line: JudgedLine) -> bool:
         """Whether a line only gives the angle from which another is put together wrongly."""
@@ -188,8 +219,31 @@ class Grounds:
             return False
         if self.values.has_component(point, line):
             return False
-        named = [MISCONCEPTIONS.get(x.mistake.id or "") for x in self._roots(line) if x.mistake]
-        return any(x is not None and (x.mark_of("unchanged") or "")[:2] == "B0" for x in named)
+        return any(
+            named is not None and (named.mark_of("unchanged") or "")[:2] == "B0"
+            for root in self._roots(line)
+            if root.mistake is not None and root.mistake.kind != "slip"
+            for named in map(MISCONCEPTIONS.get, _names_of(root))
+        )
+
+    def _is_taken(self, line: JudgedLine, use: Use, point: MarkPoint) -> bool:
+        """Whether the impulse on one sphere has earned its own point, where momentum is another.
+
+        The impulses on both spheres are as good as one of them and momentum.
+        """
+        if point.principle != "momentum" or use.principle != "impulse":
+            return False
+        own = {x.bodies for x in (*line.uses, *line.stated) if x.principle == "impulse"}
+        earned = (
+            self._line(mark.line)
+            for mark in self.states.values()
+            if mark.state == "earned" and mark.point.principle == "impulse"
+        )
+        return len(own) < 2 and any(
+            other is line or any(x.principle == "impulse" and x.bodies in own for x in other.uses)
+            for other in earned
+            if other is not None
+        )
 
     def _is_turned(self, line: JudgedLine) -> bool:
         """Whether an inequality only follows from one that is false, and has no sign of its own."""
@@ -232,3 +286,11 @@ class Grounds:
         )
         why = "the squares of the components are added"
         return None if wrong is None else PointMark(point, "lost", wrong.line.number, why)
+
+
+def _names_of(line: JudgedLine) -> tuple[str, ...]:
+    """The name of a mistake, or those of the altered laws that a line without a name fits."""
+    if line.mistake is not None and line.mistake.id is not None:
+        return (line.mistake.id,)
+    altered = (use.altered for use in fitting_uses(line))
+    return tuple(name.partition("/")[0] for name in altered if name)

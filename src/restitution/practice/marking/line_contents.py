@@ -29,7 +29,10 @@ from restitution.problem import Impact
 from restitution.records import dataclass
 
 _WORD = re.compile(r"[A-Za-z]{2,}")
-_UNITS = re.compile(r"m\s?s\^?-1|ms⁻¹|N\s?s|kg|deg(?:rees)?|and|sqrt", re.IGNORECASE)
+_UNITS = re.compile(
+    r"m\s?s\^?-1|ms⁻¹|N\s?s|kg|deg(?:rees)?|and|sqrt|\b(?:so|hence|thus|therefore|ans(?:wer)?)\b",
+    re.IGNORECASE,
+)
 
 
 def _is_of_velocity(point: MarkPoint) -> bool:

@@ -233,6 +233,7 @@ class _Examiner(SinglePoints):
                 is_step = is_step or (state.point.letter == "M" and worked)
                 is_step = is_step and not self._is_at_old_angle(state.point, line)
                 is_step = is_step and not self._has_no_components(state.point, line)
+                is_step = is_step and not self._is_of_vectors(state.point, line)
                 if is_step and state.state == "lost" and state.line is None:
                     why = f"line {own.line} cannot be had without it"
                     self.states[name] = replace(
@@ -329,7 +330,8 @@ class _Examiner(SinglePoints):
         line = self._line(mark.line)
         if line is None or mark.point.letter == "B" or mark.point.equation:
             return False
-        return line.verdict == "true" and line.grounded and self.values.is_solved(line)
+        solved = self.values.is_solved(line) or self.values.is_place(mark.point)
+        return line.verdict == "true" and line.grounded and solved
 
     def _is_wrong(self, number: int) -> bool:
         line = self._line(number)
@@ -339,6 +341,8 @@ class _Examiner(SinglePoints):
         """No accuracy without its method, and no dependent method without those it depends on."""
         for point in self.scheme.points:
             own = self.states[point.id]
+            if point.shown and own.state == "lost" and self._is_broken(own.line, ("false",)):
+                self._withdraw(own.line, own.why)
             if own.state != "earned":
                 continue
             needed = [self.states[name] for name in point.depends]
@@ -361,9 +365,20 @@ class _Examiner(SinglePoints):
             elif point.shown and self._is_broken(own.line, _UNSOUND):
                 why = "a line above it is not true"
                 self.states[point.id] = replace(own, state="lost", why=why)
+                self._withdraw(own.line, why)
             elif point.shown and self._is_leap(own, needed):
                 why = "a step is missing between the equations and the result"
                 self.states[point.id] = replace(own, state="lost", why=why)
+
+    def _withdraw(self, number: int | None, why: str) -> None:
+        """Takes away what the line of a printed result, under a line that is not true, gives."""
+        line = self._line(number)
+        if line is None or line.verdict != "true":
+            return
+        for name, mark in self.states.items():
+            by_it = mark.line == number and mark.state == "earned" and not mark.point.equation
+            if by_it and mark.point.letter != "M" and mark.point.item is None:
+                self.states[name] = replace(mark, state="lost", why=why)
 
     def _is_leap(self, result: PointMark, methods: Sequence[PointMark]) -> bool:
         """Whether no step stands between the equations and the printed result."""

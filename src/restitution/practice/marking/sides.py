@@ -14,6 +14,7 @@ from functools import cached_property
 
 import numpy as np
 
+from restitution.errors import RestitutionError
 from restitution.explaining.lines.trees import exchanged
 from restitution.expression.evaluate import Angle, Value
 from restitution.expression.tree import (
@@ -36,6 +37,7 @@ from restitution.practice.judgement import JudgedLine, Meaning
 from restitution.practice.letters.interpretation import Interpretation
 from restitution.practice.marking.scheme import MarkPoint
 from restitution.practice.script import Claim, column_of
+from restitution.practice.worlds.agreement import agrees
 from restitution.practice.worlds.arrays import Array, UnvaluedError, is_bare
 from restitution.practice.worlds.student import scattered_world, told_world
 from restitution.practice.worlds.world import World
@@ -90,6 +92,19 @@ class Sides:
             if not (isinstance(name, Letter) and name.name not in meanings)
             and self._changes(name, meanings, line)
         )
+
+    def holds_by_laws(self, line: JudgedLine) -> bool:
+        """Whether a relation of a line holds whatever the question states beside the laws."""
+        world, meanings = self._lawful, self._meanings(line)
+        if world is None:
+            return False
+        try:
+            return any(
+                agrees(link.readings[0], world, meanings, (), line.line.scope) is not None
+                for link in line.line.links
+            )
+        except RestitutionError:
+            return False
 
     def has_velocities(self, line: JudgedLine) -> bool:
         """Whether a letter for a velocity after an impact stands in a line."""

@@ -237,6 +237,7 @@ class SinglePoints(Grounds):
                 for line in self.lines
                 if line.verdict in SOUND or self._is_of_wrong_motion(point, line)
                 if self._is_matched(point, line) and not self._has_no_components(point, line)
+                if not self._is_of_vectors(point, line)
             ),
             None,
         )
@@ -288,6 +289,8 @@ class SinglePoints(Grounds):
             if self._is_at_wrong_angle(point, line):
                 return self._earned(point, line, "the law is right; the angle is another point")
             if sound and not self._is_of_what_stays(point, line, use):
+                continue
+            if sound and self._is_exchanged(point, line):
                 continue
             if sound and self._is_denied(point) and not self.values.has_velocities(line):
                 continue  # 13 cos α = 12 tells nothing of what stays
@@ -363,6 +366,8 @@ class SinglePoints(Grounds):
             if self.values.is_other_range(point, line):
                 last = PointMark(point, "lost", line.line.number, "not the whole range")
                 continue
+            if match is None and self._is_worked_out_wrongly(point, last, line):
+                last = PointMark(point, "lost", line.line.number, self._reason(line))
             if match is None:
                 continue
             right = line.verdict == "follows" and self.values.is_right_beside(point, line)
@@ -430,6 +435,14 @@ class SinglePoints(Grounds):
                 last = self._earned(point, conclusion, "")
         return last or self._missing(point)
 
+    def _is_worked_out_wrongly(
+        self, point: MarkPoint, mark: PointMark | None, line: JudgedLine
+    ) -> bool:
+        """Whether a line goes on from the one that has a value not worked out, to a wrong one."""
+        goes_on = line.verdict == "false" and line.line.text.lstrip().startswith("=")
+        above = mark is not None and mark.line == line.line.number - 1
+        return goes_on and above and self.values.replaces(point, line)
+
     def _is_one_of_several(self, point: MarkPoint, mark: PointMark) -> bool:
         """Whether a right answer may be one of several; of what follows nobody counts them."""
         line = self._line(mark.line)
@@ -483,7 +496,7 @@ class SinglePoints(Grounds):
                 for line in self.lines
                 if line.verdict in SOUND and line.grounded and self._is_eliminated(line)
                 if line.line.number >= self._first_line(point)
-                if not self._is_of_one_angle(point, line)
+                if not self._is_no_elimination(point, line)
             ),
             None,
         )
@@ -529,25 +542,11 @@ class SinglePoints(Grounds):
                 use = self._use(line, point)
                 if use is None or self._is_by_chance(line, use) or _is_of_plain_mistake(line, use):
                     continue
+                if self._is_of_vectors(point, line):
+                    continue
                 if self._is_stated_wrongly(line, use, point) or self._is_taken(line, use, point):
                     continue
                 yield line, use
-
-    def _is_taken(self, line: JudgedLine, use: Use, point: MarkPoint) -> bool:
-        """Whether the impulse on one sphere has earned its own point, where momentum is another.
-
-        The impulses on both spheres are as good as one of them and momentum.
-        """
-        if point.principle != "momentum" or use.principle != "impulse":
-            return False
-        taken = any(
-            mark.state == "earned"
-            and mark.line == line.line.number
-            and mark.point.principle == "impulse"
-            for mark in self.states.values()
-        )
-        bodies = {own.bodies for own in (*line.uses, *line.stated) if own.principle == "impulse"}
-        return taken and len(bodies) < 2
 
     def _is_by_chance(self, line: JudgedLine, use: Use) -> bool:
         """Whether what follows from a mistake only happens to fit another altered law.
@@ -616,7 +615,8 @@ class SinglePoints(Grounds):
             if self._is_of_another(point, line):
                 continue
             by_energy = (point.principle, use.principle) == ("speed", "energy")
-            if by_energy and self._is_answered_wrongly(point):
+            own_speed = line.verdict == "false" and self.values.is_of_a_speed(line)
+            if by_energy and not own_speed and self._is_answered_wrongly(point):
                 continue  # an energy from the components that change needs no speed
             own = point.principle in ("unchanged", "impulse", "speed", "angle", "deflection")
             if own and use.bodies and point.bodies and not set(use.bodies) & set(point.bodies):

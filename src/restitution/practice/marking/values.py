@@ -225,6 +225,8 @@ class Values(LineContents):
         sides = [
             side for chain in chains(line) for claim in chain for side in (claim.left, claim.right)
         ]
+        if sides and line.line.text.lstrip().startswith("="):
+            value, sides = sides[-1], sides[-1:]  # it works out what stands in the line above
         bare = (side for side in sides if not any(names_in(side)))
         if value is None or any(self._is_worth(side, link.left, line) for side in bare):
             return False
