@@ -687,4 +687,4 @@ _MOST_ITEMS = 40
 # Data of exam questions stay far below these.
 _MOST_NODES, _MOST_FUNCTIONS, _MOST_POWER, _LARGEST = 60, 6, 6, 10**12
 # The longest side of a line in the statements of the tests has 81 nodes.
-_MOST_IN_A_LINE = 120
+_MOST_IN_A_LINE = 160

@@ -452,6 +452,8 @@ def _is_plain_square(equation: sp.Expr, symbol: sp.Symbol) -> bool:
     if symbol in slope.free_symbols or symbol in rest.free_symbols:
         return False
     root = tidy(sp.sqrt(factored(-rest / slope)))
+    if not root.free_symbols and root.has(sp.sin, sp.cos):
+        return True  # a calculator gives its figures
     roots = (power for power in root.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q != 1)
     return not root.has(sp.Add, sp.sin, sp.cos) and not any(root.free_symbols for root in roots)
 
