@@ -580,7 +580,9 @@ class FactsOf(Arrangement):
         return Link(left, ">" if happens else "<=", other)
 
     def _direction(self, tree: Expression, events: int) -> Expression:
-        """The velocity of a sphere, where its name stands for a direction."""
+        """The velocity of a sphere, and a wall, where its name stands for a direction."""
+        if is_quantity(tree, "direction") and self._is_wall(tree):
+            return tree.arguments[0]
         if isinstance(tree, Name) and tree.name not in self.walls:
             return self.settled(Quantity("velocity", (tree,), None), events)
         return tree
